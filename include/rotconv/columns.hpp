@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <rotconv/reading.hpp>
+
+namespace rotconv {
+
+/// The first two columns of R_ref_body, one below the other in storage.
+using Columns = Eigen::Matrix<double, 3, 2>;
+
+/// Two columns of the matrix, in nine minus three or nine minus four numbers. Both sets are one-to-one and have no
+/// singular attitude (Stuelpnagel 1964, section 4).
+namespace columns {
+
+/// Gram-Schmidt that keeps the first column's direction: e1 = c1/|c1|, e2 along c2 - (e1.c2) e1, e3 = e1 x e2.
+/// Columns of any length. Faults: not_finite, rank_deficient. Defect: largest singular value of M - (polar factor of
+/// M).
+[[nodiscard]] Reading to_rotation(const Columns& m) noexcept;
+
+/// The first two columns of the matrix.
+[[nodiscard]] Columns from_rotation(const Rotation& rotation) noexcept;
+
+/// Margin infinite, condition sqrt 2.
+[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+} // namespace columns
+
+/// Hopf's five numbers: the six of `columns`, over sqrt 2, lie on the unit sphere of E6; this is their stereographic
+/// projection from the pole a = (1, 0, 0, 0, 0, 0), y = (r21, r31, r12, r22, r32)/(sqrt 2 - r11). The smallest set that
+/// is one-to-one and has no singular attitude (Stuelpnagel 1964, section 4; Hopf 1940).
+namespace hopf {
+
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+
+/// r11 = sqrt 2 (y'y - 1)/(y'y + 1), the other five 2 sqrt 2 y/(y'y + 1), then as columns::to_rotation().
+[[nodiscard]] Reading to_rotation(const Vector5& y) noexcept;
+
+/// In the homogeneous form the denominator (sqrt 2 - 1)(w^2 + x^2) + (sqrt 2 + 1)(y^2 + z^2) has no cancellation.
+[[nodiscard]] Vector5 from_rotation(const Rotation& rotation) noexcept;
+
+/// Margin infinite, condition sqrt 2/(sqrt 2 - r11), between 0.59 and 3.41.
+[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+} // namespace hopf
+} // namespace rotconv

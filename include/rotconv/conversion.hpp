@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include <rotconv/reading.hpp>
+#include <rotconv/spec.hpp>
+
+namespace rotconv {
+
+/// What a conversion gives up, and what it looks for.
+struct Settings {
+    double tolerance = 1e-3;                         ///< largest defect that is accepted
+    double lock_margin = euler::default_lock_margin; ///< radians; see euler::from_rotation()
+    bool figures = false;                            ///< margin, condition and the exact defect for every row
+};
+
+/// What is known of one converted row.
+struct Report {
+    Fault fault = Fault::none;
+    Notes notes;
+    double defect = 0.0; ///< below `reported_defect` and without Settings::figures only an upper bound
+    Figures figures{};   ///< where there are notes or Settings::figures asks for them
+};
+
+struct Door;
+
+/// A way from one representation to another, resolved once and then run over blocks of rows.
+/// Thread-safe: running it changes nothing in it.
+class Conversion {
+public:
+    Conversion(const Spec& from, const Spec& to, const Settings& settings = {});
+
+    [[nodiscard]] const Spec& from() const noexcept { return from_; }
+    [[nodiscard]] const Spec& to() const noexcept { return to_; }
+
+    /// Converts reports.size() rows of from().size() numbers each into rows of to().size() numbers. The numbers of a
+    /// row with a fault become nan. No number becomes -0.
+    /// @pre in.size() >= rows * from().size() and out.size() >= rows * to().size()
+    void run(std::span<const double> in, std::span<double> out, std::span<Report> reports) const noexcept;
+
+private:
+    static constexpr std::size_t block = 128;
+    void run_block(const double* in, double* out, std::span<Report> reports) const noexcept;
+    [[nodiscard]] Report report(const Reading& reading, const double* numbers) const noexcept;
+
+    Spec from_;
+    Spec to_;
+    Settings settings_;
+    const Door* in_door_;
+    const Door* out_door_;
+};
+
+} // namespace rotconv

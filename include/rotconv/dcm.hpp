@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <rotconv/reading.hpp>
+
+namespace rotconv {
+
+/// A 3x3 matrix R_ref_body, near a rotation or not.
+using Dcm = Eigen::Matrix3d;
+
+/// The direction cosine matrix: nine numbers, one-to-one, linear kinematics, no singular attitude (Stuelpnagel 1964,
+/// section 3; his X is the transpose).
+namespace dcm {
+
+/// The rotation nearest to the matrix (its polar factor), for any matrix with a positive determinant.
+///
+/// The quaternion is the eigenvector of Davenport's symmetric matrix K to its largest eigenvalue. The column of K + I
+/// with the largest diagonal element, which is Markley's choice (2008) and, with Baruh's Eqs (5)-(8) for the pivot, the
+/// symmetric mend of his method, starts power steps; each of them reduces what is left of the matrix's defect by that
+/// defect, so that one serves a matrix that is orthogonal to rounding. A matrix that is far off goes through the
+/// singular value decomposition.
+///
+/// The defect is exact only above `reported_defect`; below, it is an upper bound. See defect().
+/// Faults: not_finite, not_proper. Error: see the table of limits in the README.
+[[nodiscard]] Reading to_rotation(const Dcm& matrix) noexcept;
+
+/// Largest singular value of M - (polar factor of M), that is max |s_i - 1| over the singular values of M.
+/// @pre to_rotation(matrix).ok()
+[[nodiscard]] double defect(const Dcm& matrix) noexcept;
+
+/// Homogeneous form: (w^2 + x^2 - y^2 - z^2)/|q|^2 on the diagonal, 2(xy - wz)/|q|^2 and so on beside it (Stuelpnagel
+/// section 3, gamma(u) transposed). Exact for quarter turns about the axes.
+[[nodiscard]] Dcm from_rotation(const Rotation& rotation) noexcept;
+
+/// Margin infinite, condition sqrt 2.
+[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+} // namespace dcm
+} // namespace rotconv

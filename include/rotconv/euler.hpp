@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <rotconv/angle.hpp>
+#include <rotconv/reading.hpp>
+
+namespace rotconv {
+
+/// One of the 24 Euler sequences: "ZYX" in upper case turns about the body's own moving axes in that order (intrinsic),
+/// "xyz" in lower case about the fixed axes (extrinsic). Neighbouring letters differ.
+class EulerSequence {
+public:
+    /// The sequence of three letters, or nothing where they name none.
+    [[nodiscard]] static constexpr std::optional<EulerSequence> parse(std::string_view letters) noexcept {
+        if (letters.size() != 3) {
+            return std::nullopt;
+        }
+        EulerSequence sequence;
+        const char base = letters[0] >= 'a' ? 'x' : 'X';
+        sequence.intrinsic_ = base == 'X';
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int axis = letters[i] - base;
+            if (axis < 0 || axis > 2 || (i > 0 && axis == sequence.axes_[i - 1])) {
+                return std::nullopt;
+            }
+            sequence.axes_[i] = static_cast<std::int8_t>(axis);
+        }
+        return sequence;
+    }
+
+    /// All 24, intrinsic first.
+    [[nodiscard]] static std::array<EulerSequence, 24> all() noexcept;
+
+    [[nodiscard]] std::array<char, 3> letters() const noexcept;
+    /// Axis 0, 1, 2 of the turn `position` 0, 1, 2.
+    [[nodiscard]] constexpr int axis(std::size_t position) const noexcept { return axes_[position]; }
+    [[nodiscard]] constexpr bool intrinsic() const noexcept { return intrinsic_; }
+    /// First and third axis are the same (proper Euler angles); otherwise all three differ (Tait-Bryan angles).
+    [[nodiscard]] constexpr bool proper() const noexcept { return axes_[0] == axes_[2]; }
+
+    friend constexpr bool operator==(const EulerSequence&, const EulerSequence&) noexcept = default;
+
+private:
+    std::array<std::int8_t, 3> axes_{0, 1, 2};
+    bool intrinsic_ = true;
+};
+
+/// Roll, pitch and yaw: turns about the fixed x, y and z axes (Stuelpnagel's phi, theta, psi).
+inline constexpr EulerSequence roll_pitch_yaw = *EulerSequence::parse("xyz");
+
+/// Three angles in the order of their sequence.
+struct EulerAngles {
+    std::array<double, 3> angles{};
+    EulerSequence sequence = roll_pitch_yaw;
+    AngleUnit unit = AngleUnit::radians;
+};
+
+/// Euler angles of every sequence (Stuelpnagel 1964, section 6, for roll-pitch-yaw). Singular at gimbal lock: middle
+/// angle
+/// +-pi/2 (three different axes) or 0 and pi (first = third), where only the sum or difference of the other two is
+/// defined.
+namespace euler {
+
+/// Attitudes nearer to lock than this (radians) are treated as locked unless the caller says otherwise: rounding alone.
+inline constexpr double default_lock_margin = 1e-15;
+
+/// The product of three half-angle quaternions. Angles of any finite size. Fault: not_finite.
+[[nodiscard]] Reading to_rotation(const EulerAngles& value) noexcept;
+
+/// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi].
+///
+/// With a, b, c, d of Bernardes and Viollet (2022), where a + ib = C e^(i s) and c + id = S e^(i t) hold half the sum
+/// and difference s, t of the outer angles: these are the arguments of (a + ib)(c +- id), and the middle one that of
+/// (C^2 - S^2, 2 C S). No threshold is needed; accuracy does not depend on the distance from lock.
+/// Where the margin is at most `lock_margin` the third angle is 0, the middle one at its limit, and the first takes up
+/// the rest: this gives up to `lock_margin` radians. With 0 only exact lock is special.
+[[nodiscard]] EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence,
+                                        AngleUnit unit = AngleUnit::radians,
+                                        double lock_margin = default_lock_margin) noexcept;
+
+/// gimbal_lock, near_gimbal_lock.
+[[nodiscard]] Notes notes(const Rotation& rotation, EulerSequence sequence,
+                          double lock_margin = default_lock_margin) noexcept;
+
+/// Margin pi/2 - |middle|, or the smaller of middle and pi - middle; condition 1/(sqrt 2 sin(margin/2)).
+[[nodiscard]] Figures figures(const Rotation& rotation, EulerSequence sequence) noexcept;
+
+} // namespace euler
+} // namespace rotconv

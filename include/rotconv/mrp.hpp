@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <rotconv/reading.hpp>
+
+namespace rotconv {
+
+/// Modified Rodrigues parameters, tan(theta/4) n: the stereographic projection of the quaternion (Wiener 1962; Schaub
+/// and Junkins 1996). At a half-turn the set changes to its shadow -m/|m|^2, so that its norm stays at most 1.
+namespace mrp {
+
+/// q ~ (1 - |m|^2, 2m), for m of any length. Fault: not_finite.
+[[nodiscard]] Reading to_rotation(const Eigen::Vector3d& m) noexcept;
+
+/// m = v/(|q| + w), w >= 0, norm at most 1.
+[[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
+
+/// half_turn.
+[[nodiscard]] Notes notes(const Rotation& rotation) noexcept;
+
+/// Margin pi - theta, condition (1 + |m|^2)/4.
+[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+} // namespace mrp
+} // namespace rotconv

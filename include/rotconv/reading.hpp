@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include <rotconv/rotation.hpp>
+
+namespace rotconv {
+
+/// Why numbers do not describe a rotation. Data: words are found by whoever talks to people.
+enum class Fault : std::uint8_t {
+    none,
+    not_finite,      ///< a number is nan or infinite
+    zero_quaternion, ///< all four components are 0
+    zero_axis,       ///< an axis of length 0 with an angle that is not 0
+    not_proper,      ///< a matrix with det <= 0: singular, or a reflection
+    rank_deficient,  ///< two columns that do not span a plane
+    defect,          ///< further from a rotation than the tolerance allows
+};
+
+/// What a room's inward door returns: the rotation, how far the numbers were from describing one exactly, or a fault.
+struct Reading {
+    Rotation rotation;   ///< the identity where `fault` is not none
+    double defect = 0.0; ///< | |q| - 1 |, or the largest singular value of M - (polar factor of M); 0 for others
+    Fault fault = Fault::none;
+
+    [[nodiscard]] bool ok() const noexcept { return fault == Fault::none; }
+    static Reading failed(Fault why) noexcept { return {.rotation = {}, .defect = 0.0, .fault = why}; }
+};
+
+/// Kinds of diagnostic, in the order in which they are reported.
+enum class Kind : std::uint8_t { normalized, gimbal_lock, near_gimbal_lock, half_turn, infinite, identity_axis };
+inline constexpr std::size_t kind_count = 6;
+
+/// The kind's name as it stands in the `notes` column, such as "gimbal-lock".
+[[nodiscard]] std::string_view name_of(Kind kind) noexcept;
+
+/// A set of kinds.
+class Notes {
+public:
+    constexpr Notes() noexcept = default;
+    constexpr Notes(Kind kind, bool present) noexcept : bits_(present ? bit(kind) : 0U) {}
+
+    [[nodiscard]] constexpr bool has(Kind kind) const noexcept { return (bits_ & bit(kind)) != 0U; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0U; }
+    constexpr Notes& operator|=(Notes other) noexcept {
+        bits_ |= other.bits_;
+        return *this;
+    }
+
+private:
+    static constexpr unsigned bit(Kind kind) noexcept { return 1U << static_cast<unsigned>(kind); }
+    unsigned bits_ = 0;
+};
+
+/// How close an attitude is to where a set of parameters is singular.
+struct Figures {
+    /// Angle in radians to the nearest attitude at which the set is singular; infinite for a set without any.
+    double margin = std::numeric_limits<double>::infinity();
+    /// Largest singular value of the map from a small rotation (radians) to the parameters (radians where angles).
+    double condition = 1.0;
+};
+
+/// Attitudes nearer than this (radians) to a half-turn are reported as one.
+inline constexpr double half_turn_margin = 1e-15;
+/// A condition above this is reported as near gimbal lock.
+inline constexpr double near_lock_condition = 1e6;
+/// A defect above this is reported.
+inline constexpr double reported_defect = 1e-6;
+
+} // namespace rotconv

@@ -1,0 +1,13 @@
+#pragma once
+
+/// Everything of rotconv::core: the hub Rotation, a room for each representation, and conversion of rows by SPEC.
+
+#include <rotconv/axis_angle.hpp>
+#include <rotconv/cayley.hpp>
+#include <rotconv/columns.hpp>
+#include <rotconv/conversion.hpp>
+#include <rotconv/dcm.hpp>
+#include <rotconv/euler.hpp>
+#include <rotconv/mrp.hpp>
+#include <rotconv/quaternion.hpp>
+#include <rotconv/rotation_vector.hpp>

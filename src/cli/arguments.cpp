@@ -1,0 +1,71 @@
+#include "arguments.hpp"
+
+#include <string_view>
+
+#include "../stream/number_text.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+bool begins_with_number(std::string_view word) {
+    const auto text = word.substr(0, word.find_first_of(",;\t ", word.find_first_not_of(" \t")));
+    return stream::is_number(text);
+}
+
+bool names_command(const CLI::App& app, const std::string& word) {
+    return !app.get_subcommands([&word](const CLI::App* command) { return command->get_name() == word; }).empty();
+}
+
+bool takes_argument(const CLI::App& app, const std::string& name) {
+    const CLI::Option* option = app.get_option_no_throw(name);
+    return option != nullptr && option->get_items_expected_max() > 0;
+}
+
+/// For `-x` or a cluster `-ab`: the last letter, where it is an option that awaits an argument; "" otherwise.
+std::string awaiting_short(const CLI::App& app, const std::string& word) {
+    for (std::size_t i = 1; i < word.size(); ++i) {
+        const std::string name{'-', word[i]};
+        if (takes_argument(app, name)) {
+            return i + 1 == word.size() ? name : std::string();
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv) {
+    Arguments sorted;
+    bool only_values = false;
+    for (int i = 1; i < argc; ++i) {
+        std::string word = argv[i];
+        const bool is_value = only_values || begins_with_number(word) || word.empty() || word[0] != '-' || word == "-";
+        if (is_value) {
+            if (sorted.values.empty() && !only_values && names_command(app, word)) {
+                sorted.is_command = true;
+                sorted.options.insert(sorted.options.end(), argv + i, argv + argc);
+                return sorted;
+            }
+            sorted.values.push_back(std::move(word));
+            continue;
+        }
+        if (word == "--") {
+            only_values = true;
+            continue;
+        }
+        const bool is_long = word.starts_with("--");
+        const std::string name =
+            is_long ? (takes_argument(app, word) ? word : std::string()) : awaiting_short(app, word);
+        if (name.empty() || i + 1 == argc) {
+            sorted.options.push_back(std::move(word));
+            continue;
+        }
+        if (!is_long && word.size() > 2) {
+            sorted.options.push_back(word.substr(0, word.size() - 1)); // the flags of the cluster
+        }
+        sorted.options.push_back("--" + app.get_option(name)->get_lnames().front() + "=" + argv[++i]);
+    }
+    return sorted;
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace rotconv::cli {
+
+/// The words of a command line, sorted into what CLI11 reads and the VALUEs.
+struct Arguments {
+    std::vector<std::string> options; ///< each option that takes an argument joined with it
+    std::vector<std::string> values;
+    bool is_command = false; ///< the first word names a command: all words stand in `options`
+};
+
+/// CLI11 takes `-.5` for an option and `-inf` for `-i nf`, and an option's argument `-1` for an option. Here a word
+/// that reads as a number, or begins with one before a comma or blank, is a VALUE except where an option awaits its
+/// argument.
+[[nodiscard]] Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv);
+
+} // namespace rotconv::cli

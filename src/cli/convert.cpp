@@ -1,0 +1,147 @@
+#include "convert.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "../stream/run.hpp"
+#include "exit_code.hpp"
+#include "words.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// Words events as they come, counts them, and words the summary.
+class Reporter {
+public:
+    Reporter(const ConvertCommand& command, std::string where) : command_(&command), where_(std::move(where)) {}
+
+    void operator()(const stream::Event& event) {
+        if (const auto* fault = std::get_if<stream::RowFault>(&event)) {
+            ++faults_;
+            tell(fault->line,
+                 words::explain(*fault, command_->options.conversion.from(), command_->settings.tolerance));
+            return;
+        }
+        const auto& diagnostic = std::get<stream::Diagnostic>(event);
+        Count& count = counts_.at(static_cast<std::size_t>(diagnostic.kind));
+        if (count.rows++ == 0) {
+            count.first = diagnostic;
+        }
+        if (command_->diagnostics == ShowDiagnostics::rows) {
+            tell(diagnostic.line, words::describe(diagnostic));
+        }
+    }
+
+    void tell(std::size_t line, const std::string& message) const {
+        if (line == 0 || command_->has_values) {
+            fmt::print(stderr, "rotconv: {}: {}\n", where_, message);
+        } else {
+            fmt::print(stderr, "rotconv: {}:{}: {}\n", where_, line, message);
+        }
+    }
+
+    void summarize() const {
+        if (command_->diagnostics != ShowDiagnostics::summary) {
+            return;
+        }
+        for (const Count& count : counts_) {
+            if (count.rows == 0) {
+                continue;
+            }
+            if (command_->has_values) {
+                tell(0, words::describe(count.first));
+            } else {
+                tell(0, fmt::format("{}: {} row{}, first at line {}; {}", name_of(count.first.kind), count.rows,
+                                    count.rows == 1 ? "" : "s", count.first.line, words::meaning(count.first.kind)));
+            }
+        }
+    }
+
+    [[nodiscard]] bool met_fault() const noexcept { return faults_ > 0; }
+    /// Any kind but normalized.
+    [[nodiscard]] bool met_singularity() const noexcept {
+        for (const Count& count : counts_) {
+            if (count.rows > 0 && count.first.kind != Kind::normalized) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    struct Count {
+        std::size_t rows = 0;
+        stream::Diagnostic first;
+    };
+    const ConvertCommand* command_;
+    std::string where_;
+    std::array<Count, kind_count> counts_{};
+    std::size_t faults_ = 0;
+};
+
+ExitCode failed(const std::string& message) {
+    fmt::print(stderr, "rotconv: {}\n", message);
+    return ExitCode::incomplete;
+}
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+} // namespace
+
+ExitCode convert(const ConvertCommand& command) {
+    const bool from_stdin = command.input == "-";
+    const bool to_stdout = command.output == "-";
+    auto input = from_stdin ? std::make_unique<stream::File>(STDIN_FILENO)
+                            : std::make_unique<stream::File>(command.input.c_str(), stream::File::Mode::read);
+    if (!input->is_open()) {
+        return failed(fmt::format("{}: cannot be read: {}", command.input, reason(errno)));
+    }
+    auto output = to_stdout ? std::make_unique<stream::File>(STDOUT_FILENO)
+                            : std::make_unique<stream::File>(command.output.c_str(), stream::File::Mode::write);
+    if (!output->is_open()) {
+        return failed(fmt::format("{}: cannot be written: {}", command.output, reason(errno)));
+    }
+    if (!command.has_values && input->same_file(*output)) {
+        return failed("the same file is input and output");
+    }
+    if (!to_stdout) {
+        if (const int error = output->truncate(); error != 0) {
+            return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));
+        }
+    }
+
+    Reporter reporter(command, command.has_values ? "argument" : command.input);
+    stream::TextSource values(command.values);
+    stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *input;
+    const stream::Ending ending =
+        stream::run(source, *output, command.options, [&reporter](const stream::Event& event) { reporter(event); });
+    if (ending.reader_left) {
+        return ExitCode::done;
+    }
+    reporter.summarize();
+    if (ending.fault) {
+        const auto message = words::explain(*ending.fault, command.options.columns.names());
+        if (ending.fault->what == stream::StreamFault::What::write) {
+            return failed(fmt::format("{}: {}", command.output, message));
+        }
+        reporter.tell(ending.fault->what == stream::StreamFault::What::read ? 0 : ending.fault->line, message);
+        return ExitCode::incomplete;
+    }
+    if (const int error = output->close(); error != 0) {
+        return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));
+    }
+    if (ending.stopped) {
+        return ExitCode::incomplete;
+    }
+    const bool strict = command.strict && reporter.met_singularity();
+    return reporter.met_fault() || strict ? ExitCode::reservations : ExitCode::done;
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rotconv::cli {
+
+/// The table of representations.
+[[nodiscard]] std::string list_all();
+
+/// What one representation is: formula, numbers, ranges, modifiers, presets; nothing where there is none of that name.
+[[nodiscard]] std::optional<std::string> list_one(std::string_view name);
+
+/// The end of --help: the names, and commands to copy.
+[[nodiscard]] std::string help_footer();
+
+} // namespace rotconv::cli

@@ -1,0 +1,55 @@
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <variant>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "../stream/file.hpp"
+#include "command_line.hpp"
+#include "convert.hpp"
+#include "exit_code.hpp"
+#include "list.hpp"
+#include "words.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+ExitCode print(const std::string& text) {
+    stream::File out(STDOUT_FILENO);
+    const int error = out.write(text);
+    if (error == 0 || error == EPIPE) {
+        return ExitCode::done;
+    }
+    fmt::print(stderr, "rotconv: -: {}\n", words::explain({stream::StreamFault::What::write, 0, error, {}}, {}));
+    return ExitCode::incomplete;
+}
+
+ExitCode usage(const std::string& message) {
+    fmt::print(stderr, "rotconv: {}\n", message);
+    return ExitCode::incomplete;
+}
+
+/// One overload for each command.
+struct Run {
+    ExitCode operator()(const ConvertCommand& command) const { return convert(command); }
+    ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
+    ExitCode operator()(const UsageError& error) const { return usage(error.message); }
+    ExitCode operator()(const ListCommand& command) const {
+        if (command.name.empty()) {
+            return print(list_all());
+        }
+        const auto text = list_one(command.name);
+        return text ? print(*text) : usage(words::explain(SpecFault{SpecFault::What::unknown_name, command.name}));
+    }
+};
+
+} // namespace
+} // namespace rotconv::cli
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error code of write()
+    return static_cast<int>(std::visit(rotconv::cli::Run{}, rotconv::cli::read_command_line(argc, argv)));
+}

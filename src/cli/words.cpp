@@ -1,0 +1,268 @@
+#include "words.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace rotconv::cli::words {
+namespace {
+
+/// Edits (insert, delete, replace) that lead from one text to the other.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row.back();
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return result;
+}
+
+/// "; did you mean X?" where a legal word is near.
+std::string suggestion(std::string_view text, const std::vector<std::string_view>& legal) {
+    std::string_view best;
+    std::size_t least = std::max<std::size_t>(2, text.size() / 2) + 1;
+    for (const std::string_view word : legal) {
+        const std::size_t distance = edit_distance(lower(text), lower(word));
+        if (distance < least) {
+            least = distance;
+            best = word;
+        }
+    }
+    return best.empty() ? std::string() : fmt::format("; did you mean {}?", best);
+}
+
+std::vector<std::string_view> legal_names() {
+    std::vector<std::string_view> names;
+    for (const Representation& entry : representations()) {
+        names.push_back(entry.text);
+        std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
+    }
+    return names;
+}
+
+std::vector<std::string_view> legal_modifiers(const Representation& representation) {
+    std::vector<std::string_view> words;
+    for (const Modifier modifier : all_modifiers) {
+        if (representation.accepts(modifier)) {
+            words.push_back(name_of(modifier));
+        }
+    }
+    return words;
+}
+
+std::vector<std::string_view> legal_presets() {
+    std::vector<std::string_view> words;
+    std::ranges::transform(presets(), std::back_inserter(words), &Preset::text);
+    return words;
+}
+
+std::string sequences() {
+    std::string text;
+    for (const EulerSequence sequence : EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        text += text.empty() ? "" : " ";
+        text.append(letters.data(), letters.size());
+    }
+    return text;
+}
+
+std::vector<std::string> sequence_list() {
+    std::vector<std::string> list;
+    for (const EulerSequence sequence : EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        list.emplace_back(letters.data(), letters.size());
+    }
+    return list;
+}
+
+} // namespace
+
+About about(Name name) {
+    switch (name) {
+    case Name::dcm:
+        return {"orthogonal, det 1", "none",
+                "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"};
+    case Name::six_d:
+        return {"two orthonormal columns", "none", "columns 1 and 2 of R; the third is their cross product"};
+    case Name::five_d:
+        return {"norm between 0.41 and 2.41", "none",
+                "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"};
+    case Name::quat:
+        return {"unit; w > 0, or w = 0 and the first nonzero of x, y, z positive", "none",
+                "w = cos(theta/2), (x, y, z) = sin(theta/2) n"};
+    case Name::axis_angle:
+        return {"unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity", "identity, half-turn",
+                "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"};
+    case Name::rotvec: return {"norm at most pi", "half-turn", "theta n; R = exp [theta n]"};
+    case Name::euler:
+        return {"1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)", "gimbal lock: 2nd at its limit",
+                "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"};
+    case Name::rpy:
+        return {"roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]", "gimbal lock: pitch at its limit",
+                "R = R_z(yaw) R_y(pitch) R_x(roll)"};
+    case Name::cayley: return {"infinite at a half-turn", "half-turn", "tan(theta/2) n; R = (I + [c])(I - [c])^-1"};
+    case Name::mrp: return {"norm at most 1", "half-turn (changes to its shadow)", "tan(theta/4) n"};
+    }
+    return {};
+}
+
+std::string_view about_preset(std::string_view preset) {
+    struct Line {
+        std::string_view preset;
+        std::string_view about;
+    };
+    static constexpr Line lines[] = {
+        {"scipy", "scipy.spatial.transform.Rotation"},
+        {"ros", "ROS geometry_msgs/Quaternion"},
+        {"tum", "TUM RGB-D trajectory files"},
+        {"matlab", "Aerospace Toolbox"},
+        {"basilisk", "Basilisk; Schaub and Junkins, [BN]"},
+        {"spice", "SPICE C-matrices, reference to body"},
+        {"bunge", "materials science, P = +1; R takes crystal to sample"},
+        {"baruh", "Baruh, Analytical Dynamics, 1999"},
+        {"trawny", "Trawny and Roumeliotis 2005, the JPL quaternion"},
+        {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
+    };
+    const auto* found = std::ranges::find(lines, preset, &Line::preset);
+    return found == std::end(lines) ? std::string_view{} : found->about;
+}
+
+std::string modifiers_of(const Representation& representation) {
+    return fmt::format("{}", fmt::join(legal_modifiers(representation), " "));
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t longest = 80;
+    std::string result = "'";
+    for (const char c : text.substr(0, longest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20U || byte > 0x7EU) {
+            result += fmt::format("\\x{:02x}", byte);
+        } else {
+            result += c;
+        }
+    }
+    result += text.size() > longest ? "...'" : "'";
+    return result;
+}
+
+std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
+    return fmt::format("{} is no {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "), suggestion(text, legal));
+}
+
+std::string explain(const SpecFault& fault) {
+    using What = SpecFault::What;
+    switch (fault.what) {
+    case What::unknown_name: return no_such_word("representation", fault.text, legal_names());
+    case What::no_sequence: return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", sequences());
+    case What::unknown_sequence: {
+        const auto list = sequence_list();
+        return no_such_word("Euler sequence", fault.text, {list.begin(), list.end()});
+    }
+    case What::unknown_modifier: {
+        auto legal = legal_modifiers(*fault.in);
+        std::ranges::copy(legal_presets(), std::back_inserter(legal));
+        return no_such_word(fmt::format("modifier of {}", fault.in->text), fault.text, legal);
+    }
+    case What::meaningless_modifier:
+        return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(fault.text),
+                           fault.in->text, modifiers_of(*fault.in), fmt::join(legal_presets(), " "));
+    case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(fault.text));
+    }
+    return {};
+}
+
+std::string explain(const stream::RowFault& fault, const Spec& from, double tolerance) {
+    using What = stream::RowFault::What;
+    const std::string text = quoted(fault.text);
+    const std::string_view name = representation(from.name).text;
+    switch (fault.what) {
+    case What::not_a_number: return fmt::format("not a number: {}", text);
+    case What::too_large: return fmt::format("too large for a double: {}", text);
+    case What::wrong_count:
+        return fmt::format("{} field{} where {} has {}{}: {}", fault.found, fault.found == 1 ? "" : "s", name,
+                           fault.expected, fault.found > fault.expected ? " (--columns selects)" : "", text);
+    case What::missing_column:
+        return fmt::format("no column {}, the row has {}: {}", fault.expected, fault.found, text);
+    case What::open_quote: return fmt::format("a quote is left open: {}", text);
+    case What::attitude: break;
+    }
+    switch (fault.fault) {
+    case Fault::none: break;
+    case Fault::not_finite: return fmt::format("not finite: {}", text);
+    case Fault::zero_quaternion: return fmt::format("a zero quaternion has no attitude: {}", text);
+    case Fault::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
+    case Fault::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
+    case Fault::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
+    case Fault::defect:
+        return fmt::format("defect {:.3g} is above the tolerance {:.3g} (--tolerance): {}", fault.defect, tolerance,
+                           text);
+    }
+    return {};
+}
+
+std::string explain(const stream::StreamFault& fault, const std::vector<std::string>& column_names) {
+    using What = stream::StreamFault::What;
+    switch (fault.what) {
+    case What::read: return fmt::format("cannot be read: {}", std::generic_category().message(fault.error));
+    case What::write: return fmt::format("cannot be written: {}", std::generic_category().message(fault.error));
+    case What::line_too_long: return "the line is longer than 4 MiB";
+    case What::no_such_columns:
+        return fmt::format("data, and no header before it that has the column{} {}",
+                           column_names.size() == 1 ? "" : "s", fmt::join(column_names, ", "));
+    case What::column_twice: return fmt::format("column {} is selected twice", fault.text);
+    case What::column_ambiguous: return fmt::format("more than one column is called {}", quoted(fault.text));
+    }
+    return {};
+}
+
+std::string explain(const stream::ColumnFault& fault, const Spec& from) {
+    using What = stream::ColumnFault::What;
+    switch (fault.what) {
+    case What::not_an_item:
+        return fmt::format("{} is neither an index from 1, nor a range such as 5-8, nor a name", quoted(fault.text));
+    case What::wrong_count:
+        return fmt::format("{} selects {} column{} where {} has {} numbers", quoted(fault.text), fault.count,
+                           fault.count == 1 ? "" : "s", representation(from.name).text, from.size());
+    case What::twice: return fmt::format("column {} is selected twice", fault.text);
+    case What::ambiguous: return fmt::format("more than one column is called {}", quoted(fault.text));
+    }
+    return {};
+}
+
+std::string_view meaning(Kind kind) {
+    switch (kind) {
+    case Kind::normalized: return "the input was not exactly a rotation; the nearest one was taken";
+    case Kind::gimbal_lock: return "only the sum or difference of the outer angles is defined; the third is set to 0";
+    case Kind::near_gimbal_lock: return "the outer angles are ill-conditioned, the attitude is not";
+    case Kind::half_turn: return "the axis and its opposite are the same; its sign is a convention";
+    case Kind::infinite: return "a half-turn has no finite Cayley vector";
+    case Kind::identity_axis: return "every axis serves; (1, 0, 0) is a convention";
+    }
+    return {};
+}
+
+std::string describe(const stream::Diagnostic& diagnostic) {
+    const std::string_view figure = diagnostic.kind == Kind::normalized         ? "defect"
+                                    : diagnostic.kind == Kind::near_gimbal_lock ? "condition"
+                                                                                : "margin";
+    return fmt::format("{}: {} {:.3g}; {}", name_of(diagnostic.kind), figure, diagnostic.figure,
+                       meaning(diagnostic.kind));
+}
+
+} // namespace rotconv::cli::words

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rotconv/spec.hpp>
+
+#include "../stream/column_list.hpp"
+#include "../stream/event.hpp"
+
+/// Every message of the program is worded here, and nowhere else.
+namespace rotconv::cli::words {
+
+/// What people want to know of a representation beside its line in the table.
+struct About {
+    std::string_view range;
+    std::string_view singular;
+    std::string_view formula;
+};
+[[nodiscard]] About about(Name name);
+
+/// A preset's origin in a few words.
+[[nodiscard]] std::string_view about_preset(std::string_view preset);
+
+/// The modifiers that have a meaning for a representation, parted by blanks.
+[[nodiscard]] std::string modifiers_of(const Representation& representation);
+
+/// Why a SPEC is none, with the legal words and the nearest.
+[[nodiscard]] std::string explain(const SpecFault& fault);
+
+/// Why a row has no attitude, with the text at fault. `columns_hint` where the row has more fields than numbers.
+[[nodiscard]] std::string explain(const stream::RowFault& fault, const Spec& from, double tolerance);
+
+/// Why a run ended, other than by a row.
+[[nodiscard]] std::string explain(const stream::StreamFault& fault, const std::vector<std::string>& column_names);
+
+[[nodiscard]] std::string explain(const stream::ColumnFault& fault, const Spec& from);
+
+/// A diagnostic in words, with its figure.
+[[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);
+
+/// What a kind of diagnostic means, without a figure.
+[[nodiscard]] std::string_view meaning(Kind kind);
+
+/// "'text' is not a format" and the like, with the legal words and the nearest.
+[[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
+                                       const std::vector<std::string_view>& legal);
+
+/// The text in quotes, its unprintable bytes escaped, cut where it is long.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+} // namespace rotconv::cli::words

@@ -1,0 +1,121 @@
+#include <rotconv/columns.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include <rotconv/dcm.hpp>
+
+#include "davenport.hpp"
+#include "scaling.hpp"
+
+namespace rotconv {
+namespace {
+
+using std::numbers::sqrt2;
+
+/// Largest |s - 1| over the singular values s of a 3x2 matrix, from the eigenvalues of M'M - I.
+double columns_defect(const Columns& m) noexcept {
+    const auto scale = PowerOfTwo::to_unit(std::max(1.0, m.cwiseAbs().maxCoeff()));
+    const Columns scaled = m.unaryExpr(scale);
+    const double unit = scale(1.0);
+    const double a = scaled.col(0).squaredNorm() - unit * unit;
+    const double b = scaled.col(1).squaredNorm() - unit * unit;
+    const double c = scaled.col(0).dot(scaled.col(1));
+    const double mean = 0.5 * (a + b);
+    const double radius = std::hypot(0.5 * (a - b), c);
+    const auto from_one = [unit](double square_excess) {
+        return std::fabs(square_excess) / (unit + std::sqrt(std::max(0.0, unit * unit + square_excess)));
+    };
+    return scale.undone(std::max(from_one(mean + radius), from_one(mean - radius)));
+}
+
+/// The rotation of two nonzero directions, or a fault; columns of any finite length.
+Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
+    const double first_size = first.cwiseAbs().maxCoeff();
+    const double second_size = second.cwiseAbs().maxCoeff();
+    if (first_size == 0.0 || second_size == 0.0) {
+        return Reading::failed(Fault::rank_deficient);
+    }
+    first = first.unaryExpr(PowerOfTwo::to_unit(first_size)).eval();
+    second = second.unaryExpr(PowerOfTwo::to_unit(second_size)).eval();
+    Eigen::Vector3d third = first.cross(second);
+    // Parallel to rounding: no digit of the plane is left.
+    constexpr double noise = 0x1p-52;
+    if (third.norm() <= noise * (first.norm() * second.norm())) {
+        return Reading::failed(Fault::rank_deficient);
+    }
+    Eigen::Matrix3d m;
+    m.col(0) = first.normalized();
+    m.col(1) = (second - m.col(0).dot(second) * m.col(0)).normalized();
+    // Once more: the first pass leaves its rounding, which counts where the columns are far from orthogonal.
+    m.col(1) = (m.col(1) - m.col(0).dot(m.col(1)) * m.col(0)).normalized();
+    m.col(2) = m.col(0).cross(m.col(1));
+    const Eigen::Vector4d q = quaternion_of_rotation(m);
+    return {.rotation = Rotation::from_components(q[0], q[1], q[2], q[3])};
+}
+
+} // namespace
+
+namespace columns {
+
+Reading to_rotation(const Columns& m) noexcept {
+    if (!m.allFinite()) {
+        return Reading::failed(Fault::not_finite);
+    }
+    Reading reading = gram_schmidt(m.col(0), m.col(1));
+    if (reading.ok()) {
+        reading.defect = columns_defect(m);
+    }
+    return reading;
+}
+
+Columns from_rotation(const Rotation& rotation) noexcept { return dcm::from_rotation(rotation).leftCols<2>(); }
+
+Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = sqrt2}; }
+
+} // namespace columns
+
+namespace hopf {
+
+Reading to_rotation(const Vector5& y) noexcept {
+    if (!y.allFinite()) {
+        return Reading::failed(Fault::not_finite);
+    }
+    // Times a power of two f, so that y'y cannot overflow: (f^2 y'y - f^2, 2 f fy) is parallel to the two columns.
+    const auto scale = PowerOfTwo::to_unit(std::max(1.0, y.cwiseAbs().maxCoeff()));
+    const double f = scale(1.0);
+    const Vector5 fy = y.unaryExpr(scale);
+    const double square = fy.squaredNorm();
+    const Eigen::Vector3d first{square - f * f, 2.0 * f * fy[0], 2.0 * f * fy[1]};
+    const Eigen::Vector3d second = (2.0 * f) * fy.tail<3>();
+    Reading reading = gram_schmidt(first, second);
+    if (reading.ok()) {
+        Columns m;
+        m << first, second;
+        reading.defect = columns_defect(m * (sqrt2 / (square + f * f)));
+    }
+    return reading;
+}
+
+Vector5 from_rotation(const Rotation& rotation) noexcept {
+    const double w = rotation.w();
+    const double x = rotation.x();
+    const double y = rotation.y();
+    const double z = rotation.z();
+    Vector5 numerator;
+    numerator << 2.0 * (x * y + w * z), 2.0 * (x * z - w * y), 2.0 * (x * y - w * z), (w * w + y * y) - (x * x + z * z),
+        2.0 * (y * z + w * x);
+    return numerator / ((sqrt2 - 1.0) * (w * w + x * x) + (sqrt2 + 1.0) * (y * y + z * z));
+}
+
+Figures figures(const Rotation& rotation) noexcept {
+    const double turning = rotation.w() * rotation.w() + rotation.x() * rotation.x();
+    const double tilting = rotation.y() * rotation.y() + rotation.z() * rotation.z();
+    return {.condition = sqrt2 * (turning + tilting) / ((sqrt2 - 1.0) * turning + (sqrt2 + 1.0) * tilting)};
+}
+
+} // namespace hopf
+} // namespace rotconv

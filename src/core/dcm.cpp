@@ -1,0 +1,132 @@
+#include <rotconv/dcm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+
+#include "davenport.hpp"
+#include "double_double.hpp"
+#include "scaling.hpp"
+
+namespace rotconv::dcm {
+namespace {
+
+/// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
+constexpr double near_rotation = 0.05;
+
+/// M'M - I.
+Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
+
+Rotation rotation_of(const Eigen::Vector4d& q) noexcept { return Rotation::from_components(q[0], q[1], q[2], q[3]); }
+
+/// Sign of the determinant of a matrix with entries in [-1, 1], right where |det| > 2^-98; 0 below.
+int sign_of_determinant(const Dcm& m) noexcept {
+    const auto minor = [&m](int i, int j) {
+        const DoubleDouble negative = exact_product(-m(1, j), m(2, i));
+        return exact_product(m(1, i), m(2, j)) + negative;
+    };
+    const DoubleDouble determinant = minor(1, 2) * m(0, 0) + minor(2, 0) * m(0, 1) + minor(0, 1) * m(0, 2);
+    constexpr double noise = 0x1p-98;
+    if (std::fabs(determinant.hi) < noise) {
+        return 0;
+    }
+    return determinant.hi > 0.0 ? 1 : -1;
+}
+
+/// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
+/// on trace(R(q)' M) against M itself then removes the rounding of the decomposition.
+Reading far_from_rotation(const Dcm& matrix) noexcept {
+    const double largest = matrix.cwiseAbs().maxCoeff();
+    if (largest == 0.0) {
+        return Reading::failed(Fault::not_proper);
+    }
+    const auto scale = PowerOfTwo::to_unit(largest);
+    const Dcm m = matrix.unaryExpr(scale);
+    if (sign_of_determinant(m) <= 0) {
+        return Reading::failed(Fault::not_proper);
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Dcm factor = svd.matrixU() * svd.matrixV().transpose();
+    const Eigen::Vector4d q = quaternion_of_rotation(factor);
+
+    // With S = R(q)' M, the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12).
+    const Eigen::Matrix3d s = from_rotation(rotation_of(q)).transpose() * m;
+    const Eigen::Matrix3d symmetric = 0.5 * (s + s.transpose());
+    const Eigen::Vector3d skew{s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1)};
+    const Eigen::Matrix3d hessian = symmetric.trace() * Eigen::Matrix3d::Identity() - symmetric;
+    const Eigen::Vector3d half = 0.5 * hessian.fullPivLu().solve(skew);
+    const Eigen::Vector3d v = q.tail<3>();
+    Eigen::Vector4d corrected;
+    corrected << q[0] - v.dot(half), v + q[0] * half + v.cross(half);
+
+    Reading reading;
+    reading.rotation = rotation_of(corrected);
+    const Eigen::Vector3d singular = svd.singularValues();
+    reading.defect = std::max(std::fabs(scale.undone(singular[0]) - 1.0), std::fabs(scale.undone(singular[2]) - 1.0));
+    return reading;
+}
+
+} // namespace
+
+Reading to_rotation(const Dcm& matrix) noexcept {
+    if (!matrix.allFinite()) {
+        return Reading::failed(Fault::not_finite);
+    }
+    // Half the Frobenius norm of M'M - I bounds the defect from above, to first order and within sqrt 3.
+    const double bound = 0.5 * gram_excess(matrix).norm();
+    if (!(bound <= near_rotation) || matrix.determinant() <= 0.0) {
+        return far_from_rotation(matrix);
+    }
+    const Eigen::Matrix4d k = davenport_matrix(matrix);
+    Eigen::Vector4d q = pivot_column(k);
+    double remaining = std::max(bound, std::numeric_limits<double>::epsilon());
+    while (remaining * bound > 0x1p-58) {
+        q = power_step(k, q);
+        remaining *= bound;
+    }
+    q = exact_power_step(k, q);
+
+    Reading reading;
+    reading.rotation = rotation_of(q);
+    reading.defect = bound <= reported_defect ? bound : defect(matrix);
+    return reading;
+}
+
+double defect(const Dcm& matrix) noexcept {
+    const Eigen::Matrix3d excess = gram_excess(matrix);
+    if (!(0.5 * excess.norm() <= near_rotation)) {
+        return far_from_rotation(matrix).defect;
+    }
+    // s^2 - 1 for the singular values s, without cancellation
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(excess, Eigen::EigenvaluesOnly);
+    const auto from_one = [](double square_excess) {
+        return std::fabs(square_excess) / (1.0 + std::sqrt(1.0 + square_excess));
+    };
+    return std::max(from_one(solver.eigenvalues()[0]), from_one(solver.eigenvalues()[2]));
+}
+
+Dcm from_rotation(const Rotation& rotation) noexcept {
+    const double w = rotation.w();
+    const double x = rotation.x();
+    const double y = rotation.y();
+    const double z = rotation.z();
+    const double ww = w * w;
+    const double xx = x * x;
+    const double yy = y * y;
+    const double zz = z * z;
+    const double squared_norm = (ww + xx) + (yy + zz);
+    Dcm m;
+    m << (ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
+        2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x),  //
+        2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy);
+    return m / squared_norm;
+}
+
+Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
+
+} // namespace rotconv::dcm

@@ -1,0 +1,177 @@
+#include "door.hpp"
+
+#include <array>
+
+#include <rotconv/axis_angle.hpp>
+#include <rotconv/cayley.hpp>
+#include <rotconv/columns.hpp>
+#include <rotconv/dcm.hpp>
+#include <rotconv/euler.hpp>
+#include <rotconv/mrp.hpp>
+#include <rotconv/quaternion.hpp>
+#include <rotconv/rotation_vector.hpp>
+
+// Each struct below fits one room to rows of plain numbers; `door_for` makes the loops over rows around it.
+
+namespace rotconv {
+namespace {
+
+using Eigen::Map;
+using Eigen::Vector3d;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+struct DcmRow {
+    static constexpr std::size_t size = 9;
+    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
+        return dcm::to_rotation(Map<const RowMajor>(v));
+    }
+    static double exact_defect(const double* v) noexcept { return dcm::defect(Map<const RowMajor>(v)); }
+    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        Map<RowMajor>{v} = dcm::from_rotation(r);
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return dcm::figures(r); }
+};
+
+struct SixDRow {
+    static constexpr std::size_t size = 6;
+    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
+        return columns::to_rotation(Map<const Columns>(v));
+    }
+    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        Map<Columns>{v} = columns::from_rotation(r);
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return columns::figures(r); }
+};
+
+struct FiveDRow {
+    static constexpr std::size_t size = 5;
+    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
+        return hopf::to_rotation(Map<const hopf::Vector5>(v));
+    }
+    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        Map<hopf::Vector5>{v} = hopf::from_rotation(r);
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return hopf::figures(r); }
+};
+
+struct QuatRow {
+    static constexpr std::size_t size = 4;
+    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
+        return quaternion::to_rotation({v[0], v[1], v[2], v[3]});
+    }
+    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        const Quaternion q = quaternion::from_rotation(r);
+        v[0] = q.w;
+        v[1] = q.x;
+        v[2] = q.y;
+        v[3] = q.z;
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return quaternion::figures(r); }
+};
+
+struct AxisAngleRow {
+    static constexpr std::size_t size = 4;
+    static Reading read(const Spec& spec, const double* v) noexcept {
+        return axis_angle::to_rotation({{v[0], v[1], v[2]}, v[3], spec.unit});
+    }
+    static void write(const Spec& spec, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        const AxisAngle value = axis_angle::from_rotation(r, spec.unit);
+        Map<Vector3d>{v} = value.axis;
+        v[3] = value.angle;
+    }
+    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
+        return axis_angle::notes(r);
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return axis_angle::figures(r); }
+};
+
+struct RotvecRow {
+    static constexpr std::size_t size = 3;
+    static Reading read(const Spec& spec, const double* v) noexcept {
+        return rotation_vector::to_rotation({{v[0], v[1], v[2]}, spec.unit});
+    }
+    static void write(const Spec& spec, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        Map<Vector3d>{v} = rotation_vector::from_rotation(r, spec.unit).vector;
+    }
+    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
+        return rotation_vector::notes(r);
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return rotation_vector::figures(r); }
+};
+
+struct EulerRow {
+    static constexpr std::size_t size = 3;
+    static Reading read(const Spec& spec, const double* v) noexcept {
+        return euler::to_rotation({{v[0], v[1], v[2]}, spec.sequence, spec.unit});
+    }
+    static void write(const Spec& spec, double lock_margin, const Rotation& r, double* v) noexcept {
+        const EulerAngles value = euler::from_rotation(r, spec.sequence, spec.unit, lock_margin);
+        v[0] = value.angles[0];
+        v[1] = value.angles[1];
+        v[2] = value.angles[2];
+    }
+    static Notes notes(const Spec& spec, double lock_margin, const Rotation& r) noexcept {
+        return euler::notes(r, spec.sequence, lock_margin);
+    }
+    static Figures figures(const Spec& spec, const Rotation& r) noexcept { return euler::figures(r, spec.sequence); }
+};
+
+struct CayleyRow {
+    static constexpr std::size_t size = 3;
+    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
+        return cayley::to_rotation({v[0], v[1], v[2]});
+    }
+    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        Map<Vector3d>{v} = cayley::from_rotation(r);
+    }
+    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
+        return cayley::notes(r);
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return cayley::figures(r); }
+};
+
+struct MrpRow {
+    static constexpr std::size_t size = 3;
+    static Reading read(const Spec& /*spec*/, const double* v) noexcept { return mrp::to_rotation({v[0], v[1], v[2]}); }
+    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        Map<Vector3d>{v} = mrp::from_rotation(r);
+    }
+    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
+        return mrp::notes(r);
+    }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return mrp::figures(r); }
+};
+
+template <class Row> constexpr Door door_for() noexcept {
+    Door door{};
+    door.read = [](const Spec& spec, const double* numbers, std::size_t rows, Reading* readings) noexcept {
+        for (std::size_t i = 0; i < rows; ++i) {
+            readings[i] = Row::read(spec, numbers + i * Row::size);
+        }
+    };
+    door.write = [](const Spec& spec, double lock_margin, const Reading* readings, std::size_t rows,
+                    double* numbers) noexcept {
+        for (std::size_t i = 0; i < rows; ++i) {
+            Row::write(spec, lock_margin, readings[i].rotation, numbers + i * Row::size);
+        }
+    };
+    door.figures = &Row::figures;
+    if constexpr (requires { &Row::exact_defect; }) {
+        door.exact_defect = &Row::exact_defect;
+    }
+    if constexpr (requires { &Row::notes; }) {
+        door.notes = &Row::notes;
+    }
+    return door;
+}
+
+/// In the order of Name.
+constexpr std::array doors{door_for<DcmRow>(),       door_for<SixDRow>(),   door_for<FiveDRow>(), door_for<QuatRow>(),
+                           door_for<AxisAngleRow>(), door_for<RotvecRow>(), door_for<EulerRow>(), door_for<EulerRow>(),
+                           door_for<CayleyRow>(),    door_for<MrpRow>()};
+
+} // namespace
+
+const Door& door_of(Name name) noexcept { return doors[static_cast<std::size_t>(name)]; }
+
+} // namespace rotconv

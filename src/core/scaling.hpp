@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace rotconv {
+
+/// Largest magnitude among the arguments.
+template <class... Rest> double largest_magnitude(double first, Rest... rest) noexcept {
+    double largest = std::fabs(first);
+    ((largest = std::max(largest, std::fabs(rest))), ...);
+    return largest;
+}
+
+/// An exact scaling by a power of two, in two factors because one alone cannot span from 2^-1074 to 2^1023.
+class PowerOfTwo {
+public:
+    /// The power that brings the nonzero finite `magnitude` into [1/2, 1).
+    static PowerOfTwo to_unit(double magnitude) noexcept {
+        const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52U);
+        if (biased > 0 && biased < 2045) { // the usual case: one normal factor
+            return {std::bit_cast<double>(static_cast<std::uint64_t>(2045 - biased) << 52U), 1.0, 1022 - biased};
+        }
+        int exponent = 0;
+        std::frexp(magnitude, &exponent);
+        const int half = -exponent / 2;
+        return {std::ldexp(1.0, half), std::ldexp(1.0, -exponent - half), -exponent};
+    }
+
+    [[nodiscard]] double operator()(double value) const noexcept { return (value * first_) * second_; }
+    [[nodiscard]] double undone(double value) const noexcept { return (value / first_) / second_; }
+    [[nodiscard]] int exponent() const noexcept { return exponent_; }
+
+private:
+    PowerOfTwo(double first, double second, int exponent) noexcept
+        : first_(first), second_(second), exponent_(exponent) {}
+
+    double first_;
+    double second_;
+    int exponent_;
+};
+
+} // namespace rotconv

@@ -1,0 +1,87 @@
+#include "trigonometry.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rotconv {
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+/// (1, tan(hi + lo)), with the sum's denominator moved to the cosine: large tangents keep their digits.
+HalfAngle tangent_of(double hi, double lo) noexcept {
+    const double tangent = std::tan(hi);
+    if (lo == 0.0) {
+        return {1.0, tangent};
+    }
+    const double tangent_lo = std::tan(lo);
+    return {1.0 - tangent * tangent_lo, tangent + tangent_lo};
+}
+
+/// Turns by `quadrants` times 90 degrees.
+HalfAngle turned(HalfAngle h, int quadrants) noexcept {
+    switch (static_cast<unsigned>(quadrants) & 3U) {
+    case 1: return {-h.sine, h.cosine};
+    case 2: return {-h.cosine, -h.sine};
+    case 3: return {h.sine, -h.cosine};
+    default: return h;
+    }
+}
+
+/// Half of hi + lo degrees: each part is reduced exactly to a multiple of 180, half of which are quadrants, and a rest
+/// within
+/// 90. The rest's product with pi/180 is off by at most 0.65 ulp, less than a correction would round away.
+HalfAngle half_of_degrees(DoubleDouble angle) noexcept {
+    int quadrants_hi = 0; // std::remquo gives the low three bits of the quotient and its sign
+    int quadrants_lo = 0;
+    const double rest_hi = std::remquo(angle.hi, 180.0, &quadrants_hi);
+    const double rest_lo = std::remquo(angle.lo, 180.0, &quadrants_lo);
+    const DoubleDouble rest = exact_sum(rest_hi, rest_lo);
+    const int quadrants = quadrants_hi + quadrants_lo;
+    if (std::fabs(rest.hi) == 90.0 && rest.lo == 0.0) {
+        return turned({1.0, std::copysign(1.0, rest.hi)}, quadrants);
+    }
+    constexpr double half_radians_per_degree = std::numbers::pi / 360.0;
+    return turned(tangent_of(rest.hi * half_radians_per_degree, rest.lo * half_radians_per_degree), quadrants);
+}
+
+} // namespace
+
+HalfAngle half_of(double angle, AngleUnit unit) noexcept {
+    if (unit == AngleUnit::degrees) {
+        return half_of_degrees({angle, 0.0});
+    }
+    return {1.0, std::tan(0.5 * angle)};
+}
+
+HalfAngle half_of(DoubleDouble angle, AngleUnit unit) noexcept {
+    if (unit == AngleUnit::degrees) {
+        return half_of_degrees(angle);
+    }
+    return tangent_of(0.5 * angle.hi, 0.5 * angle.lo);
+}
+
+double angle_of(double y, double x, AngleUnit unit) noexcept {
+    if (unit == AngleUnit::radians) {
+        const double angle = std::atan2(y, x);
+        return angle <= -std::numbers::pi ? std::numbers::pi : angle;
+    }
+    // The quadrant is added in degrees, where it is exact, in one rounding.
+    const double abs_y = std::fabs(y);
+    const double abs_x = std::fabs(x);
+    double angle = 0.0;
+    if (abs_y > abs_x) {
+        angle = 90.0 - std::atan2(x, abs_y) * degrees_per_radian;
+    } else {
+        const double acute =
+            abs_y == abs_x ? (abs_x == 0.0 ? 0.0 : 45.0) : std::atan2(abs_y, abs_x) * degrees_per_radian;
+        angle = x < 0.0 ? 180.0 - acute : acute;
+    }
+    return y < 0.0 && angle < 180.0 ? -angle : angle;
+}
+
+double half_turn(AngleUnit unit) noexcept { return unit == AngleUnit::degrees ? 180.0 : std::numbers::pi; }
+
+double radian(AngleUnit unit) noexcept { return unit == AngleUnit::degrees ? degrees_per_radian : 1.0; }
+
+} // namespace rotconv

@@ -1,0 +1,97 @@
+#include "delimiter.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "number_text.hpp"
+
+namespace rotconv::stream {
+namespace {
+
+/// The position after the closing quote of the field that begins at `start` with a quote, or npos where there is none.
+std::size_t after_quotes(std::string_view row, std::size_t start) noexcept {
+    std::size_t at = start + 1;
+    while ((at = row.find('"', at)) != std::string_view::npos) {
+        if (at + 1 == row.size() || row[at + 1] != '"') {
+            return at + 1;
+        }
+        at += 2;
+    }
+    return std::string_view::npos;
+}
+
+} // namespace
+
+std::optional<Delimiter> Delimiter::parse(std::string_view text) noexcept {
+    if (text == "comma") {
+        return character(',');
+    }
+    if (text == "tab") {
+        return character('\t');
+    }
+    if (text == "semicolon") {
+        return character(';');
+    }
+    if (text == "blank") {
+        return blanks();
+    }
+    constexpr std::string_view refused = "0123456789+-.\"\r\n#";
+    if (text.size() != 1 || refused.find(text[0]) != std::string_view::npos ||
+        (static_cast<unsigned char>(text[0]) & 0x80U) != 0U || (text[0] >= 'a' && text[0] <= 'z') ||
+        (text[0] >= 'A' && text[0] <= 'Z')) {
+        return std::nullopt;
+    }
+    return character(text[0]);
+}
+
+Delimiter Delimiter::of_row(std::string_view row) noexcept {
+    const bool balanced = std::ranges::count(row, '"') % 2 == 0;
+    for (const char candidate : {',', '\t', ';'}) {
+        bool quoted = false;
+        for (const char c : row) {
+            quoted = quoted != (balanced && c == '"');
+            if (c == candidate && !quoted) {
+                return character(candidate);
+            }
+        }
+    }
+    return blanks();
+}
+
+bool Delimiter::split(std::string_view row, std::vector<std::string_view>& fields) const {
+    if (is_blanks()) {
+        std::size_t at = 0;
+        while ((at = row.find_first_not_of(" \t", at)) != std::string_view::npos) {
+            const std::size_t end = std::min(row.find_first_of(" \t", at), row.size());
+            fields.push_back(row.substr(at, end - at));
+            at = end;
+        }
+        return true;
+    }
+    bool closed = true;
+    std::size_t start = 0;
+    while (true) {
+        std::size_t from = start;
+        if (start < row.size() && row[start] == '"') {
+            from = after_quotes(row, start);
+            closed = closed && from != std::string_view::npos;
+        }
+        const std::size_t end = from == std::string_view::npos ? from : row.find(character_, from);
+        if (end == std::string_view::npos) {
+            fields.push_back(row.substr(start));
+            return closed;
+        }
+        fields.push_back(row.substr(start, end - start));
+        start = end + 1;
+    }
+}
+
+std::string_view field_text(std::string_view field) noexcept {
+    field = trimmed(field);
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+        field = trimmed(field.substr(1, field.size() - 2));
+    }
+    return field;
+}
+
+} // namespace rotconv::stream

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace rotconv::stream {
+
+/// What parts the fields of a row: one character, or runs of blanks.
+class Delimiter {
+public:
+    /// Runs of blanks and tabs.
+    static constexpr Delimiter blanks() noexcept { return Delimiter(' '); }
+    static constexpr Delimiter character(char c) noexcept { return Delimiter(c); }
+
+    /// One character, or `comma`, `tab`, `semicolon`, `blank`; nothing for a text that is neither, or for a character
+    /// that can be part of a number or a quoted field.
+    [[nodiscard]] static std::optional<Delimiter> parse(std::string_view text) noexcept;
+
+    /// Comma, else tab, else semicolon, else blanks; those inside quotes do not count.
+    [[nodiscard]] static Delimiter of_row(std::string_view row) noexcept;
+
+    [[nodiscard]] constexpr bool is_blanks() const noexcept { return character_ == ' '; }
+    /// What is put between fields.
+    [[nodiscard]] constexpr char text() const noexcept { return character_; }
+
+    /// Appends the row's fields to `fields`. Quoted fields keep their quotes; under blanks quotes mean nothing.
+    /// @return false where a quote is left open
+    bool split(std::string_view row, std::vector<std::string_view>& fields) const;
+
+private:
+    constexpr explicit Delimiter(char c) noexcept : character_(c) {}
+    char character_;
+};
+
+/// A field's content: blanks around it, and the quotes of a quoted field, left out. Doubled quotes inside stay.
+[[nodiscard]] std::string_view field_text(std::string_view field) noexcept;
+
+} // namespace rotconv::stream

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <rotconv/reading.hpp>
+
+#include "number_text.hpp"
+
+namespace rotconv::stream {
+
+/// A row that has no attitude: where, why, and the text at fault.
+struct RowFault {
+    enum class What : std::uint8_t {
+        not_a_number,   ///< `text` is the field
+        too_large,      ///< `text` is the field
+        wrong_count,    ///< `found` fields where the representation has `expected`
+        missing_column, ///< `found` fields, column `expected` is selected
+        open_quote,
+        attitude, ///< the numbers describe none: see `fault`, `defect`
+    };
+    std::size_t line = 0;
+    What what = What::attitude;
+    std::string text;
+    std::size_t found = 0;
+    std::size_t expected = 0;
+    Fault fault = Fault::none;
+    double defect = 0.0;
+};
+
+/// One diagnostic of one row; the figure is the defect, the margin or the condition, by kind.
+struct Diagnostic {
+    std::size_t line = 0;
+    Kind kind = Kind::normalized;
+    double figure = 0.0;
+};
+
+using Event = std::variant<RowFault, Diagnostic>;
+
+/// What a block of rows became: bytes to write and then events to tell, both in the order of the rows.
+struct Output {
+    Buffer bytes;
+    std::vector<Event> events;
+    bool stopped = false; ///< a row fault ended the run
+
+    void clear() noexcept {
+        bytes.clear();
+        events.clear();
+    }
+};
+
+/// Why a run ended early, other than by a row fault.
+struct StreamFault {
+    enum class What : std::uint8_t {
+        read,             ///< `error` is an errno
+        write,            ///< `error` is an errno
+        line_too_long,    ///< line `line`
+        no_such_columns,  ///< data at line `line`, and no header before it with all the names in `text`
+        column_twice,     ///< column `text`
+        column_ambiguous, ///< more than one field of the header is called `text`
+    };
+    What what;
+    std::size_t line = 0;
+    int error = 0;
+    std::string text;
+};
+
+} // namespace rotconv::stream

@@ -1,0 +1,87 @@
+#include "file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace rotconv::stream {
+namespace {
+
+/// Waits until a descriptor that does not block has room or bytes.
+void wait_for(int descriptor, short events) noexcept {
+    pollfd waiting{descriptor, events, 0};
+    ::poll(&waiting, 1, -1);
+}
+
+} // namespace
+
+std::ptrdiff_t TextSource::read(std::span<char> to) {
+    const std::size_t count = std::min(to.size(), text_.size());
+    std::memcpy(to.data(), text_.data(), count);
+    text_.remove_prefix(count);
+    return static_cast<std::ptrdiff_t>(count);
+}
+
+File::File(const char* path, Mode mode) noexcept
+    : descriptor_(mode == Mode::read ? ::open(path, O_RDONLY | O_CLOEXEC)
+                                     : ::open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0666)),
+      owned_(true) {}
+
+File::~File() { close(); }
+
+bool File::same_file(const File& other) const noexcept {
+    struct stat mine {};
+    struct stat theirs {};
+    return ::fstat(descriptor_, &mine) == 0 && ::fstat(other.descriptor_, &theirs) == 0 && S_ISREG(mine.st_mode) &&
+           mine.st_dev == theirs.st_dev && mine.st_ino == theirs.st_ino;
+}
+
+int File::truncate() noexcept {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && ::ftruncate(descriptor_, 0) != 0) {
+        return errno;
+    }
+    return 0;
+}
+
+int File::close() noexcept {
+    if (!owned_ || descriptor_ < 0) {
+        return 0;
+    }
+    const int result = ::close(descriptor_);
+    descriptor_ = -1;
+    return result == 0 || errno == EINTR ? 0 : errno;
+}
+
+std::ptrdiff_t File::read(std::span<char> to) {
+    while (true) {
+        const auto count = ::read(descriptor_, to.data(), to.size());
+        if (count >= 0 || (errno != EINTR && errno != EAGAIN)) {
+            return count;
+        }
+        if (errno == EAGAIN) {
+            wait_for(descriptor_, POLLIN);
+        }
+    }
+}
+
+int File::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const auto count = ::write(descriptor_, bytes.data(), bytes.size());
+        if (count >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno == EAGAIN) {
+            wait_for(descriptor_, POLLOUT);
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+} // namespace rotconv::stream

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace rotconv::stream {
+
+/// Where bytes come from.
+class Source {
+public:
+    Source() = default;
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
+    virtual ~Source() = default;
+
+    /// Reads at least one byte into `to` and as many as are there; 0 at the end, -1 with errno set.
+    virtual std::ptrdiff_t read(std::span<char> to) = 0;
+};
+
+/// Where bytes go.
+class Sink {
+public:
+    Sink() = default;
+    Sink(const Sink&) = delete;
+    Sink& operator=(const Sink&) = delete;
+    virtual ~Sink() = default;
+
+    /// Writes all of it; 0, or the errno of what went wrong.
+    virtual int write(std::string_view bytes) = 0;
+};
+
+/// A text in memory, read once.
+class TextSource final : public Source {
+public:
+    explicit TextSource(std::string_view text) noexcept : text_(text) {}
+    std::ptrdiff_t read(std::span<char> to) override;
+
+private:
+    std::string_view text_;
+};
+
+/// An open file descriptor, closed at the end where it is owned. Interrupted calls are taken up again.
+class File final : public Source, public Sink {
+public:
+    enum class Mode { read, write };
+    /// Opens the file, without emptying it yet (see truncate()); test with is_open(), errno says why not.
+    File(const char* path, Mode mode) noexcept;
+    /// Borrows a descriptor.
+    explicit File(int descriptor) noexcept : descriptor_(descriptor) {}
+    ~File() override;
+
+    [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
+    /// The same regular file is behind both.
+    [[nodiscard]] bool same_file(const File& other) const noexcept;
+    /// Empties a regular file; 0 or an errno.
+    int truncate() noexcept;
+    /// Closes the file, which is where some file systems first report a full disk; 0 or an errno.
+    int close() noexcept;
+
+    std::ptrdiff_t read(std::span<char> to) override;
+    int write(std::string_view bytes) override;
+
+private:
+    int descriptor_;
+    bool owned_ = false;
+};
+
+} // namespace rotconv::stream

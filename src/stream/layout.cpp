@@ -1,0 +1,185 @@
+#include "layout.hpp"
+
+#include <algorithm>
+
+namespace rotconv::stream {
+
+void Layout::select(std::vector<std::size_t> chosen) {
+    positions = std::move(chosen);
+    in_row_order = positions;
+    std::ranges::sort(in_row_order);
+}
+
+void append_result_names(Buffer& to, const Options& options, char delimiter) {
+    const Spec& spec = options.conversion.to();
+    const auto names = spec.columns();
+    for (std::size_t i = 0; i < spec.size(); ++i) {
+        if (i > 0) {
+            to.push_back(delimiter);
+        }
+        append(to, names[i]);
+    }
+    if (options.diagnostic_columns) {
+        for (const std::string_view name : {"margin", "condition", "defect", "notes"}) {
+            to.push_back(delimiter);
+            append(to, name);
+        }
+    }
+}
+
+Preamble::Preamble(const Options& options)
+    : options_(&options), header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
+    if (!options.columns.has_names()) {
+        layout_.select(options.columns.positions());
+    }
+}
+
+bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
+    while (!rest.empty()) {
+        std::string_view after = rest;
+        const Line current = next_line(after);
+        const Role role = role_of(current, line);
+        if (fault_) {
+            return false;
+        }
+        if (role == Role::data) {
+            layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(current.text));
+            layout_.line_end = current.end.empty() ? "\n" : std::string(current.end);
+            if (options_->header == HeaderMode::add) {
+                write_added_header(current, output);
+            }
+            return true;
+        }
+        if (options_->format == Format::csv) {
+            if (role == Role::header) {
+                write_header(current, output);
+            } else {
+                append(output.bytes, current.text);
+                append(output.bytes, current.end);
+            }
+        }
+        rest = after;
+        ++line;
+    }
+    return false;
+}
+
+void Preamble::finish(Output& output) {
+    if (options_->header == HeaderMode::add && options_->format == Format::csv && options_->columns.empty()) {
+        append_result_names(output.bytes, *options_, options_->delimiter.value_or(Delimiter::character(',')).text());
+        output.bytes.push_back('\n');
+    }
+}
+
+Preamble::Role Preamble::role_of(const Line& line, std::size_t number) {
+    if (is_blank(line.text)) {
+        return Role::passed;
+    }
+    if (header_done_) {
+        return is_comment(line.text) ? Role::passed : Role::data;
+    }
+    if (options_->columns.has_names()) {
+        return role_by_name(line, number);
+    }
+    if (is_comment(line.text) && options_->header != HeaderMode::yes) {
+        return Role::passed;
+    }
+    split_header(line.text);
+    if (is_comment(line.text)) {
+        // A header may begin with '#' where the user says that there is one; a comment has not the fields of one.
+        header_done_ = has_selected_fields();
+        return header_done_ ? Role::header : Role::passed;
+    }
+    header_done_ = true;
+    const bool is_header = options_->header == HeaderMode::yes || (has_selected_fields() && !has_selected_number());
+    if (!is_header) {
+        layout_.header.clear();
+    }
+    return is_header ? Role::header : Role::data;
+}
+
+Preamble::Role Preamble::role_by_name(const Line& line, std::size_t number) {
+    split_header(line.text);
+    auto looked_up = options_->columns.positions(header_fields_);
+    if (const auto* fault = std::get_if<ColumnFault>(&looked_up)) {
+        if (is_comment(line.text)) {
+            return Role::passed;
+        }
+        const bool twice = fault->what == ColumnFault::What::twice;
+        fault_ = StreamFault{twice ? StreamFault::What::column_twice : StreamFault::What::column_ambiguous, number, 0,
+                             fault->text};
+        return Role::passed;
+    }
+    auto& positions = std::get<std::vector<std::size_t>>(looked_up);
+    if (!positions.empty()) {
+        layout_.select(std::move(positions));
+        header_done_ = true;
+        return Role::header;
+    }
+    if (!is_comment(line.text)) {
+        fault_ = StreamFault{StreamFault::What::no_such_columns, number, 0, {}};
+    }
+    return Role::passed;
+}
+
+void Preamble::split_header(std::string_view text) {
+    const std::size_t prefix = is_comment(text) ? std::min(text.find_first_not_of(" \t", 1), text.size()) : 0;
+    header_prefix_ = text.substr(0, prefix);
+    const std::string_view names = text.substr(prefix);
+    header_delimiter_ = options_->delimiter.value_or(Delimiter::of_row(names));
+    header_fields_.clear();
+    header_delimiter_.split(names, header_fields_);
+    layout_.header.clear();
+    std::ranges::transform(header_fields_, std::back_inserter(layout_.header),
+                           [](std::string_view field) { return std::string(field_text(field)); });
+}
+
+bool Preamble::has_selected_fields() const noexcept {
+    return layout_.positions.empty() ? header_fields_.size() == options_->conversion.from().size()
+                                     : layout_.in_row_order.back() < header_fields_.size();
+}
+
+bool Preamble::has_selected_number() const noexcept {
+    if (layout_.positions.empty()) {
+        return std::ranges::any_of(header_fields_, [](auto field) { return is_number(field_text(field)); });
+    }
+    return std::ranges::any_of(layout_.positions,
+                               [this](std::size_t at) { return is_number(field_text(header_fields_[at])); });
+}
+
+void Preamble::write_header(const Line& line, Output& output) const {
+    const char delimiter = header_delimiter_.text();
+    Buffer& to = output.bytes;
+    const auto write_result = [&] { append_result_names(to, *options_, delimiter); };
+    if (options_->append) {
+        write_appended(to, line.text, delimiter, write_result);
+    } else {
+        append(to, header_prefix_);
+        write_fields(to, layout_, header_fields_, delimiter, write_result);
+    }
+    append(to, line.end.empty() ? std::string_view("\n") : line.end);
+}
+
+void Preamble::write_added_header(const Line& row, Output& output) {
+    if (options_->format != Format::csv) {
+        return;
+    }
+    const char delimiter = layout_.delimiter.text();
+    std::vector<std::string_view> fields;
+    layout_.delimiter.split(row.text, fields);
+    std::vector<std::string> indices;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        indices.push_back(std::to_string(i + 1));
+    }
+    Buffer& to = output.bytes;
+    const auto write_result = [&] { append_result_names(to, *options_, delimiter); };
+    if (options_->append) {
+        write_appended(to, fmt::format("{}", fmt::join(indices, std::string_view(&delimiter, 1))), delimiter,
+                       write_result);
+    } else {
+        write_fields(to, layout_, indices, delimiter, write_result);
+    }
+    append(to, layout_.line_end);
+}
+
+} // namespace rotconv::stream

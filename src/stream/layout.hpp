@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rotconv/conversion.hpp>
+
+#include "column_list.hpp"
+#include "delimiter.hpp"
+#include "event.hpp"
+#include "lines.hpp"
+
+namespace rotconv::stream {
+
+enum class HeaderMode : std::uint8_t { automatic, yes, no, add };
+enum class Format : std::uint8_t { csv, json, pretty };
+enum class OnError : std::uint8_t { stop, nan, skip };
+
+/// What a run does with its rows.
+struct Options {
+    explicit Options(const Conversion& given) : conversion(given) {}
+
+    Conversion conversion;
+    ColumnList columns;                 ///< empty: a row is its numbers and nothing else
+    std::optional<Delimiter> delimiter; ///< nothing: that of the first data row
+    HeaderMode header = HeaderMode::automatic;
+    Format format = Format::csv;
+    OnError on_error = OnError::stop;
+    int precision = 0;                                    ///< significant digits; 0: the shortest text
+    bool append = false;                                  ///< keep the row and add the result at its end
+    bool diagnostic_columns = false;                      ///< margin, condition, defect and notes after the result
+    bool show_diagnostics = true;                         ///< in words, under Format::pretty
+    std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
+};
+
+/// What the rows before the first data row settle, and then holds for all of them.
+struct Layout {
+    Delimiter delimiter = Delimiter::blanks();
+    std::vector<std::size_t>
+        positions; ///< of the selected fields, in the order of the representation's numbers; empty: all
+    std::vector<std::size_t> in_row_order; ///< the same, sorted
+    std::vector<std::string> header;       ///< the header's field texts; empty where there is none
+    std::string line_end = "\n";           ///< for a last row that has none
+
+    void select(std::vector<std::size_t> chosen);
+};
+
+/// Calls `other(i)` for each of `count` fields that is not selected and `result()` once, in the order of the output:
+/// the result stands where the leftmost selected field stood, or at the end where that is missing. Where nothing is
+/// selected the result is all there is.
+template <class Other, class Result>
+void for_each_output(const Layout& layout, std::size_t count, const Other& other, const Result& result) {
+    const auto& selected = layout.in_row_order;
+    std::size_t next = 0; // of the selected fields
+    for (std::size_t i = 0; i < count && !selected.empty(); ++i) {
+        if (next == selected.size() || i != selected[next]) {
+            other(i);
+        } else if (next++ == 0) {
+            result();
+        }
+    }
+    if (next == 0) {
+        result();
+    }
+}
+
+/// The fields that are not selected, with the result in its place, parted by the delimiter.
+template <class Fields, class WriteResult> void write_fields(Buffer& to, const Layout& layout, const Fields& fields,
+                                                             char delimiter, const WriteResult& write_result) {
+    bool first = true;
+    const auto part = [&] {
+        if (!first) {
+            to.push_back(delimiter);
+        }
+        first = false;
+    };
+    for_each_output(
+        layout, fields.size(),
+        [&](std::size_t i) {
+            part();
+            append(to, fields[i]);
+        },
+        [&] {
+            part();
+            write_result();
+        });
+}
+
+/// The row less trailing blanks, and the result after it.
+template <class WriteResult>
+void write_appended(Buffer& to, std::string_view row, char delimiter, const WriteResult& write_result) {
+    append(to, row.substr(0, row.find_last_not_of(" \t") + 1));
+    to.push_back(delimiter);
+    write_result();
+}
+
+/// Reads what stands before the first data row: comments, blank rows, the header.
+class Preamble {
+public:
+    explicit Preamble(const Options& options);
+
+    /// Takes lines off `rest` up to the first data row and counts them in `line`; what comes out of them is added to
+    /// `output`.
+    /// @return true once the layout is settled
+    bool read(std::string_view& rest, std::size_t& line, Output& output);
+    /// To be called at the end of input where no data row came.
+    void finish(Output& output);
+
+    [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
+    [[nodiscard]] const std::optional<StreamFault>& fault() const noexcept { return fault_; }
+
+private:
+    enum class Role { passed, header, data };
+    Role role_of(const Line& line, std::size_t number);
+    Role role_by_name(const Line& line, std::size_t number);
+    void split_header(std::string_view text);
+    [[nodiscard]] bool has_selected_fields() const noexcept;
+    [[nodiscard]] bool has_selected_number() const noexcept;
+    void write_header(const Line& line, Output& output) const;
+    void write_added_header(const Line& row, Output& output);
+
+    const Options* options_;
+    Layout layout_;
+    std::optional<StreamFault> fault_;
+    bool header_done_ = false;
+    std::string_view header_prefix_; ///< the '#' and blanks before the first name
+    Delimiter header_delimiter_ = Delimiter::blanks();
+    std::vector<std::string_view> header_fields_;
+};
+
+/// The names of the result's columns, parted by the delimiter.
+void append_result_names(Buffer& to, const Options& options, char delimiter);
+
+} // namespace rotconv::stream

@@ -1,0 +1,95 @@
+#include "number_text.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <fmt/compile.h>
+
+namespace rotconv::stream {
+namespace {
+
+/// Whether a decimal number outside the range of double is too large, not too small: std::from_chars does not tell.
+bool is_large(std::string_view digits) noexcept {
+    if (digits.starts_with('-')) {
+        digits.remove_prefix(1);
+    }
+    const auto exponent_at = digits.find_first_of("eE");
+    const std::string_view mantissa = digits.substr(0, exponent_at);
+    const auto point = mantissa.find('.');
+    const auto whole = static_cast<long long>(point == std::string_view::npos ? mantissa.size() : point);
+    const auto leading = mantissa.find_first_of("123456789");
+    if (leading == std::string_view::npos) {
+        return false;
+    }
+    const auto place = static_cast<long long>(leading);
+    long long magnitude =
+        place < whole ? whole - place : whole - place + 1; // the first digit is worth 10^(magnitude - 1)
+    if (exponent_at != std::string_view::npos) {
+        std::string_view exponent = digits.substr(exponent_at + 1);
+        const bool negative = exponent.starts_with('-');
+        if (negative || exponent.starts_with('+')) {
+            exponent.remove_prefix(1);
+        }
+        long long value = 0;
+        if (std::from_chars(exponent.data(), exponent.data() + exponent.size(), value).ec != std::errc{}) {
+            return !negative;
+        }
+        return negative ? magnitude > value : magnitude > -value;
+    }
+    return magnitude > 0;
+}
+
+} // namespace
+
+std::string_view trimmed(std::string_view text) noexcept {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+NumberFault read_number(std::string_view text, double& value) noexcept {
+    text = trimmed(text);
+    if (text.starts_with('+')) {
+        text.remove_prefix(1);
+        if (text.starts_with('-')) {
+            return NumberFault::not_a_number;
+        }
+    }
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc::invalid_argument || stop != end) {
+        return NumberFault::not_a_number;
+    }
+    if (error == std::errc::result_out_of_range) {
+        if (is_large(text)) {
+            return NumberFault::too_large;
+        }
+        value = 0.0;
+    }
+    return NumberFault::none;
+}
+
+bool is_number(std::string_view text) noexcept {
+    double value = 0.0;
+    return read_number(text, value) != NumberFault::not_a_number;
+}
+
+void append_number(Buffer& to, double value, int precision) {
+    if (std::isnan(value)) {
+        append(to, "nan"); // whatever its sign bit
+        return;
+    }
+    if (precision != 0) {
+        fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.{}g}"), value, precision);
+        return;
+    }
+    constexpr std::size_t longest = 32; // -2.2250738585072014e-308 has 24
+    to.try_reserve(to.size() + longest);
+    const char* end = fmt::format_to(to.data() + to.size(), FMT_COMPILE("{}"), value);
+    to.try_resize(static_cast<std::size_t>(end - to.data()));
+}
+
+} // namespace rotconv::stream

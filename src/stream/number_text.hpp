@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace rotconv::stream {
+
+/// The text without blanks and tabs at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;
+
+enum class NumberFault : std::uint8_t { none, not_a_number, too_large };
+
+/// Reads a decimal number as in C, `nan` or `inf`, with an optional sign and blanks around it; no hexadecimal.
+/// Correctly rounded, independent of the locale. Too small for a double is 0.
+NumberFault read_number(std::string_view text, double& value) noexcept;
+
+/// True where read_number() would take the text, too large ones included.
+[[nodiscard]] bool is_number(std::string_view text) noexcept;
+
+using Buffer = fmt::memory_buffer;
+
+inline void append(Buffer& to, std::string_view text) { to.append(text.data(), text.data() + text.size()); }
+
+/// Shortest text that reads back to the same double, or `precision` significant digits where that is not 0.
+void append_number(Buffer& to, double value, int precision);
+
+} // namespace rotconv::stream

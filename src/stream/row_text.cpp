@@ -1,0 +1,259 @@
+#include "row_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace rotconv::stream {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Kinds joined by '+'.
+void append_notes(Buffer& to, const ConvertedRow& row) {
+    if (row.failed) {
+        append(to, "error");
+        return;
+    }
+    bool first = true;
+    for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
+        if (!first) {
+            to.push_back('+');
+        }
+        first = false;
+        append(to, name_of(diagnostic.kind));
+    });
+}
+
+/// Margin, condition and defect.
+std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
+    if (row.failed) {
+        return {nan, nan, nan};
+    }
+    return {row.report->figures.margin, row.report->figures.condition, row.report->defect};
+}
+
+constexpr std::array<std::string_view, 3> figure_names{"margin", "condition", "defect"};
+
+/// Length of the valid UTF-8 sequence that `text` begins with; 0 where it begins with none.
+std::size_t utf8_length(std::string_view text) noexcept {
+    const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    if (first < 0x80U) {
+        return 1;
+    }
+    const std::size_t length = first >= 0xC2U && first <= 0xDFU   ? 2
+                               : first >= 0xE0U && first <= 0xEFU ? 3
+                               : first >= 0xF0U && first <= 0xF4U ? 4
+                                                                  : 0;
+    if (length == 0 || text.size() < length) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    // no overlong forms, surrogates or code points past U+10FFFF
+    const unsigned char second = byte(1);
+    const bool legal = !(first == 0xE0U && second < 0xA0U) && !(first == 0xEDU && second > 0x9FU) &&
+                       !(first == 0xF0U && second < 0x90U) && !(first == 0xF4U && second > 0x8FU);
+    return legal ? length : 0;
+}
+
+/// A JSON string; bytes that are not UTF-8 become U+FFFD.
+void append_json_string(Buffer& to, std::string_view text) {
+    to.push_back('"');
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const char c = text[0];
+        if (length == 0) {
+            append(to, "\xEF\xBF\xBD");
+        } else if (c == '"' || c == '\\') {
+            to.push_back('\\');
+            to.push_back(c);
+        } else if (static_cast<unsigned char>(c) < 0x20U) {
+            fmt::format_to(std::back_inserter(to), "\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            append(to, text.substr(0, length));
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    to.push_back('"');
+}
+
+/// A field's content with doubled quotes made single.
+std::string unquoted(std::string_view field, const Delimiter& delimiter) {
+    if (delimiter.is_blanks() || field.size() < 2 || field.front() != '"' || field.back() != '"') {
+        return std::string(field);
+    }
+    std::string text;
+    for (std::size_t i = 1; i + 1 < field.size(); ++i) {
+        text.push_back(field[i]);
+        if (field[i] == '"') {
+            ++i;
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
+    const Spec& spec = options.conversion.to();
+    if (options.precision > 0 && (spec.name == Name::euler || spec.name == Name::rpy)) {
+        Buffer text;
+        append_number(text, spec.unit == AngleUnit::degrees ? -180.0 : -std::numbers::pi, options.precision);
+        lower_end_ = fmt::to_string(text);
+    }
+}
+
+void RowText::write(Buffer& to, const ConvertedRow& row) const {
+    switch (options_->format) {
+    case Format::csv: write_csv(to, row); break;
+    case Format::json: write_json(to, row); break;
+    case Format::pretty: write_pretty(to, row); break;
+    }
+}
+
+void RowText::write_number(Buffer& to, double value, std::size_t column) const {
+    const std::size_t start = to.size();
+    append_number(to, value, options_->precision);
+    // The outer Euler angles have the range (-pi, pi]: what rounds to the lower end is the upper one.
+    if (!lower_end_.empty() && value < 0.0 && column != 1 &&
+        std::string_view(to.data() + start, to.size() - start) == lower_end_) {
+        to.resize(start);
+        append(to, std::string_view(lower_end_).substr(1));
+    }
+}
+
+void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
+    const char delimiter = layout_->delimiter.text();
+    for (std::size_t i = 0; i < row.result.size(); ++i) {
+        if (i > 0) {
+            to.push_back(delimiter);
+        }
+        write_number(to, row.result[i], i);
+    }
+    if (!options_->diagnostic_columns) {
+        return;
+    }
+    for (const double figure : figures_of(row)) {
+        to.push_back(delimiter);
+        append_number(to, figure, options_->precision);
+    }
+    to.push_back(delimiter);
+    const std::size_t start = to.size();
+    append_notes(to, row);
+    if (to.size() == start && layout_->delimiter.is_blanks()) {
+        to.push_back('-');
+    }
+}
+
+void RowText::write_csv(Buffer& to, const ConvertedRow& row) const {
+    const char delimiter = layout_->delimiter.text();
+    const auto result = [&] { write_result(to, row); };
+    if (options_->append) {
+        write_appended(to, row.line.text, delimiter, result);
+    } else {
+        write_fields(to, *layout_, row.fields, delimiter, result);
+    }
+    append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
+}
+
+void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
+    to.push_back('{');
+    bool first = true;
+    const auto key = [&](std::string_view name) {
+        if (!first) {
+            append(to, ", ");
+        }
+        first = false;
+        append_json_string(to, name);
+        append(to, ": ");
+    };
+    const auto other = [&](std::size_t i) {
+        const bool named = i < layout_->header.size() && !layout_->header[i].empty();
+        key(named ? layout_->header[i] : std::to_string(i + 1));
+        append_json_string(to, unquoted(row.fields[i], layout_->delimiter));
+    };
+    if (options_->append) {
+        for (std::size_t i = 0; i < row.fields.size(); ++i) {
+            other(i);
+        }
+    } else {
+        for_each_output(*layout_, row.fields.size(), other, [] {});
+    }
+    const auto number = [&](double value, std::size_t column) {
+        const bool finite = std::isfinite(value);
+        append(to, finite ? "" : "\"");
+        write_number(to, value, column);
+        append(to, finite ? "" : "\"");
+    };
+    const auto names = options_->conversion.to().columns();
+    for (std::size_t i = 0; i < row.result.size(); ++i) {
+        key(names[i]);
+        number(row.result[i], i);
+    }
+    if (options_->diagnostic_columns) {
+        const auto figures = figures_of(row);
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            key(figure_names[i]);
+            number(figures[i], 1); // a figure is no outer angle
+        }
+        key("notes");
+        to.push_back('"');
+        append_notes(to, row);
+        to.push_back('"');
+    }
+    append(to, "}\n");
+}
+
+void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
+    const auto out = std::back_inserter(to);
+    const Spec& spec = options_->conversion.to();
+    fmt::format_to(out, "line {}\n", row.number);
+    const auto text_of = [&](std::size_t i) {
+        Buffer text;
+        write_number(text, row.result[i], i);
+        return fmt::to_string(text);
+    };
+    if (spec.name == Name::dcm) {
+        const auto order = spec.order();
+        std::array<std::string, 9> texts;
+        std::size_t width = 0;
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            texts[order[i]] = text_of(i);
+            width = std::max(width, texts[order[i]].size());
+        }
+        for (std::size_t i = 0; i < texts.size(); i += 3) {
+            fmt::format_to(out, "  {:>{}}  {:>{}}  {:>{}}\n", texts[i], width, texts[i + 1], width, texts[i + 2],
+                           width);
+        }
+    } else {
+        const auto names = spec.columns();
+        for (std::size_t i = 0; i < row.result.size(); ++i) {
+            fmt::format_to(out, "  {:<9}  {}\n", names[i], text_of(i));
+        }
+    }
+    if (options_->diagnostic_columns) {
+        const auto figures = figures_of(row);
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            fmt::format_to(out, "  {:<9}  ", figure_names[i]);
+            append_number(to, figures[i], options_->precision);
+            to.push_back('\n');
+        }
+    }
+    if (row.failed) {
+        append(to, "  error\n");
+    } else if (options_->show_diagnostics) {
+        for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
+            fmt::format_to(out, "  {}\n", options_->describe(diagnostic));
+        });
+    }
+    to.push_back('\n');
+}
+
+} // namespace rotconv::stream

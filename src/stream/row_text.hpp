@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "event.hpp"
+#include "layout.hpp"
+#include "lines.hpp"
+
+namespace rotconv::stream {
+
+/// One converted row: what it was and what it became.
+struct ConvertedRow {
+    Line line;
+    std::size_t number = 0; ///< of the line
+    std::span<const std::string_view> fields;
+    std::span<const double> result; ///< nan where the row failed
+    const Report* report = nullptr;
+    bool failed = false;
+};
+
+/// Writes converted rows in the format of the options.
+class RowText {
+public:
+    RowText(const Options& options, const Layout& layout);
+
+    void write(Buffer& to, const ConvertedRow& row) const;
+
+private:
+    void write_csv(Buffer& to, const ConvertedRow& row) const;
+    void write_json(Buffer& to, const ConvertedRow& row) const;
+    void write_pretty(Buffer& to, const ConvertedRow& row) const;
+    /// The result and, if asked for, the four diagnostic columns.
+    void write_result(Buffer& to, const ConvertedRow& row) const;
+    void write_number(Buffer& to, double value, std::size_t column) const;
+
+    const Options* options_;
+    const Layout* layout_;
+    std::string lower_end_; ///< the text of -pi (-180) where it is rounded: printed without its sign
+};
+
+/// The diagnostics of a row, in order of kind, with their figures.
+template <class Visit> void for_each_diagnostic(const Report& report, std::size_t line, const Visit& visit) {
+    for (std::size_t i = 0; i < kind_count; ++i) {
+        const auto kind = static_cast<Kind>(i);
+        if (report.notes.has(kind)) {
+            const double figure = kind == Kind::normalized         ? report.defect
+                                  : kind == Kind::near_gimbal_lock ? report.figures.condition
+                                                                   : report.figures.margin;
+            visit(Diagnostic{line, kind, figure});
+        }
+    }
+}
+
+} // namespace rotconv::stream

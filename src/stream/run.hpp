@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "event.hpp"
+#include "file.hpp"
+#include "layout.hpp"
+
+namespace rotconv::stream {
+
+/// How a run ended.
+struct Ending {
+    bool reader_left = false; ///< the other end of the pipe was closed: not a fault
+    bool stopped = false;     ///< at a row fault, which was reported
+    std::optional<StreamFault> fault;
+};
+
+/// Converts a stream. Every row is written before anything is reported of it, and as soon as it has been read.
+Ending run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report);
+
+} // namespace rotconv::stream

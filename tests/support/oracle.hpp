@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include <rotconv/spec.hpp>
+
+/// The attitudes that numbers stand for, in 36 digits, from the definitions and not from rotconv's formulas: matrices
+/// are multiplied, inverted and exponentiated; the polar factor comes from Newton's iteration.
+namespace oracle {
+
+using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<36>, boost::multiprecision::et_off>;
+using Matrix3 = Eigen::Matrix<Real, 3, 3>;
+using Vector3 = Eigen::Matrix<Real, 3, 1>;
+using Quaternion = Eigen::Quaternion<Real>;
+
+/// A number that counts attitude errors: 2^-52 radians.
+inline constexpr double eps = 0x1p-52;
+
+Real pi();
+
+/// The exact attitude of doubles written as the spec says, as a unit quaternion of either sign.
+Quaternion attitude(const rotconv::Spec& spec, std::span<const double> numbers);
+
+/// The numbers of an attitude, rounded once to double: input for tests. Not for euler and rpy, where the angles are
+/// chosen.
+std::vector<double> numbers(const rotconv::Spec& spec, const Quaternion& attitude);
+
+/// The unit quaternion of an axis (any length) and an angle.
+Quaternion about(const Vector3& axis, const Real& angle);
+
+/// Rotation angle from p to q, in units of eps.
+double error_in_eps(const Quaternion& p, const Quaternion& q);
+
+/// Rotation angle from p to q, in units of eps times the angle of p.
+double relative_error_in_eps(const Quaternion& p, const Quaternion& q);
+
+/// Largest |s - 1| over the singular values s of the matrix or the two columns; | |q| - 1 | of a quaternion; 0 for
+/// others.
+Real defect(const rotconv::Spec& spec, std::span<const double> numbers);
+
+} // namespace oracle
