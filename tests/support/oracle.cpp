@@ -58,7 +58,7 @@ template <class Matrix> Real distance_to_polar_factor(const Matrix& m) {
     const Matrix e = m - polar_factor(m);
     const auto square = (e.transpose() * e).eval();
     auto power = square;
-    for (int step = 0; step < 12 && power.norm() > 0; ++step) {
+    for (int step = 0; step < 60 && power.norm() > 0; ++step) {
         power = (power * power).eval();
         power /= power.norm();
     }

@@ -1,0 +1,214 @@
+#include "accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include <rotconv/conversion.hpp>
+
+#include "strata.hpp"
+
+namespace accuracy {
+namespace {
+
+using rotconv::Name;
+using rotconv::Spec;
+using Rows = std::vector<std::vector<double>>;
+
+void add_attitudes(const Spec& from, const strata::Stratum& stratum, Rows& rows) {
+    for (const auto& attitude : stratum.attitudes) {
+        auto row = oracle::numbers(from, attitude);
+        if (std::ranges::all_of(row, [](double v) { return std::isfinite(v); })) {
+            rows.push_back(std::move(row));
+        }
+    }
+}
+
+/// The same attitudes in other numbers: scaled, noisy, long, by more than a turn.
+Rows hostile(const Spec& from, const Rows& rows) {
+    strata::Source source(11);
+    Rows more;
+    for (const auto& row : rows) {
+        auto changed = row;
+        switch (from.name) {
+        case Name::quat: {
+            const double scale = std::pow(10.0, source.uniform(-150, 150)) * (source.integer(0, 1) == 0 ? -1.0 : 1.0);
+            for (double& v : changed) {
+                v *= scale;
+            }
+            break;
+        }
+        case Name::dcm:
+        case Name::six_d:
+        case Name::five_d: {
+            const double noise = std::pow(10.0, source.uniform(-17, -3.3));
+            for (double& v : changed) {
+                v += noise * source.uniform(-1, 1);
+            }
+            break;
+        }
+        case Name::axis_angle: {
+            const double scale = std::pow(10.0, source.uniform(-150, 150));
+            for (std::size_t i = 0; i < 3; ++i) {
+                changed[i] *= scale;
+            }
+            changed[3] *= std::pow(10.0, source.uniform(0, 15)) * (source.integer(0, 1) == 0 ? -1.0 : 1.0);
+            break;
+        }
+        case Name::rotvec: {
+            const double scale = std::pow(10.0, source.uniform(0, 14.4));
+            for (double& v : changed) {
+                v *= scale;
+            }
+            break;
+        }
+        case Name::mrp: {
+            const double square = changed[0] * changed[0] + changed[1] * changed[1] + changed[2] * changed[2];
+            for (double& v : changed) {
+                v /= -std::max(square, 1e-200); // the shadow, of any length
+            }
+            break;
+        }
+        default: continue;
+        }
+        more.push_back(std::move(changed));
+    }
+    return more;
+}
+
+std::string text_of(const Spec& spec) {
+    std::string text(rotconv::representation(spec.name).text);
+    if (spec.name == Name::euler) {
+        const auto letters = spec.sequence.letters();
+        text += ':' + std::string(letters.data(), letters.size());
+    }
+    return text + (spec.unit == rotconv::AngleUnit::degrees ? ":deg" : "");
+}
+
+std::vector<Spec> all_of(const std::string& name, rotconv::AngleUnit unit) {
+    std::vector<Spec> specs;
+    if (name == "euler") {
+        for (const auto sequence : rotconv::EulerSequence::all()) {
+            Spec made;
+            made.name = Name::euler;
+            made.sequence = sequence;
+            specs.push_back(made);
+        }
+    } else {
+        specs.push_back(spec(name));
+    }
+    if (unit == rotconv::AngleUnit::degrees) {
+        std::ranges::transform(specs, specs.begin(), [](const Spec& s) { return s.in_degrees(); });
+    }
+    return specs;
+}
+
+} // namespace
+
+const std::vector<Way>& ways() {
+    static const std::vector<Way> table{
+        {"quat", "quat", 1, 0},     {"quat", "dcm", 1, 0},          {"quat", "6d", 1.5, 0},
+        {"quat", "5d", 4, 0},       {"quat", "rotvec", 5, 0},       {"quat", "axis-angle", 5, 0},
+        {"quat", "cayley", 1, 0},   {"quat", "mrp", 3.5, 0},        {"quat", "euler", 4, 0},
+        {"dcm", "quat", 2.5, 0},    {"6d", "quat", 2.5, 0},         {"5d", "quat", 4, 0},
+        {"cayley", "quat", 1.5, 0}, {"mrp", "quat", 2, 0},          {"euler", "quat", 2.5, 0},
+        {"rotvec", "quat", 2.5, 0}, {"axis-angle", "quat", 2.5, 0}, {"rotvec", "dcm", 2.5, 0},
+    };
+    return table;
+}
+
+double limit_from(const Spec& from) {
+    const bool euler = from.name == Name::euler || from.name == Name::rpy;
+    const std::string name = euler ? "euler" : std::string(rotconv::representation(from.name).text);
+    return from.name == Name::quat
+               ? 0.0
+               : std::ranges::find_if(ways(), [&](const Way& way) { return way.from == name; })->limit;
+}
+
+double limit_to(const Spec& to) {
+    const bool euler = to.name == Name::euler || to.name == Name::rpy;
+    const std::string name = euler ? "euler" : std::string(rotconv::representation(to.name).text);
+    return std::ranges::find_if(ways(), [&](const Way& way) { return way.from == "quat" && way.to == name; })->limit;
+}
+
+Convert own(const Spec& from, const Spec& to) {
+    const rotconv::Conversion conversion(
+        from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .figures = false});
+    return [conversion](std::span<const double> row) {
+        std::vector<double> result(conversion.to().size());
+        rotconv::Report report;
+        conversion.run(row, result, {&report, 1});
+        return result;
+    };
+}
+
+Rows inputs(const Spec& from, const Spec& to, int size) {
+    Rows rows;
+    if (from.name == Name::euler || from.name == Name::rpy) {
+        rows = strata::euler_angles(from, 4 * size);
+    } else {
+        for (const auto& stratum : strata::attitudes(size)) {
+            add_attitudes(from, stratum, rows);
+        }
+        if (to.name == Name::euler || to.name == Name::rpy) {
+            add_attitudes(from, strata::near_lock(to.sequence, 2 * size), rows);
+        }
+        const Rows more = hostile(from, rows);
+        rows.insert(rows.end(), more.begin(), more.end());
+    }
+    return rows;
+}
+
+Worst worst_error(const Spec& from, const Spec& to, const Convert& convert, const Rows& rows) {
+    Worst worst;
+    for (const auto& row : rows) {
+        const auto exact = oracle::attitude(from, row);
+        const auto result = convert(row);
+        const bool finite = std::ranges::all_of(result, [](double v) { return std::isfinite(v); });
+        double error = std::numeric_limits<double>::infinity();
+        if (finite) {
+            error = oracle::error_in_eps(exact, oracle::attitude(to, result));
+        } else if (to.name == Name::cayley) {
+            // an infinite vector says that this is a half-turn
+            error = static_cast<double>(2 * abs(exact.w())) / oracle::eps;
+        }
+        if (!(error <= worst.error)) {
+            std::ostringstream where;
+            where.precision(17);
+            where << text_of(from) << " to " << text_of(to) << ":";
+            for (const double v : row) {
+                where << ' ' << v;
+            }
+            worst = {std::isnan(error) ? std::numeric_limits<double>::infinity() : error, where.str()};
+        }
+    }
+    return worst;
+}
+
+Worst worst_of(const Way& way, int size, rotconv::AngleUnit unit) {
+    Worst worst;
+    const auto froms = all_of(way.from, unit);
+    const auto tos = all_of(way.to, unit);
+    const auto count = static_cast<int>(std::max(froms.size(), tos.size()));
+    for (const Spec& from : froms) {
+        for (const Spec& to : tos) {
+            const Worst found = worst_error(from, to, own(from, to), inputs(from, to, count > 1 ? size / 12 : size));
+            if (found.error > worst.error) {
+                worst = found;
+            }
+        }
+    }
+    return worst;
+}
+
+Spec spec(const std::string& text) {
+    const auto parsed = rotconv::parse_spec(text);
+    if (const auto* found = std::get_if<Spec>(&parsed)) {
+        return *found;
+    }
+    throw std::invalid_argument("no SPEC: " + text);
+}
+
+} // namespace accuracy

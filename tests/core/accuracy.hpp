@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rotconv/spec.hpp>
+
+/// The accuracy that conversions are held to, and how it is checked: one table, one way to measure.
+namespace accuracy {
+
+/// A way between the quaternion and a representation.
+struct Way {
+    std::string from;
+    std::string to;
+    double limit;    ///< eps = 2^-52 radians of attitude error, worst case over all strata
+    double measured; ///< the worst that `accuracy_report 20000` found
+};
+
+/// The table. `euler` stands for all 24 sequences.
+const std::vector<Way>& ways();
+
+/// The limit of the way from or to `spec` and the quaternion.
+double limit_from(const rotconv::Spec& spec);
+double limit_to(const rotconv::Spec& spec);
+
+/// The worst row of a sample.
+struct Worst {
+    double error = 0.0; ///< eps; infinite where the result is not finite
+    std::string where;
+};
+
+/// A conversion of one row of numbers.
+using Convert = std::function<std::vector<double>(std::span<const double>)>;
+
+/// rotconv's own, with a lock margin of 0 and any tolerance.
+Convert own(const rotconv::Spec& from, const rotconv::Spec& to);
+
+/// Input rows for a way: all strata, about `size` rows in each. Rows of numbers that have no finite form in `from` are
+/// left out.
+std::vector<std::vector<double>> inputs(const rotconv::Spec& from, const rotconv::Spec& to, int size);
+
+/// Attitude error of `convert` over the rows, against the oracle. Rows whose exact result is infinite (cayley) are left
+/// out.
+Worst worst_error(const rotconv::Spec& from, const rotconv::Spec& to, const Convert& convert,
+                  const std::vector<std::vector<double>>& rows);
+
+/// The worst of a way of the table; of `euler`, over all sequences, in radians or degrees.
+Worst worst_of(const Way& way, int size, rotconv::AngleUnit unit = rotconv::AngleUnit::radians);
+
+/// The SPEC, which must be one.
+rotconv::Spec spec(const std::string& text);
+
+} // namespace accuracy

@@ -1,0 +1,93 @@
+// The table of limits: every way between the quaternion and a representation, over all strata.
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
+
+using accuracy::spec;
+
+// Would catch: any loss of digits anywhere, however near to a singularity.
+TEST_CASE("every way stays within its limit in radians") {
+    const auto way = GENERATE(from_range(accuracy::ways()));
+    const auto worst = accuracy::worst_of(way, 1200);
+    INFO(worst.where);
+    CHECK(worst.error <= way.limit);
+    CHECK(worst.error > 0.3 * way.measured); // a check that sees no error sees nothing
+}
+
+// Would catch: a reduction of degrees or a factor of pi/180 that costs digits.
+TEST_CASE("every way stays within its limit in degrees") {
+    for (const auto& way : accuracy::ways()) {
+        if (spec(way.from == "euler" ? "rpy" : way.from).in_degrees().unit == rotconv::AngleUnit::radians &&
+            spec(way.to == "euler" ? "rpy" : way.to).in_degrees().unit == rotconv::AngleUnit::radians) {
+            continue; // no angles
+        }
+        const auto worst = accuracy::worst_of(way, 1200, rotconv::AngleUnit::degrees);
+        INFO(worst.where);
+        CHECK(worst.error <= way.limit);
+    }
+}
+
+// Would catch: squares that underflow, sums that swallow a small angle.
+TEST_CASE("tiny angles keep their relative accuracy") {
+    strata::Source source(21);
+    const std::vector<std::string> names{"quat", "rotvec", "cayley", "mrp"};
+    for (const auto& from : names) {
+        for (const auto& to : names) {
+            const auto convert = accuracy::own(spec(from), spec(to));
+            double worst = 0.0;
+            for (int i = 0; i < 400; ++i) {
+                const auto angle = pow(oracle::Real(10), oracle::Real(source.uniform(-290, -1)));
+                const auto row = oracle::numbers(spec(from), oracle::about(source.axis(), angle));
+                const auto exact = oracle::attitude(spec(from), row);
+                const auto result = oracle::attitude(spec(to), convert(row));
+                worst = std::max(worst, oracle::relative_error_in_eps(exact, result));
+            }
+            INFO(from << " to " << to);
+            CHECK(worst <= 8.0);
+        }
+    }
+}
+
+// Would catch: an argument reduction that fails for huge angles. sin and cos of 1e22 are Payne and Hanek's example;
+// the digits come from 60-digit arithmetic.
+TEST_CASE("angles of any finite size are taken modulo the full turn") {
+    const auto quat = spec("quat");
+    const oracle::Real sine("-0.852200849767188801772705893753029368");
+    const oracle::Real cosine("0.523214785395138945497594473384709492");
+    const oracle::Quaternion twice(cosine, 0, 0, sine); // the attitude of 2e22 about z
+    for (const auto& [text, row] : std::vector<std::pair<std::string, std::vector<double>>>{
+             {"rotvec", {0, 0, 1e22}}, {"axis-angle", {0, 0, 3, 1e22}}, {"euler:ZYX", {1e22, 0, 0}}}) {
+        const auto once = oracle::attitude(quat, accuracy::own(spec(text), quat)(row));
+        INFO(text);
+        CHECK(oracle::error_in_eps(once * once, twice) < 5.0);
+    }
+    for (const double huge : {1e300, 1.7976931348623157e308}) {
+        for (const std::string text : {"rotvec", "rotvec:deg"}) {
+            const auto q = accuracy::own(spec(text), quat)(std::vector<double>{huge, -huge, huge});
+            INFO(text << ' ' << huge);
+            CHECK(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] == Approx(1.0));
+        }
+    }
+    // 2^1000 = 16 modulo 360
+    const auto turned = accuracy::own(spec("rotvec:deg"), spec("rotvec:deg"))(std::vector<double>{0, 0x1p1000, 0});
+    CHECK(turned[1] == Approx(16.0).epsilon(1e-15));
+}
+
+// Would catch: a README that claims other limits or figures than the tests hold.
+TEST_CASE("the README shows the table of limits") {
+    std::ifstream file(ROTCONV_README);
+    const std::string readme{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    for (const auto& way : accuracy::ways()) {
+        std::ostringstream row;
+        row << "| `" << way.from << "` | `" << way.to << "` | " << way.limit << " | " << way.measured << " |";
+        INFO(row.str());
+        CHECK(readme.find(row.str()) != std::string::npos);
+    }
+}

@@ -1,0 +1,227 @@
+// Diagnostics by kind, margin and condition by their definitions, faults.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Core>
+#include <Eigen/SVD>
+
+#include <rotconv/conversion.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
+
+using accuracy::spec;
+using rotconv::Fault;
+using rotconv::Kind;
+using rotconv::Report;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Report report_of(const std::string& from, const std::string& to, const std::vector<double>& row,
+                 rotconv::Settings settings = {}) {
+    const rotconv::Conversion conversion(spec(from), spec(to), settings);
+    std::vector<double> result(conversion.to().size());
+    Report report;
+    conversion.run(row, result, {&report, 1});
+    const bool all_nan = std::ranges::all_of(result, [](double v) { return std::isnan(v); });
+    CHECK(all_nan == (report.fault != Fault::none));
+    return report;
+}
+
+std::vector<Kind> kinds_of(const Report& report) {
+    std::vector<Kind> kinds;
+    for (std::size_t i = 0; i < rotconv::kind_count; ++i) {
+        if (report.notes.has(static_cast<Kind>(i))) {
+            kinds.push_back(static_cast<Kind>(i));
+        }
+    }
+    return kinds;
+}
+
+const rotconv::Settings with_figures{.tolerance = infinity, .lock_margin = 0.0, .figures = true};
+
+/// The numbers of an attitude in high precision, in radians: for differentiation by small rotations.
+Eigen::VectorXd numbers_in_detail(const std::string& to, const oracle::Quaternion& q) {
+    std::vector<double> in(4);
+    const auto numbers = oracle::numbers(spec("quat"), q);
+    const auto out = accuracy::own(spec("quat"), spec(to))(numbers);
+    return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+}
+
+/// The largest singular value of the derivative of the numbers by a small rotation, by central differences.
+double condition_by_differences(const std::string& to, const oracle::Quaternion& q) {
+    constexpr double step = 1e-5;
+    Eigen::MatrixXd jacobian(spec(to).size(), 3);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto up = oracle::about(oracle::Vector3::Unit(axis), oracle::Real(step)) * q;
+        const auto down = oracle::about(oracle::Vector3::Unit(axis), oracle::Real(-step)) * q;
+        jacobian.col(axis) = (numbers_in_detail(to, up) - numbers_in_detail(to, down)) / (2 * step);
+    }
+    return Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues()[0];
+}
+
+} // namespace
+
+// Would catch: a kind that is not noticed, or noticed where it is not there.
+TEST_CASE("each kind is reported where it holds and nowhere else") {
+    const double s = std::sqrt(0.5);
+    CHECK(kinds_of(report_of("quat", "dcm", {1, 0, 0, 2e-6})).empty());
+    CHECK(kinds_of(report_of("quat", "dcm", {1.00001, 0, 0, 0})) == std::vector{Kind::normalized});
+    CHECK(kinds_of(report_of("quat", "euler:ZYX", {s, 0, s, 0})) == std::vector{Kind::gimbal_lock});
+    CHECK(kinds_of(report_of("quat", "euler:ZXZ", {1, 0, 0, 0.5}, {.tolerance = 1})) ==
+          std::vector{Kind::normalized, Kind::gimbal_lock});
+    CHECK(kinds_of(report_of("euler:ZYX", "euler:ZYX", {0.1, pi / 2 - 1e-7, 0.2})) ==
+          std::vector{Kind::near_gimbal_lock});
+    CHECK(kinds_of(report_of("euler:ZYX", "euler:ZYX", {0.1, pi / 2 - 1e-5, 0.2})).empty());
+    CHECK(kinds_of(report_of("euler:ZXZ", "euler:ZXZ", {0.1, 1e-7, 0.2})) == std::vector{Kind::near_gimbal_lock});
+    for (const std::string to : {"rotvec", "axis-angle", "mrp"}) {
+        CHECK(kinds_of(report_of("quat", to, {0, 0, 1, 0})) == std::vector{Kind::half_turn});
+        CHECK(kinds_of(report_of("quat", to, {4.9e-16, 0, 1, 0})) == std::vector{Kind::half_turn});
+        CHECK(kinds_of(report_of("quat", to, {5.1e-16, 0, 1, 0})).empty());
+    }
+    CHECK(kinds_of(report_of("quat", "axis-angle", {1, 0, 0, 0})) == std::vector{Kind::identity_axis});
+    CHECK(kinds_of(report_of("quat", "axis-angle", {1, 0, 1e-300, 0})).empty());
+    CHECK(kinds_of(report_of("quat", "rotvec", {1, 0, 0, 0})).empty());
+    CHECK(kinds_of(report_of("quat", "cayley", {0, 0, 1, 0})) == std::vector{Kind::infinite});
+    CHECK(kinds_of(report_of("quat", "cayley", {1e-309, 0, 1, 0})) == std::vector{Kind::infinite});
+    CHECK(kinds_of(report_of("quat", "cayley", {1e-300, 0, 1, 0})).empty());
+}
+
+// Would catch: an infinite vector that loses its direction.
+TEST_CASE("an infinite Cayley vector keeps its signs") {
+    const auto cayley = accuracy::own(spec("quat"), spec("cayley"));
+    CHECK(cayley(std::vector<double>{0, 0, -0.6, 0.8}) == std::vector<double>{0, infinity, -infinity});
+    CHECK(cayley(std::vector<double>{1e-320, 1e-5, -1, 0}) == std::vector<double>{infinity, -infinity, 0});
+}
+
+// Would catch: a locked answer that is not the promised one, or a lock margin that is read in other units.
+TEST_CASE("locked angles have a zero third and a middle at its limit") {
+    for (const auto sequence : rotconv::EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        const std::string text = "euler:" + std::string(letters.data(), 3);
+        const rotconv::Conversion conversion(spec("quat"), spec(text), {.lock_margin = 1e-3});
+        for (const auto& attitude : strata::near_lock(sequence, 60).attitudes) {
+            const auto row = oracle::numbers(spec("quat"), attitude);
+            std::vector<double> angles(3);
+            Report report;
+            conversion.run(row, angles, {&report, 1});
+            const double margin = report_of("quat", text, row, with_figures).figures.margin;
+            INFO(text << " margin " << margin);
+            CHECK(report.notes.has(Kind::gimbal_lock) == (margin <= 1e-3));
+            if (margin <= 1e-3) {
+                CHECK(angles[2] == 0.0);
+                const double low = sequence.proper() ? 0.0 : -pi / 2;
+                CHECK((angles[1] == low || angles[1] == (sequence.proper() ? pi : pi / 2)));
+                const double off =
+                    oracle::error_in_eps(oracle::attitude(spec("quat"), row), oracle::attitude(spec(text), angles));
+                CHECK(off * oracle::eps <= margin + 8 * oracle::eps);
+            }
+        }
+    }
+}
+
+// Would catch: digits given up near lock at a lock margin of 0, an angle that noise has split at the default.
+TEST_CASE("the third angle at exact lock is zero by default") {
+    const rotconv::Conversion conversion(spec("euler:ZYX:deg"), spec("euler:ZYX:deg"));
+    std::vector<double> angles(3);
+    Report report;
+    conversion.run(std::vector<double>{30, 90, 20}, angles, {&report, 1});
+    CHECK(angles[0] == Approx(10).epsilon(1e-15));
+    CHECK(angles[1] == 90.0);
+    CHECK(angles[2] == 0.0);
+}
+
+// Would catch: a figure that is not the defined one.
+TEST_CASE("condition is the largest singular value of the map from small rotations") {
+    strata::Source source(51);
+    for (const std::string to :
+         {"quat", "dcm", "6d", "5d", "rotvec", "axis-angle", "cayley", "mrp", "euler:ZYX", "euler:zxz", "rpy"}) {
+        for (int i = 0; i < 20; ++i) {
+            const auto q = oracle::about(source.axis(), oracle::Real(source.uniform(0.3, 2.8)));
+            const auto report = report_of("quat", to, oracle::numbers(spec("quat"), q), with_figures);
+            INFO(to);
+            if (report.figures.margin > 0.2) {
+                // the sign of a quaternion flips at a half-turn, past which the differences would reach
+                CHECK(report.figures.condition == Approx(condition_by_differences(to, q)).epsilon(1e-5));
+            }
+        }
+    }
+}
+
+// Would catch: a margin measured to the wrong set, or with the digits of pi - theta lost.
+TEST_CASE("margin is the angle to the nearest singular attitude") {
+    const auto about_z = [](double angle) { return std::vector<double>{0, 0, 1, angle}; };
+    for (const std::string to : {"quat", "dcm", "6d", "5d"}) {
+        CHECK(report_of("axis-angle", to, about_z(1), with_figures).figures.margin == infinity);
+    }
+    CHECK(report_of("axis-angle", "cayley", about_z(1), with_figures).figures.margin == Approx(pi - 1));
+    CHECK(report_of("axis-angle", "mrp", about_z(2), with_figures).figures.margin == Approx(pi - 2));
+    CHECK(report_of("axis-angle", "axis-angle", about_z(1), with_figures).figures.margin == Approx(1));
+    CHECK(report_of("axis-angle", "axis-angle", about_z(3), with_figures).figures.margin == Approx(pi - 3));
+    CHECK(report_of("euler:ZYX", "rpy", {0.3, -1.2, 0.1}, with_figures).figures.margin == Approx(pi / 2 - 1.2));
+    CHECK(report_of("euler:ZXZ", "euler:ZXZ", {0.3, 3.0, 0.1}, with_figures).figures.margin == Approx(pi - 3));
+    CHECK(report_of("euler:ZXZ", "euler:ZXZ", {0.3, 1e-200, 0.1}, with_figures).figures.margin ==
+          Approx(1e-200).margin(0).epsilon(1e-14));
+    CHECK(report_of("quat", "rotvec", {1e-30, 0, 1, 0}, with_figures).figures.margin ==
+          Approx(2e-30).margin(0).epsilon(1e-14));
+    CHECK(report_of("quat", "rotvec", {1, 0, 0, 0}, with_figures).figures.condition == 1.0);
+    CHECK(report_of("quat", "rotvec", {0, 0, 1, 0}, with_figures).figures.condition == Approx(pi / 2));
+    CHECK(report_of("quat", "axis-angle", {1, 0, 0, 0}, with_figures).figures.condition == infinity);
+}
+
+// Would catch: a defect in another norm, or one that is only a bound where it decides.
+TEST_CASE("the defect is the largest deviation of a singular value") {
+    strata::Source source(61);
+    for (const std::string from : {"dcm", "6d", "5d", "quat"}) {
+        for (int i = 0; i < 200; ++i) {
+            auto row = oracle::numbers(spec(from), source.attitude());
+            const double noise = std::pow(10.0, source.uniform(-10, -0.7));
+            for (double& v : row) {
+                v += noise * source.uniform(-1, 1);
+            }
+            const double exact = static_cast<double>(oracle::defect(spec(from), row));
+            INFO(from << ' ' << noise);
+            CHECK(report_of(from, "quat", row, with_figures).defect == Approx(exact).epsilon(1e-5).margin(1e-15));
+            CHECK((report_of(from, "quat", row, {.tolerance = 1.001 * exact + 1e-15}).fault == Fault::none));
+            CHECK((report_of(from, "quat", row, {.tolerance = 0.999 * exact - 1e-15}).fault == Fault::defect));
+        }
+    }
+    CHECK(report_of("dcm", "quat", {1e200, 0, 0, 0, 1e200, 0, 0, 0, 1e200}, with_figures).defect == Approx(1e200));
+    CHECK(report_of("quat", "quat", {1e-300, 0, 0, 0}, with_figures).defect == Approx(1));
+    CHECK(report_of("rotvec", "quat", {1, 2, 3}, with_figures).defect == 0.0);
+}
+
+// Would catch: a crash, or an answer, where there is no attitude.
+TEST_CASE("numbers without an attitude are faults") {
+    const rotconv::Settings any{.tolerance = infinity};
+    CHECK(report_of("quat", "dcm", {0, 0, 0, 0}, any).fault == Fault::zero_quaternion);
+    CHECK(report_of("axis-angle", "dcm", {0, 0, 0, 1}, any).fault == Fault::zero_axis);
+    CHECK(report_of("axis-angle", "dcm", {0, 0, 0, 0}, any).fault == Fault::none);
+    CHECK(report_of("axis-angle:deg", "dcm", {0, 0, 0, 720}, any).fault == Fault::none);
+    CHECK(report_of("dcm", "quat", {1, 0, 0, 0, 1, 0, 0, 0, -1}, any).fault == Fault::not_proper);
+    CHECK(report_of("dcm", "quat", {1, 2, 3, 4, 5, 6, 7, 8, 9}, any).fault == Fault::not_proper);
+    CHECK(report_of("dcm", "quat", {0, 0, 0, 0, 0, 0, 0, 0, 0}, any).fault == Fault::not_proper);
+    CHECK(report_of("dcm", "quat", {1e-9, 0, 0, 0, 1, 0, 0, 0, 1}, any).fault == Fault::none);
+    CHECK(report_of("6d", "quat", {1, 2, 3, 2, 4, 6}, any).fault == Fault::rank_deficient);
+    CHECK(report_of("6d", "quat", {0, 0, 0, 0, 1, 0}, any).fault == Fault::rank_deficient);
+    CHECK(report_of("6d", "quat", {1, 0, 0, 1, 1e-9, 0}, any).fault == Fault::none);
+    CHECK(report_of("5d", "quat", {0, 0, 0, 0, 0}, any).fault == Fault::rank_deficient);
+    for (const auto& entry : rotconv::representations()) {
+        const std::string name = entry.name == rotconv::Name::euler ? "euler:ZYX" : std::string(entry.text);
+        for (std::size_t i = 0; i < entry.size; ++i) {
+            for (const double bad : {infinity, -infinity, std::nan("")}) {
+                std::vector<double> row(entry.size, 0.5);
+                row[i] = bad;
+                CHECK(report_of(name, "quat", row, any).fault == Fault::not_finite);
+            }
+        }
+    }
+}

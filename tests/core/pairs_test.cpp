@@ -1,0 +1,102 @@
+// Every representation to every other one, with and without its conventions.
+
+#include <algorithm>
+#include <cmath>
+
+#include <rotconv/conversion.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
+
+namespace {
+
+const std::vector<std::string>& all_specs() {
+    static const std::vector<std::string> specs{"dcm",
+                                                "dcm:col",
+                                                "dcm:passive",
+                                                "6d",
+                                                "6d:passive",
+                                                "5d",
+                                                "5d:passive",
+                                                "quat",
+                                                "quat:xyzw:passive",
+                                                "axis-angle",
+                                                "axis-angle:deg:passive",
+                                                "rotvec",
+                                                "rotvec:deg:passive",
+                                                "euler:ZYX:passive",
+                                                "euler:zxz:deg",
+                                                "rpy",
+                                                "cayley",
+                                                "cayley:passive",
+                                                "mrp",
+                                                "mrp:passive"};
+    return specs;
+}
+
+} // namespace
+
+// Would catch: a convention applied on one side only, or a room that is right alone and wrong behind another.
+TEST_CASE("any pair errs by no more than its two ways together") {
+    for (const auto& from_text : all_specs()) {
+        const auto from = accuracy::spec(from_text);
+        for (const auto& to_text : all_specs()) {
+            const auto to = accuracy::spec(to_text);
+            const auto worst = accuracy::worst_error(from, to, accuracy::own(from, to), accuracy::inputs(from, to, 16));
+            INFO(worst.where);
+            CHECK(worst.error <= accuracy::limit_from(from) + accuracy::limit_to(to));
+        }
+    }
+}
+
+// Would catch: a way back that is another set's.
+TEST_CASE("a round trip through any representation returns the attitude") {
+    const auto quat = accuracy::spec("quat");
+    for (const auto& text : all_specs()) {
+        const auto via = accuracy::spec(text);
+        const auto there = accuracy::own(quat, via);
+        const auto back = accuracy::own(via, quat);
+        double worst = 0.0;
+        for (const auto& row : accuracy::inputs(quat, via, 60)) {
+            const auto numbers = there(row);
+            if (std::ranges::all_of(numbers, [](double v) { return std::isfinite(v); })) {
+                worst = std::max(
+                    worst, oracle::error_in_eps(oracle::attitude(quat, row), oracle::attitude(quat, back(numbers))));
+            }
+        }
+        INFO(text);
+        CHECK(worst <= accuracy::limit_to(via) + accuracy::limit_from(via) + 1.0);
+    }
+}
+
+// Would catch: an alias that names another representation.
+TEST_CASE("an alias means the same as its name") {
+    for (const auto& entry : rotconv::representations()) {
+        for (const auto alias : entry.aliases) {
+            if (!alias.empty()) {
+                CHECK(accuracy::spec(std::string(alias)).name == entry.name);
+            }
+        }
+    }
+}
+
+// Would catch: a block loop that mixes rows up at its border.
+TEST_CASE("rows in blocks come out as rows one by one") {
+    const auto from = accuracy::spec("quat:xyzw");
+    const auto to = accuracy::spec("dcm:col:passive");
+    const auto rows = accuracy::inputs(from, to, 100);
+    std::vector<double> in;
+    for (const auto& row : rows) {
+        in.insert(in.end(), row.begin(), row.end());
+    }
+    std::vector<double> out(rows.size() * 9);
+    std::vector<rotconv::Report> reports(rows.size());
+    rotconv::Conversion(from, to, {.tolerance = 1e300, .lock_margin = 0.0, .figures = false}).run(in, out, reports);
+    const auto one = accuracy::own(from, to);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto expected = one(rows[i]);
+        CHECK(std::equal(expected.begin(), expected.end(), out.begin() + static_cast<std::ptrdiff_t>(9 * i)));
+    }
+}

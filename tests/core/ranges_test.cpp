@@ -1,0 +1,149 @@
+// The printed numbers' ranges, signs and zeros.
+
+#include <cmath>
+#include <numbers>
+
+#include <rotconv/conversion.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "strata.hpp"
+
+using accuracy::spec;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double norm(const std::vector<double>& v, std::size_t count = 3) {
+    double square = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        square += v[i] * v[i];
+    }
+    return std::sqrt(square);
+}
+
+/// w > 0, or w = 0 and the first nonzero of the rest positive.
+bool canonical(double w, double x, double y, double z) {
+    return w > 0 || (w == 0 && (x > 0 || (x == 0 && (y > 0 || (y == 0 && z > 0)))));
+}
+
+} // namespace
+
+// Would catch: a branch that leaves its range near a border, a modifier that is applied after the range was made, a -0.
+TEST_CASE("outputs stay in their ranges with and without modifiers") {
+    const auto quat = spec("quat");
+    for (const std::string modifier : {"", ":passive", ":deg", ":deg:passive"}) {
+        const bool degrees = modifier.find("deg") != std::string::npos;
+        const double half_turn = degrees ? 180.0 : pi;
+        const double rounding = 4e-16 * half_turn;
+        for (const auto& entry : rotconv::representations()) {
+            if (degrees && !entry.has_angles()) {
+                continue;
+            }
+            std::vector<std::string> texts{std::string(entry.text) + modifier};
+            if (entry.name == rotconv::Name::euler) {
+                texts.clear();
+                for (const auto sequence : rotconv::EulerSequence::all()) {
+                    const auto letters = sequence.letters();
+                    texts.push_back("euler:" + std::string(letters.data(), 3) + modifier);
+                }
+            }
+            for (const auto& text : texts) {
+                const auto to = spec(text);
+                const auto convert = accuracy::own(quat, to);
+                for (const auto& row : accuracy::inputs(quat, to, entry.name == rotconv::Name::euler ? 20 : 150)) {
+                    const auto v = convert(row);
+                    INFO(text << ' ' << row[0] << ' ' << row[1] << ' ' << row[2] << ' ' << row[3]);
+                    for (const double number : v) {
+                        REQUIRE_FALSE((number == 0.0 && std::signbit(number)));
+                        REQUIRE_FALSE(std::isnan(number));
+                    }
+                    switch (entry.name) {
+                    case rotconv::Name::quat:
+                        REQUIRE(canonical(v[0], v[1], v[2], v[3]));
+                        REQUIRE(norm(v, 4) == Approx(1).epsilon(1e-15));
+                        break;
+                    case rotconv::Name::rotvec: REQUIRE(norm(v) <= half_turn + rounding); break;
+                    case rotconv::Name::mrp: REQUIRE(norm(v) <= 1 + 4e-16); break;
+                    case rotconv::Name::axis_angle:
+                        REQUIRE(norm(v) == Approx(1).epsilon(1e-15));
+                        REQUIRE(v[3] >= 0);
+                        REQUIRE(v[3] <= half_turn);
+                        break;
+                    case rotconv::Name::euler:
+                    case rotconv::Name::rpy:
+                        for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
+                            REQUIRE(v[outer] > -half_turn);
+                            REQUIRE(v[outer] <= half_turn);
+                        }
+                        REQUIRE(v[1] >= (to.sequence.proper() ? 0 : -half_turn / 2));
+                        REQUIRE(v[1] <= (to.sequence.proper() ? half_turn : half_turn / 2));
+                        break;
+                    default: break;
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Would catch: a sign that follows the input where it should follow the rule, after the inverse too.
+TEST_CASE("the sign of a half-turn follows the quaternion rule") {
+    const std::vector<double> turn{0, -0.6, 0.8, 0};
+    for (const std::string modifier : {"", ":passive"}) {
+        CHECK(accuracy::own(spec("quat"), spec("quat" + modifier))(turn) == std::vector<double>{0, 0.6, -0.8, 0});
+        const auto mrp = accuracy::own(spec("quat"), spec("mrp" + modifier))(turn);
+        CHECK(mrp[0] == Approx(0.6));
+        CHECK(mrp[1] == Approx(-0.8));
+        const auto rotvec = accuracy::own(spec("quat"), spec("rotvec" + modifier))(turn);
+        CHECK(rotvec[0] > 0);
+        const auto axis = accuracy::own(spec("quat"), spec("axis-angle" + modifier))(turn);
+        CHECK(axis[0] > 0);
+        CHECK(axis[3] == pi);
+    }
+}
+
+// Would catch: quarter turns that pick up a rounding in degrees.
+TEST_CASE("multiples of 90 degrees are exact both ways") {
+    for (const auto sequence : rotconv::EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        const std::string text = "euler:" + std::string(letters.data(), 3) + ":deg";
+        const auto to_matrix = accuracy::own(spec(text), spec("dcm"));
+        const auto back = accuracy::own(spec("dcm"), spec(text));
+        for (int i = 0; i < 64; ++i) {
+            const std::vector<double> angles{90.0 * (i % 4 - 1) + 3600, 90.0 * (i / 4 % 4) - 720, 90.0 * (i / 16)};
+            const auto matrix = to_matrix(angles);
+            for (const double entry : matrix) {
+                CHECK((entry == 0.0 || entry == 1.0 || entry == -1.0));
+            }
+            for (const double angle : back(matrix)) {
+                CHECK(std::fmod(angle, 90.0) == 0.0);
+            }
+        }
+    }
+    CHECK(accuracy::own(spec("rotvec:deg"), spec("dcm"))(std::vector<double>{0, -270, 0}) ==
+          std::vector<double>{0, 0, 1, 0, 1, 0, -1, 0, 0});
+    CHECK(accuracy::own(spec("dcm"), spec("rotvec:deg"))(std::vector<double>{0, 0, 1, 0, 1, 0, -1, 0, 0}) ==
+          std::vector<double>{0, 90, 0});
+    CHECK(accuracy::own(spec("axis-angle:deg"), spec("dcm"))(std::vector<double>{0, 0, 5, 450}) ==
+          std::vector<double>{0, -1, 0, 1, 0, 0, 0, 0, 1});
+}
+
+// Would catch: a lower end of the range that is printed.
+TEST_CASE("minus pi comes out as plus pi") {
+    const auto to = accuracy::own(spec("quat"), spec("euler:ZYX"));
+    CHECK(to(std::vector<double>{-0.0, 0, 0, -1})[0] == pi);
+    CHECK(to(std::vector<double>{1e-300, 0, 0, -1})[0] == pi);
+    CHECK(accuracy::own(spec("quat"), spec("euler:ZYX:deg"))(std::vector<double>{1e-300, 0, 0, -1})[0] == 180.0);
+}
+
+// Would catch: normalising what is normalised, so that a second pass changes bits.
+TEST_CASE("a unit quaternion keeps its bits") {
+    const auto quat = accuracy::own(spec("quat"), spec("quat"));
+    strata::Source source(41);
+    for (int i = 0; i < 2000; ++i) {
+        const auto once = quat(oracle::numbers(spec("quat"), source.attitude()));
+        CHECK(quat(once) == once);
+    }
+}

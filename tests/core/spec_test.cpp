@@ -1,0 +1,95 @@
+// What a SPEC may be.
+
+#include <set>
+#include <string>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+
+using accuracy::spec;
+using rotconv::parse_spec;
+using rotconv::SpecFault;
+using What = rotconv::SpecFault::What;
+
+namespace {
+
+What fault_of(const std::string& text) {
+    const auto parsed = parse_spec(text);
+    const auto* fault = std::get_if<SpecFault>(&parsed);
+    REQUIRE(fault != nullptr);
+    return fault->what;
+}
+
+} // namespace
+
+// Would catch: a sequence that is refused, a non-sequence that is taken.
+TEST_CASE("there are 24 Euler sequences") {
+    std::set<std::string> found;
+    const std::string letters = "xyzXYZwW";
+    for (const char a : letters) {
+        for (const char b : letters) {
+            for (const char c : letters) {
+                const std::string text{a, b, c};
+                const auto sequence = rotconv::EulerSequence::parse(text);
+                if (sequence) {
+                    found.insert(text);
+                    const auto back = sequence->letters();
+                    CHECK(std::string(back.data(), 3) == text);
+                    CHECK(sequence->intrinsic() == (a < 'a'));
+                }
+            }
+        }
+    }
+    CHECK(found.size() == 24);
+    CHECK(rotconv::EulerSequence::all().size() == 24);
+    CHECK_FALSE(rotconv::EulerSequence::parse("ZYX "));
+    CHECK_FALSE(rotconv::EulerSequence::parse("ZYx"));
+}
+
+// Would catch: modifiers that are counted instead of set.
+TEST_CASE("modifiers are a set") {
+    CHECK(spec("dcm:passive:passive").passive);
+    CHECK(spec("dcm:matlab:passive").passive);
+    CHECK(spec("quat:scipy:xyzw").scalar_last);
+    CHECK(spec("dcm:col:passive").column_major);
+    CHECK_FALSE(spec("euler:ZYX:spice").passive);
+    CHECK(spec("rotvec:deg:bunge").passive);
+    CHECK_FALSE(spec("rotvec:stuelpnagel").passive);
+    CHECK(spec("quat:tum:tum").scalar_last);
+}
+
+// Would catch: a wrong word that is taken for something, or explained as something else.
+TEST_CASE("a text that is no SPEC says why") {
+    CHECK(fault_of("") == What::unknown_name);
+    CHECK(fault_of("Quat") == What::unknown_name);
+    CHECK(fault_of("quat ") == What::unknown_name);
+    CHECK(fault_of("euler") == What::no_sequence);
+    CHECK(fault_of("euler:") == What::unknown_sequence);
+    CHECK(fault_of("euler:XXY") == What::unknown_sequence);
+    CHECK(fault_of("euler:deg:ZYX") == What::unknown_sequence);
+    CHECK(fault_of("quat:") == What::unknown_modifier);
+    CHECK(fault_of("quat::xyzw") == What::unknown_modifier);
+    CHECK(fault_of("quat:xyz") == What::unknown_modifier);
+    CHECK(fault_of("quat:deg") == What::meaningless_modifier);
+    CHECK(fault_of("6d:col") == What::meaningless_modifier);
+    CHECK(fault_of("mrp:xyzw") == What::meaningless_modifier);
+    CHECK(fault_of("quat:ros:tum") == What::second_preset);
+}
+
+// Would catch: a preset that a representation refuses.
+TEST_CASE("every preset is legal on every representation") {
+    for (const auto& entry : rotconv::representations()) {
+        for (const auto& preset : rotconv::presets()) {
+            const std::string name = entry.name == rotconv::Name::euler ? "euler:zxz" : std::string(entry.text);
+            CHECK_NOTHROW(spec(name + ":" + std::string(preset.text)));
+        }
+    }
+}
+
+// Would catch: column names that do not follow the numbers.
+TEST_CASE("columns are named in the order in which they are written") {
+    CHECK(spec("dcm:col").columns()[1] == "r21");
+    CHECK(spec("dcm").columns()[1] == "r12");
+    CHECK(spec("quat:xyzw").columns()[3] == "qw");
+    CHECK(spec("6d").columns()[1] == "r21");
+}
