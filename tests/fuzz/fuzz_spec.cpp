@@ -1,0 +1,37 @@
+// Any text as SPEC and as list of columns: never a crash, and what is accepted keeps its promises.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include <rotconv/spec.hpp>
+
+#include "stream/column_list.hpp"
+#include "stream/delimiter.hpp"
+#include "stream/number_text.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const auto parsed = rotconv::parse_spec(text);
+    if (const auto* spec = std::get_if<rotconv::Spec>(&parsed)) {
+        unsigned seen = 0;
+        for (std::size_t i = 0; i < spec->size(); ++i) {
+            seen |= 1U << spec->order()[i];
+        }
+        if (seen + 1 != 1U << spec->size()) {
+            std::abort(); // the order is no permutation
+        }
+    }
+    const auto list = rotconv::stream::ColumnList::parse(text, 4);
+    if (const auto* columns = std::get_if<rotconv::stream::ColumnList>(&list)) {
+        if (columns->positions().size() != 4) {
+            std::abort();
+        }
+        static_cast<void>(columns->positions({"timestamp", "q_w []", " q_x", "\"q_y\"", "q_z"}));
+    }
+    static_cast<void>(rotconv::stream::Delimiter::parse(text));
+    double value = 0.0;
+    static_cast<void>(rotconv::stream::read_number(text, value));
+    return 0;
+}

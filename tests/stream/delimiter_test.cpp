@@ -1,0 +1,71 @@
+// Fields and what parts them.
+
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "stream/delimiter.hpp"
+
+using rotconv::stream::Delimiter;
+using rotconv::stream::field_text;
+
+namespace {
+
+using Fields = std::vector<std::string_view>;
+
+Fields fields_of(const Delimiter& delimiter, std::string_view row) {
+    Fields fields;
+    CHECK(delimiter.split(row, fields));
+    return fields;
+}
+
+const Delimiter comma = Delimiter::character(',');
+
+} // namespace
+
+// Would catch: a wrong order of preference, a delimiter found inside quotes.
+TEST_CASE("the delimiter is comma else tab else semicolon else blanks") {
+    CHECK(Delimiter::of_row("1\t2;3,4 5").text() == ',');
+    CHECK(Delimiter::of_row("1;2\t3 4").text() == '\t');
+    CHECK(Delimiter::of_row("1;2 3").text() == ';');
+    CHECK(Delimiter::of_row("1 2").is_blanks());
+    CHECK(Delimiter::of_row("1").is_blanks());
+    CHECK(Delimiter::of_row("\"a,b\";1").text() == ';');
+    CHECK(Delimiter::of_row("5\" disk, 3").text() == ',');
+}
+
+// Would catch: a named delimiter that is another, one that would cut numbers.
+TEST_CASE("delimiters by name and by character") {
+    CHECK(Delimiter::parse("comma")->text() == ',');
+    CHECK(Delimiter::parse("tab")->text() == '\t');
+    CHECK(Delimiter::parse("semicolon")->text() == ';');
+    CHECK(Delimiter::parse("blank")->is_blanks());
+    CHECK(Delimiter::parse("|")->text() == '|');
+    for (const std::string text : {"", "ab", "e", "1", "-", "+", ".", "\"", "\n", "\xC3\xA4", "#"}) {
+        INFO(text);
+        CHECK_FALSE(Delimiter::parse(text));
+    }
+}
+
+// Would catch: a field lost at an end, quotes that are not seen.
+TEST_CASE("rows are split after RFC 4180") {
+    CHECK(fields_of(comma, "a,b,c") == Fields{"a", "b", "c"});
+    CHECK(fields_of(comma, ",a,") == Fields{"", "a", ""});
+    CHECK(fields_of(comma, "\"a,b\",c") == Fields{"\"a,b\"", "c"});
+    CHECK(fields_of(comma, "\"a\"\"b,\",c") == Fields{"\"a\"\"b,\"", "c"});
+    CHECK(fields_of(comma, "a\"b,c\"d") == Fields{"a\"b", "c\"d"});
+    CHECK(fields_of(Delimiter::blanks(), "  a \t b  ") == Fields{"a", "b"});
+    CHECK(fields_of(Delimiter::blanks(), "\"a b\"") == Fields{"\"a", "b\""});
+    Fields fields;
+    CHECK_FALSE(comma.split("a,\"b", fields));
+    CHECK_FALSE(comma.split("\"a\"\",b", fields));
+}
+
+// Would catch: quotes or blanks that stay in a name or number.
+TEST_CASE("a field's content is free of quotes and blanks around it") {
+    CHECK(field_text(" a ") == "a");
+    CHECK(field_text("\"1.5\"") == "1.5");
+    CHECK(field_text(" \" 1 \" ") == "1");
+    CHECK(field_text("\"") == "\"");
+    CHECK(field_text("") == "");
+}

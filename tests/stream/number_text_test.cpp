@@ -1,0 +1,103 @@
+// Numbers to and from text.
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "catch.hpp"
+#include "stream/number_text.hpp"
+
+using namespace rotconv::stream;
+
+namespace {
+
+std::string text_of(double value, int precision = 0) {
+    Buffer buffer;
+    append_number(buffer, value, precision);
+    return fmt::to_string(buffer);
+}
+
+double value_of(const std::string& text) {
+    double value = -1.0;
+    INFO(text);
+    REQUIRE(read_number(text, value) == NumberFault::none);
+    return value;
+}
+
+} // namespace
+
+// Would catch: a spelling of a number that is refused.
+TEST_CASE("decimal numbers as in C are read") {
+    CHECK(value_of("1") == 1.0);
+    CHECK(value_of("+1") == 1.0);
+    CHECK(value_of("-.5") == -0.5);
+    CHECK(value_of("2.") == 2.0);
+    CHECK(value_of("1e-3") == 1e-3);
+    CHECK(value_of("1E+3") == 1e3);
+    CHECK(value_of(" \t7 ") == 7.0);
+    CHECK(value_of("0.1000000000000000055511151231257827021181583404541015625") == 0.1);
+    CHECK(std::isnan(value_of("nan")));
+    CHECK(value_of("-inf") == -std::numeric_limits<double>::infinity());
+    CHECK(value_of("Infinity") == std::numeric_limits<double>::infinity());
+}
+
+// Would catch: junk that passes for a number.
+TEST_CASE("what is not a decimal number is refused") {
+    for (const std::string text :
+         {"",    " ",   "+",   "-",   ".",     "e5",  "1e",        "1e+", "0x10",  "1,5",
+          "1 2", "--1", "+-1", "-+1", "1.2.3", "one", "1\xC2\xA0", "1f",  "1e5.0", "\xEF\xBC\x91"}) {
+        double value = 0.0;
+        INFO(text);
+        CHECK(read_number(text, value) == NumberFault::not_a_number);
+        CHECK_FALSE(is_number(text));
+    }
+    double value = 0.0;
+    CHECK(read_number(std::string_view("1\0", 2), value) == NumberFault::not_a_number);
+}
+
+// Would catch: a number out of range that is taken for the other end of it.
+TEST_CASE("too large is a fault and too small is zero") {
+    double value = 0.0;
+    for (const std::string text :
+         {"1e309", "-1e309", "1e99999999999999999999", "17976931348623159e292", "0.001e313", "12345678901e300"}) {
+        INFO(text);
+        CHECK(read_number(text, value) == NumberFault::too_large);
+    }
+    CHECK(read_number("1" + std::string(400, '0'), value) == NumberFault::too_large);
+    for (const std::string text :
+         {"1e-400", "-1e-400", "1e-99999999999999999999", "0.0000001e-320", "123e-340", "0e999"}) {
+        INFO(text);
+        CHECK(value_of(text) == 0.0);
+    }
+    CHECK(value_of("0." + std::string(400, '0') + "1") == 0.0);
+    CHECK(value_of("5e-324") == 5e-324);
+    CHECK(value_of("1.7976931348623157e308") == std::numeric_limits<double>::max());
+}
+
+// Would catch: a text that does not read back to the same double.
+TEST_CASE("the shortest text reads back to the same double") {
+    std::mt19937_64 engine(71);
+    for (int i = 0; i < 20000; ++i) {
+        const auto value = std::bit_cast<double>(engine());
+        if (std::isfinite(value)) {
+            REQUIRE(value_of(text_of(value)) == value);
+        }
+    }
+    CHECK(text_of(0.1) == "0.1");
+    CHECK(text_of(1.0) == "1");
+    CHECK(text_of(-0.5) == "-0.5");
+    CHECK(text_of(-std::numeric_limits<double>::quiet_NaN()) == "nan");
+    CHECK(text_of(std::numeric_limits<double>::infinity()) == "inf");
+    CHECK(text_of(-2.2250738585072014e-308) == "-2.2250738585072014e-308");
+}
+
+// Would catch: digits after the point in the place of significant ones.
+TEST_CASE("precision counts significant digits") {
+    CHECK(text_of(1.0 / 3, 3) == "0.333");
+    CHECK(text_of(1234.5678, 6) == "1234.57");
+    CHECK(text_of(123456, 2) == "1.2e+05");
+    CHECK(text_of(0.00012345, 2) == "0.00012");
+    CHECK(text_of(0.1, 20) == "0.10000000000000000555");
+}

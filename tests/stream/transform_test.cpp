@@ -1,0 +1,102 @@
+// The seam on which threads will work: what a block of rows becomes depends on nothing but the block.
+
+#include <random>
+#include <string>
+
+#include <rotconv/spec.hpp>
+
+#include "catch.hpp"
+#include "stream/rows.hpp"
+
+using namespace rotconv;
+using namespace rotconv::stream;
+
+namespace {
+
+Options options_of(const char* from, const char* to) {
+    return Options(Conversion(std::get<Spec>(parse_spec(from)), std::get<Spec>(parse_spec(to))));
+}
+
+/// A stream with comments, blank rows, faults and diagnostics in it.
+std::string rows(int count) {
+    std::mt19937_64 engine(91);
+    std::normal_distribution<double> normal;
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        switch (engine() % 12) {
+        case 0: text += "# a comment\n"; break;
+        case 1: text += "\r\n"; break;
+        case 2: text += "x,1,zero,0,0\n"; break;
+        case 3: text += "x,0,0,0,0\n"; break;
+        case 4: text += "x,0,0,1,0\n"; break;
+        case 5: text += "x,1\n"; break;
+        default:
+            text += fmt::format("t{},{},{},{},{}\n", i, normal(engine), normal(engine), normal(engine), normal(engine));
+        }
+    }
+    return text;
+}
+
+std::string all_of(const Output& output) {
+    std::string text = fmt::to_string(output.bytes);
+    for (const Event& event : output.events) {
+        if (const auto* fault = std::get_if<RowFault>(&event)) {
+            text += fmt::format("{} {} {}\n", fault->line, static_cast<int>(fault->what), fault->text);
+        } else {
+            const auto& diagnostic = std::get<Diagnostic>(event);
+            text += fmt::format("{} {}\n", diagnostic.line, name_of(diagnostic.kind));
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+// Would catch: state that leaks from one block into the next.
+TEST_CASE("a stream cut at any line becomes the same") {
+    Options options(
+        Conversion(std::get<Spec>(parse_spec("quat")), std::get<Spec>(parse_spec("rotvec")), {.tolerance = 1e9}));
+    options.on_error = OnError::nan;
+    options.columns = std::get<ColumnList>(ColumnList::parse("2-5", 4));
+    options.diagnostic_columns = true;
+    const std::string text = rows(1500);
+    Layout layout;
+    layout.delimiter = Delimiter::character(',');
+    layout.select(options.columns.positions());
+    RowTransformer whole(options, layout);
+    Output expected;
+    whole.transform(text, 1, expected);
+    std::mt19937_64 engine(92);
+    for (int round = 0; round < 5; ++round) {
+        RowTransformer first(options, layout);
+        RowTransformer second(options, layout);
+        Output output;
+        std::string_view rest = text;
+        std::size_t line = 1;
+        while (!rest.empty()) {
+            std::size_t end = 0;
+            std::size_t count = 0;
+            for (const auto lines = 1 + engine() % 300; count < lines && end < rest.size(); ++count) {
+                end = rest.find('\n', end) + 1;
+            }
+            (engine() % 2 == 0 ? first : second).transform(rest.substr(0, end), line, output);
+            rest.remove_prefix(end);
+            line += count;
+        }
+        CHECK(fmt::to_string(output.bytes) == fmt::to_string(expected.bytes));
+        CHECK(all_of(output) == all_of(expected));
+    }
+}
+
+// Would catch: rows after a fault that are written all the same.
+TEST_CASE("a fault under stop ends the block") {
+    const Options options = options_of("quat", "quat");
+    Layout layout;
+    RowTransformer transformer(options, layout);
+    Output output;
+    transformer.transform("1 0 0 0\n1 0 0\n0 1 0 0\n", 10, output);
+    CHECK(output.stopped);
+    CHECK(fmt::to_string(output.bytes) == "1 0 0 0\n");
+    REQUIRE(output.events.size() == 1);
+    CHECK(std::get<RowFault>(output.events[0]).line == 11);
+}
