@@ -54,6 +54,9 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv)
             continue;
         }
         const bool is_long = word.starts_with("--");
+        if (is_long && word.ends_with('=')) {
+            sorted.empty_option = word.substr(0, word.size() - 1);
+        }
         const std::string name =
             is_long ? (takes_argument(app, word) ? word : std::string()) : awaiting_short(app, word);
         if (name.empty() || i + 1 == argc) {
@@ -63,7 +66,12 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv)
         if (!is_long && word.size() > 2) {
             sorted.options.push_back(word.substr(0, word.size() - 1)); // the flags of the cluster
         }
-        sorted.options.push_back("--" + app.get_option(name)->get_lnames().front() + "=" + argv[++i]);
+        const std::string long_name = "--" + app.get_option(name)->get_lnames().front();
+        const std::string argument = argv[++i];
+        if (argument.empty()) {
+            sorted.empty_option = long_name;
+        }
+        sorted.options.push_back(long_name + "=" + argument);
     }
     return sorted;
 }

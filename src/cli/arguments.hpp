@@ -11,7 +11,8 @@ namespace rotconv::cli {
 struct Arguments {
     std::vector<std::string> options; ///< each option that takes an argument joined with it
     std::vector<std::string> values;
-    bool is_command = false; ///< the first word names a command: all words stand in `options`
+    std::string empty_option; ///< an option whose argument is the empty text
+    bool is_command = false;  ///< the first word names a command: all words stand in `options`
 };
 
 /// CLI11 takes `-.5` for an option and `-inf` for `-i nf`, and an option's argument `-1` for an option. Here a word

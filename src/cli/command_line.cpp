@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "../stream/lines.hpp"
 #include "../stream/number_text.hpp"
 #include "arguments.hpp"
 #include "list.hpp"
@@ -136,7 +137,12 @@ int count_of(std::string_view option, const std::string& text, int most) {
     return static_cast<int>(value);
 }
 
-ConvertCommand convert_command(const Texts& texts, const std::vector<std::string>& values) {
+/// One row of numbers, whatever they are.
+bool is_row(std::string_view text) {
+    return !stream::is_blank(text) && !stream::is_comment(text) && text.find_first_of("\r\n") == std::string_view::npos;
+}
+
+ConvertCommand convert_command(const Texts& texts, const std::vector<std::string>& values, bool has_input) {
     if (texts.from.empty() && texts.to.empty() && !values.empty() && !stream::is_number(values[0])) {
         throw Usage(words::no_such_word("command", values[0], {"list"}));
     }
@@ -195,11 +201,14 @@ ConvertCommand convert_command(const Texts& texts, const std::vector<std::string
         throw Usage("--columns selects by name, and there is no header");
     }
     if (!values.empty()) {
-        if (command.input != "-") {
+        if (has_input) {
             throw Usage("VALUEs and --input exclude each other");
         }
         command.has_values = true;
         command.values = fmt::format("{}", fmt::join(values, " "));
+        if (!is_row(command.values)) {
+            throw Usage(fmt::format("the VALUEs are no row of numbers: {}", words::quoted(command.values)));
+        }
         if (values.size() > 1) {
             options.delimiter = stream::Delimiter::blanks();
         }
@@ -228,13 +237,16 @@ Command read_command_line(int argc, const char* const* argv) {
     Texts texts;
     define(app, texts);
     Arguments arguments = sort_arguments(app, argc, argv);
+    if (!arguments.empty_option.empty()) {
+        return UsageError{arguments.empty_option + " has an empty argument"};
+    }
     std::ranges::reverse(arguments.options); // as CLI11 wants them
     try {
         app.parse(arguments.options);
         if (arguments.is_command) {
             return ListCommand{texts.listed};
         }
-        return convert_command(texts, arguments.values);
+        return convert_command(texts, arguments.values, app.count("--input") > 0);
     } catch (const CLI::CallForHelp&) {
         return PrintCommand{app.help()};
     } catch (const CLI::CallForVersion& version) {

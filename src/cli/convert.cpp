@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -12,6 +11,7 @@
 
 #include "../stream/run.hpp"
 #include "exit_code.hpp"
+#include "say.hpp"
 #include "words.hpp"
 
 namespace rotconv::cli {
@@ -41,9 +41,9 @@ public:
 
     void tell(std::size_t line, const std::string& message) const {
         if (line == 0 || command_->has_values) {
-            fmt::print(stderr, "rotconv: {}: {}\n", where_, message);
+            say(fmt::format("{}: {}", where_, message));
         } else {
-            fmt::print(stderr, "rotconv: {}:{}: {}\n", where_, line, message);
+            say(fmt::format("{}:{}: {}", where_, line, message));
         }
     }
 
@@ -87,7 +87,7 @@ private:
 };
 
 ExitCode failed(const std::string& message) {
-    fmt::print(stderr, "rotconv: {}\n", message);
+    say(message);
     return ExitCode::incomplete;
 }
 

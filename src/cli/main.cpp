@@ -1,10 +1,8 @@
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <string>
 #include <variant>
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "../stream/file.hpp"
@@ -12,6 +10,7 @@
 #include "convert.hpp"
 #include "exit_code.hpp"
 #include "list.hpp"
+#include "say.hpp"
 #include "words.hpp"
 
 namespace rotconv::cli {
@@ -23,12 +22,12 @@ ExitCode print(const std::string& text) {
     if (error == 0 || error == EPIPE) {
         return ExitCode::done;
     }
-    fmt::print(stderr, "rotconv: -: {}\n", words::explain({stream::StreamFault::What::write, 0, error, {}}, {}));
+    say("-: " + words::explain({stream::StreamFault::What::write, 0, error, {}}, {}));
     return ExitCode::incomplete;
 }
 
 ExitCode usage(const std::string& message) {
-    fmt::print(stderr, "rotconv: {}\n", message);
+    say(message);
     return ExitCode::incomplete;
 }
 
@@ -50,6 +49,7 @@ struct Run {
 } // namespace rotconv::cli
 
 int main(int argc, char** argv) {
+    rotconv::stream::guard_standard_descriptors();
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error code of write()
     return static_cast<int>(std::visit(rotconv::cli::Run{}, rotconv::cli::read_command_line(argc, argv)));
 }

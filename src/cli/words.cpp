@@ -210,8 +210,7 @@ std::string explain(const stream::RowFault& fault, const Spec& from, double tole
     case Fault::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
     case Fault::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
     case Fault::defect:
-        return fmt::format("defect {:.3g} is above the tolerance {:.3g} (--tolerance): {}", fault.defect, tolerance,
-                           text);
+        return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", fault.defect, tolerance, text);
     }
     return {};
 }

@@ -9,6 +9,7 @@
 #include <rotconv/dcm.hpp>
 
 #include "davenport.hpp"
+#include "double_double.hpp"
 #include "scaling.hpp"
 
 namespace rotconv {
@@ -41,18 +42,19 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
     }
     first = first.unaryExpr(PowerOfTwo::to_unit(first_size)).eval();
     second = second.unaryExpr(PowerOfTwo::to_unit(second_size)).eval();
-    Eigen::Vector3d third = first.cross(second);
-    // Parallel to rounding: no digit of the plane is left.
-    constexpr double noise = 0x1p-52;
-    if (third.norm() <= noise * (first.norm() * second.norm())) {
+    // The normal of the plane, with the digits that nearly parallel columns have; the second column follows from it.
+    Eigen::Vector3d normal{difference_of_products(first[1], second[2], first[2], second[1]),
+                           difference_of_products(first[2], second[0], first[0], second[2]),
+                           difference_of_products(first[0], second[1], first[1], second[0])};
+    const double normal_size = normal.cwiseAbs().maxCoeff();
+    if (normal_size == 0.0) {
         return Reading::failed(Fault::rank_deficient);
     }
+    normal = normal.unaryExpr(PowerOfTwo::to_unit(normal_size)).eval();
     Eigen::Matrix3d m;
     m.col(0) = first.normalized();
-    m.col(1) = (second - m.col(0).dot(second) * m.col(0)).normalized();
-    // Once more: the first pass leaves its rounding, which counts where the columns are far from orthogonal.
-    m.col(1) = (m.col(1) - m.col(0).dot(m.col(1)) * m.col(0)).normalized();
-    m.col(2) = m.col(0).cross(m.col(1));
+    m.col(2) = normal.normalized();
+    m.col(1) = m.col(2).cross(m.col(0));
     const Eigen::Vector4d q = quaternion_of_rotation(m);
     return {.rotation = Rotation::from_components(q[0], q[1], q[2], q[3])};
 }

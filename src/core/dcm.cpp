@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
@@ -23,18 +24,44 @@ Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - 
 
 Rotation rotation_of(const Eigen::Vector4d& q) noexcept { return Rotation::from_components(q[0], q[1], q[2], q[3]); }
 
-/// Sign of the determinant of a matrix with entries in [-1, 1], right where |det| > 2^-98; 0 below.
-int sign_of_determinant(const Dcm& m) noexcept {
-    const auto minor = [&m](int i, int j) {
-        const DoubleDouble negative = exact_product(-m(1, j), m(2, i));
-        return exact_product(m(1, i), m(2, j)) + negative;
-    };
-    const DoubleDouble determinant = minor(1, 2) * m(0, 0) + minor(2, 0) * m(0, 1) + minor(0, 1) * m(0, 2);
-    constexpr double noise = 0x1p-98;
-    if (std::fabs(determinant.hi) < noise) {
-        return 0;
+/// Adds a number to a sum that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
+void add_exactly(std::vector<double>& sum, double number) {
+    for (double& part : sum) {
+        const DoubleDouble both = exact_sum(number, part);
+        part = both.lo;
+        number = both.hi;
     }
-    return determinant.hi > 0.0 ? 1 : -1;
+    sum.push_back(number);
+}
+
+/// The exact sign of the determinant. Rows and columns are first scaled by powers of two, lest products underflow.
+int sign_of_determinant(Dcm m) {
+    for (int side = 0; side < 2; ++side) {
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            const double largest = m.row(i).cwiseAbs().maxCoeff();
+            if (largest == 0.0) {
+                return 0;
+            }
+            m.row(i) = m.row(i).unaryExpr(PowerOfTwo::to_unit(largest)).eval();
+        }
+        m.transposeInPlace();
+    }
+    std::vector<double> sum;
+    for (int first = 0; first < 3; ++first) {
+        for (const int step : {1, 2}) {
+            const int second = (first + step) % 3;
+            const int third = (first + 3 - step) % 3;
+            const double sign = step == 1 ? 1.0 : -1.0;
+            const DoubleDouble two = exact_product(m(0, first), m(1, second));
+            for (const double part : {two.hi, two.lo}) {
+                const DoubleDouble three = exact_product(part, sign * m(2, third));
+                add_exactly(sum, three.lo);
+                add_exactly(sum, three.hi);
+            }
+        }
+    }
+    const auto leading = std::find_if(sum.rbegin(), sum.rend(), [](double part) { return part != 0.0; });
+    return leading == sum.rend() ? 0 : (*leading > 0.0 ? 1 : -1);
 }
 
 /// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
@@ -50,7 +77,11 @@ Reading far_from_rotation(const Dcm& matrix) noexcept {
         return Reading::failed(Fault::not_proper);
     }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Dcm factor = svd.matrixU() * svd.matrixV().transpose();
+    Dcm factor = svd.matrixU() * svd.matrixV().transpose();
+    if (factor.determinant() < 0.0) {
+        // det M > 0 is known exactly: rounding has turned the sign of the smallest singular value
+        factor -= 2.0 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
+    }
     const Eigen::Vector4d q = quaternion_of_rotation(factor);
 
     // With S = R(q)' M, the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12).
@@ -58,7 +89,10 @@ Reading far_from_rotation(const Dcm& matrix) noexcept {
     const Eigen::Matrix3d symmetric = 0.5 * (s + s.transpose());
     const Eigen::Vector3d skew{s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1)};
     const Eigen::Matrix3d hessian = symmetric.trace() * Eigen::Matrix3d::Identity() - symmetric;
-    const Eigen::Vector3d half = 0.5 * hessian.fullPivLu().solve(skew);
+    Eigen::Vector3d half = 0.5 * hessian.fullPivLu().solve(skew);
+    if (!(half.norm() < 1e-8)) {
+        half.setZero(); // the matrix is nearly singular, and this its noise
+    }
     const Eigen::Vector3d v = q.tail<3>();
     Eigen::Vector4d corrected;
     corrected << q[0] - v.dot(half), v + q[0] * half + v.cross(half);

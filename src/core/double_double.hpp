@@ -30,23 +30,27 @@ inline DoubleDouble exact_product(double a, double b) noexcept {
     return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 }
 
-/// a + b to 2^-104 relative, for terms that do not cancel; absolute to 2^-104 of the larger term otherwise.
-inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) noexcept {
-    const DoubleDouble high = exact_sum(a.hi, b.hi);
-    const DoubleDouble low = exact_sum(a.lo, b.lo);
-    const DoubleDouble first = exact_sum(high.hi, high.lo + low.hi);
-    return exact_sum(first.hi, first.lo + low.lo);
+/// a b - c d to 2^-104 of the larger product: cancellation leaves the digits that are there.
+inline double difference_of_products(double a, double b, double c, double d) noexcept {
+    const DoubleDouble first = exact_product(a, b);
+    const DoubleDouble second = exact_product(-c, d);
+    const DoubleDouble high = exact_sum(first.hi, second.hi);
+    return high.hi + (high.lo + (first.lo + second.lo));
 }
 
-/// a * b to 2^-102 relative.
-inline DoubleDouble operator*(DoubleDouble a, double b) noexcept {
-    const DoubleDouble high = exact_product(a.hi, b);
-    return exact_sum(high.hi, high.lo + a.lo * b);
+/// x^2 + y^2 + z^2 to 2^-102 relative, for a largest magnitude between 2^-400 and 1.
+inline DoubleDouble squared_length(double x, double y, double z) noexcept {
+    const DoubleDouble xx = exact_product(x, x);
+    const DoubleDouble yy = exact_product(y, y);
+    const DoubleDouble zz = exact_product(z, z);
+    const DoubleDouble two = exact_sum(xx.hi, yy.hi);
+    const DoubleDouble three = exact_sum(two.hi, zz.hi);
+    return exact_sum(three.hi, (two.lo + three.lo) + (xx.lo + yy.lo + zz.lo));
 }
 
-/// sqrt(x^2 + y^2 + z^2) to 2^-102 relative, for a largest magnitude between 2^-400 and 1.
+/// Its square root, to as much.
 inline DoubleDouble length(double x, double y, double z) noexcept {
-    const DoubleDouble square = exact_product(x, x) + exact_product(y, y) + exact_product(z, z);
+    const DoubleDouble square = squared_length(x, y, z);
     const double root = std::sqrt(square.hi);
     const DoubleDouble root_square = exact_product(root, root);
     return exact_sum(root, ((square.hi - root_square.hi) + (square.lo - root_square.lo)) / (2.0 * root));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "double_double.hpp"
 #include "finite.hpp"
 #include "half_turn.hpp"
 #include "scaling.hpp"
@@ -19,7 +20,9 @@ Reading to_rotation(const Eigen::Vector3d& m) noexcept {
     const double x = scale(m.x());
     const double y = scale(m.y());
     const double z = scale(m.z());
-    const double w = f * f - ((x * x + y * y) + z * z);
+    // The rounding of |m|^2 would be the largest part of the error where |m| is about 1 or more.
+    const DoubleDouble square = squared_length(x, y, z);
+    const double w = (f * f - square.hi) - square.lo;
     return {.rotation = Rotation::from_components(w, 2.0 * f * x, 2.0 * f * y, 2.0 * f * z)};
 }
 

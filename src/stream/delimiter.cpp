@@ -26,7 +26,7 @@ std::optional<Delimiter> Delimiter::parse(std::string_view text) noexcept {
     if (text == "comma") {
         return character(',');
     }
-    if (text == "tab") {
+    if (text == "tab" || text == "\\t") {
         return character('\t');
     }
     if (text == "semicolon") {
@@ -35,10 +35,9 @@ std::optional<Delimiter> Delimiter::parse(std::string_view text) noexcept {
     if (text == "blank") {
         return blanks();
     }
-    constexpr std::string_view refused = "0123456789+-.\"\r\n#";
+    constexpr std::string_view refused = "0123456789+-.eE\"\r\n#";
     if (text.size() != 1 || refused.find(text[0]) != std::string_view::npos ||
-        (static_cast<unsigned char>(text[0]) & 0x80U) != 0U || (text[0] >= 'a' && text[0] <= 'z') ||
-        (text[0] >= 'A' && text[0] <= 'Z')) {
+        (static_cast<unsigned char>(text[0]) & 0x80U) != 0U) {
         return std::nullopt;
     }
     return character(text[0]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -19,6 +20,15 @@ void wait_for(int descriptor, short events) noexcept {
 }
 
 } // namespace
+
+void guard_standard_descriptors() noexcept {
+    for (const auto& [descriptor, mode] :
+         {std::pair{STDIN_FILENO, O_WRONLY}, std::pair{STDOUT_FILENO, O_RDONLY}, std::pair{STDERR_FILENO, O_WRONLY}}) {
+        if (::fcntl(descriptor, F_GETFD) == -1 && errno == EBADF) {
+            ::open("/dev/null", mode); // takes the lowest free number, which is this one
+        }
+    }
+}
 
 std::ptrdiff_t TextSource::read(std::span<char> to) {
     const std::size_t count = std::min(to.size(), text_.size());

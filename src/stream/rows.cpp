@@ -129,11 +129,15 @@ void RowTransformer::write_row(const Row& row, std::size_t index, Output& output
 }
 
 std::string RowTransformer::selected_text(const Row& row) const {
+    if (layout_->positions.empty()) {
+        return std::string(row.line.text);
+    }
     std::string text;
-    for (std::size_t i = 0; i < options_->conversion.from().size(); ++i) {
-        const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
-        text += text.empty() ? "" : " ";
-        text += field_text(fields_[row.first_field + position]);
+    for (const std::size_t position : layout_->positions) {
+        if (!text.empty()) {
+            text += layout_->delimiter.text();
+        }
+        text += fields_[row.first_field + position];
     }
     return text;
 }

@@ -35,7 +35,7 @@ private:
 
     void gather(std::string_view& text, std::size_t& line);
     void read_row(Row& row);
-    /// The fields that hold the numbers, parted by blanks.
+    /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(const Row& row) const;
     void write(Output& output);
     void write_row(const Row& row, std::size_t index, Output& output);

@@ -40,7 +40,10 @@ TEST_CASE("delimiters by name and by character") {
     CHECK(Delimiter::parse("tab")->text() == '\t');
     CHECK(Delimiter::parse("semicolon")->text() == ';');
     CHECK(Delimiter::parse("blank")->is_blanks());
+    CHECK(Delimiter::parse("\\t")->text() == '\t');
     CHECK(Delimiter::parse("|")->text() == '|');
+    CHECK(Delimiter::parse("x")->text() == 'x');
+    CHECK(Delimiter::parse(" ")->is_blanks());
     for (const std::string text : {"", "ab", "e", "1", "-", "+", ".", "\"", "\n", "\xC3\xA4", "#"}) {
         INFO(text);
         CHECK_FALSE(Delimiter::parse(text));
