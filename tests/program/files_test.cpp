@@ -1,0 +1,196 @@
+#include <catch.hpp>
+
+#include "process.hpp"
+
+using namespace program;
+
+namespace {
+
+const std::string convert = "-f quat -t quat:xyzw ";
+
+} // namespace
+
+TEST_CASE("input and output files do what stdin and stdout do") {
+    // Catches an option that is ignored, and output that goes to both.
+    const Folder folder;
+    const auto in = (folder / "in.csv").string();
+    const auto out = (folder / "out.csv").string();
+    write_file(in, "1,0,0,0\n0,1,0,0\n");
+    const std::string expected = "0,0,0,1\n1,0,0,0\n";
+    CHECK(run(convert + "-i " + in) == done(expected));
+    CHECK(run(convert + "-o " + out, "1,0,0,0\n0,1,0,0\n") == done(""));
+    CHECK(read_file(out) == expected);
+    CHECK(run(convert + "--input=" + in + " --output=" + out) == done(""));
+    CHECK(read_file(out) == expected);
+    CHECK(run(convert + "-i - -o -", "1,0,0,0\n") == done("0,0,0,1\n"));
+}
+
+TEST_CASE("VALUEs may be written to a file") {
+    // Catches -o that holds for streams only.
+    const Folder folder;
+    const auto out = (folder / "out").string();
+    CHECK(run(convert + "-o " + out + " 1 0 0 0") == done(""));
+    CHECK(read_file(out) == "0 0 0 1\n");
+}
+
+TEST_CASE("a longer file is replaced and not written over") {
+    // Catches a missing truncation, which leaves the old end.
+    const Folder folder;
+    const auto out = folder / "out";
+    write_file(out, repeated("old\n", 1000));
+    CHECK(run(convert + "-o " + out.string(), "1 0 0 0\n") == done(""));
+    CHECK(read_file(out) == "0 0 0 1\n");
+}
+
+TEST_CASE("a usage error leaves the output file alone") {
+    // Catches a file that is emptied before the command line is checked.
+    const Folder folder;
+    const auto out = folder / "out";
+    write_file(out, "precious\n");
+    CHECK(run("-f quat -t nothing -o " + out.string(), "1 0 0 0\n").exit_code == 2);
+    CHECK(run(convert + "-o " + out.string() + " -i " + (folder / "missing").string()).exit_code == 2);
+    CHECK(read_file(out) == "precious\n");
+}
+
+TEST_CASE("the same file for input and output is refused and kept") {
+    // Catches a file that is emptied before it is read.
+    const Folder folder;
+    const auto file = folder / "file";
+    const auto link = folder / "link";
+    const auto hard_link = folder / "hard-link";
+    const std::string bytes = "1 0 0 0\n";
+    write_file(file, bytes);
+    std::filesystem::create_symlink(file, link);
+    std::filesystem::create_hard_link(file, hard_link);
+    const std::string path = file.string();
+    for (const auto& other : {path, (folder / "./file").string(), link.string(), hard_link.string()}) {
+        const auto result = run(convert + "-i " + path + " -o " + other);
+        CHECK(result.exit_code == 2);
+        CHECK(missing(result.err, {"rotconv: "}) == "");
+        CHECK(count_rows(result.err) == 1);
+        CHECK(read_file(file) == bytes);
+    }
+    // the shell's redirection
+    CHECK(run(convert + "-o " + path, {}, {.input_file = file}).exit_code == 2);
+    CHECK(read_file(file) == bytes);
+}
+
+TEST_CASE("VALUEs and an input file exclude each other") {
+    // Catches one of the two being dropped silently.
+    const Folder folder;
+    const auto in = folder / "in";
+    write_file(in, "1 0 0 0\n");
+    for (const auto& path : {in.string(), std::string("-")}) {
+        const auto result = run(convert + "-i " + path + " 0 1 0 0");
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(count_rows(result.err) == 1);
+    }
+}
+
+TEST_CASE("a file that cannot be read ends the run with its name") {
+    // Catches a missing file taken for an empty one.
+    const Folder folder;
+    const auto absent = (folder / "absent").string();
+    for (const auto& path : {absent, (folder / "").string()}) {
+        const auto result = run(convert + "-i " + path);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(missing(result.err, {"rotconv: ", path}) == "");
+        CHECK(count_rows(result.err) == 1);
+    }
+}
+
+TEST_CASE("a folder on stdin ends the run") {
+    // Catches a failed read taken for the end of the input.
+    const Folder folder;
+    const auto result = run(convert, {}, {.input_file = folder / ""});
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "");
+    CHECK(missing(result.err, {"rotconv: -"}) == "");
+}
+
+TEST_CASE("a file that cannot be written ends the run with its name") {
+    // Catches output that is lost in silence.
+    const Folder folder;
+    for (const auto& path : {(folder / "absent/out").string(), (folder / "").string()}) {
+        const auto result = run(convert + "-o " + path, "1 0 0 0\n");
+        CHECK(result.exit_code == 2);
+        CHECK(missing(result.err, {"rotconv: ", path}) == "");
+        CHECK(count_rows(result.err) == 1);
+    }
+}
+
+TEST_CASE("a full disk ends the run with exit 2") {
+    // Catches a failed write that nobody looked at.
+    const auto to_file = run(convert + "-o /dev/full", "1 0 0 0\n");
+    CHECK(to_file.exit_code == 2);
+    CHECK(missing(to_file.err, {"rotconv: ", "/dev/full"}) == "");
+    const Surroundings full{.output_file = "/dev/full"};
+    CHECK(run(convert + "1 0 0 0", {}, full).exit_code == 2);
+    CHECK(run(convert, "1 0 0 0\n", full).exit_code == 2);
+    CHECK(run(convert, repeated("1 0 0 0\n", 100'000), full).exit_code == 2);
+    CHECK(run("--help", {}, full).exit_code == 2);
+    CHECK(run("list", {}, full).exit_code == 2);
+    CHECK(missing(run(convert, "1 0 0 0\n", full).err, {"rotconv: "}) == "");
+}
+
+TEST_CASE("a stderr that cannot be written does not kill the program") {
+    // Catches death by an exception out of a message, which changes the exit code and loses rows.
+    const Surroundings full{.errors_file = "/dev/full"};
+    CHECK(run(convert, "1 0 0 0\n0 0 0 0\n", full) == Result{2, "0 0 0 1\n", {}});
+    CHECK(run(convert + "0 0 0 0", {}, full).exit_code == 2);
+    CHECK(run("-f quat -t nothing 1 0 0 0", {}, full).exit_code == 2);
+    const auto skipped = run(convert + "--on-error skip", "0 0 0 0\n1 0 0 0\n", full);
+    CHECK(skipped.exit_code > 0); // 1, or 2 for the full disk
+    CHECK(skipped.out == "0 0 0 1\n");
+    const auto half_turn = run("-f quat -t mrp", "0 1 0 0\n1 0 0 0\n", full);
+    CHECK(half_turn.exit_code >= 0);
+    CHECK(half_turn.out == "1 0 0\n0 0 0\n");
+}
+
+TEST_CASE("a reader that leaves ends the run quietly") {
+    // Catches death by SIGPIPE, and a complaint about a broken pipe.
+    Process process(words_of("-f quat -t rotvec"));
+    const auto rows = repeated("0 1 0 0\n", 10'000);
+    process.write(rows);
+    CHECK(process.read_rows(1) == "3.141592653589793 0 0\n");
+    process.close_output();
+    for (int i = 0; i < 100; ++i) {
+        process.write(rows);
+    }
+    const auto result = process.finish();
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+}
+
+TEST_CASE("a reader that left before the first row ends the run quietly") {
+    // Catches help, lists and VALUEs that do not know of closed pipes.
+    for (const char* arguments : {"-f quat -t dcm", "-f quat -t dcm 1 0 0 0", "--help", "list"}) {
+        Process process(words_of(arguments));
+        process.close_output();
+        process.write("1 0 0 0\n");
+        const auto result = process.finish();
+        CHECK(result.exit_code == 0);
+        CHECK(result.err == "");
+    }
+}
+
+TEST_CASE("a row error names the input file") {
+    // Catches messages that do not lead to the row.
+    const Folder folder;
+    const auto in = (folder / "in.csv").string();
+    write_file(in, "1,0,0,0\n\n# note\n1,zero,0,0\n");
+    const auto result = run(convert + "-i " + in);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "0,0,0,1\n\n# note\n");
+    CHECK(missing(result.err, {"rotconv: " + in + ":4: ", "zero"}) == "");
+}
+
+TEST_CASE("rows before a row error reach the output file") {
+    // Catches a file that is thrown away or left in a buffer.
+    const Folder folder;
+    const auto out = folder / "out";
+    CHECK(run(convert + "-o " + out.string(), "1 0 0 0\n0 1 0 0\nx 0 0 0\n1 0 0 0\n").exit_code == 2);
+    CHECK(read_file(out) == "0 0 0 1\n1 0 0 0\n");
+}

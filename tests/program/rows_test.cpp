@@ -1,0 +1,231 @@
+#include <catch.hpp>
+
+#include <cstdint>
+
+#include "process.hpp"
+
+using namespace program;
+using namespace std::string_literals;
+
+namespace {
+
+const std::string convert = "-f quat -t quat:xyzw ";
+constexpr std::size_t mebi = std::size_t{1} << 20U;
+
+} // namespace
+
+TEST_CASE("the first data row settles the delimiter") {
+    // Catches a delimiter that is guessed anew, or only known as comma.
+    CHECK(run(convert, "1,0,0,0\n0,1,0,0\n") == done("0,0,0,1\n1,0,0,0\n"));
+    CHECK(run(convert, "1\t0\t0\t0\n0\t1\t0\t0\n") == done("0\t0\t0\t1\n1\t0\t0\t0\n"));
+    CHECK(run(convert, "1;0;0;0\n0;1;0;0\n") == done("0;0;0;1\n1;0;0;0\n"));
+    CHECK(run(convert, "1 0 0 0\n0 1 0 0\n") == done("0 0 0 1\n1 0 0 0\n"));
+    const auto changing = run(convert, "1,0,0,0\n0;1;0;0\n");
+    CHECK(changing.exit_code == 2);
+    CHECK(changing.out == "0,0,0,1\n");
+    CHECK(missing(changing.err, {"rotconv: -:2: "}) == "");
+}
+
+TEST_CASE("comma goes before tab before semicolon before blanks") {
+    // Catches another order of the delimiters.
+    CHECK(run(convert + "--columns 1-4", "1,0,0,0,a\tb;c d\n") == done("0,0,0,1,a\tb;c d\n"));
+    CHECK(run(convert + "--columns 1-4", "1\t0\t0\t0\tb;c d\n") == done("0\t0\t0\t1\tb;c d\n"));
+    CHECK(run(convert + "--columns 1-4", "1;0;0;0;c d\n") == done("0;0;0;1;c d\n"));
+}
+
+TEST_CASE("runs of blanks part one field from the next and become one blank") {
+    // Catches empty fields between blanks.
+    CHECK(run(convert, "  1   0 0  0\n0    1  0 0  \n") == done("0 0 0 1\n1 0 0 0\n"));
+    CHECK(run(convert + "--columns 2-5", "  a   1 0  0 0   b\n") == done("a 0 0 0 1 b\n"));
+}
+
+TEST_CASE("the delimiter option goes before the first data row") {
+    // Catches an option that only helps the guess.
+    CHECK(run(convert + "--delimiter semicolon --columns 2-5", "a,b;1;0;0;0\n") == done("a,b;0;0;0;1\n"));
+    CHECK(run(convert + "--delimiter comma --columns 2-5", "a;b,1,0,0,0\n") == done("a;b,0,0,0,1\n"));
+    CHECK(run(convert + "--delimiter tab --columns 2-5", "a,b\t1\t0\t0\t0\n") == done("a,b\t0\t0\t0\t1\n"));
+    CHECK(run(convert + "--delimiter blank --columns 2-5", "a,b 1  0 0 0\n") == done("a,b 0 0 0 1\n"));
+    CHECK(run(convert + "--delimiter | --columns 2-5", "a,b|1|0|0|0\n") == done("a,b|0|0|0|1\n"));
+    CHECK(run(convert + "--delimiter , --columns 2-5", "a;b,1,0,0,0\n") == done("a;b,0,0,0,1\n"));
+    CHECK(run(convert + "--delimiter :", "1:0:0:0\n") == done("0:0:0:1\n"));
+}
+
+TEST_CASE("blanks around a number are no part of it") {
+    // Catches a reader that wants bare numbers.
+    CHECK(run(convert, "1, 0 ,\t0, +0\n 0 , 1 , 0 , 0 \n") == done("0,0,0,1\n1,0,0,0\n"));
+}
+
+TEST_CASE("a delimiter in quotes parts nothing") {
+    // Catches a splitter that does not know quotes, or an output that loses them.
+    CHECK(run(convert + "--columns 2-5", "\"a,b\",1,0,0,0,\"c,\"\"d\"\"\"\n") ==
+          done("\"a,b\",0,0,0,1,\"c,\"\"d\"\"\"\n"));
+    CHECK(run(convert, "\"1\",\"0\",0,0\n") == done("0,0,0,1\n"));
+    CHECK(run(convert + "--columns 2-5", "\"a,b\";1;0;0;0\n") == done("\"a,b\";0;0;0;1\n"));
+}
+
+TEST_CASE("a quote that is left open is a row error of its own line") {
+    // Catches a field that swallows the rest of the file.
+    const std::string rows = "a,1,0,0,0\n\"a,1,0,0,0\nb,0,1,0,0\n";
+    const auto stopped = run(convert + "--columns 2-5", rows);
+    CHECK(stopped.exit_code == 2);
+    CHECK(stopped.out == "a,0,0,0,1\n");
+    CHECK(missing(stopped.err, {"rotconv: -:2: ", "\"a"}) == "");
+    const auto skipped = run(convert + "--columns 2-5 --on-error skip", rows);
+    CHECK(skipped.exit_code == 1);
+    CHECK(skipped.out == "a,0,0,0,1\nb,1,0,0,0\n");
+}
+
+TEST_CASE("under blank a quote is a character like any other") {
+    // Catches quoting that reaches over blanks.
+    CHECK(run(convert + "--delimiter blank --columns 2-5", "\"a 1 0 0 0 b\"\n") == done("\"a 0 0 0 1 b\"\n"));
+    CHECK(run(convert + "--columns 3-6", "5\" x 1 0 0 0\n") == done("5\" x 0 0 0 1\n"));
+}
+
+TEST_CASE("line ends are kept row by row") {
+    // Catches CRLF that is lost or taken for part of the last number.
+    CHECK(run(convert, "1,0,0,0\r\n0,1,0,0\r\n") == done("0,0,0,1\r\n1,0,0,0\r\n"));
+    CHECK(run(convert, "1 0 0 0\r\n0 1 0 0\n") == done("0 0 0 1\r\n1 0 0 0\n"));
+    CHECK(run(convert, "# note\r\n\r\n1 0 0 0\r\n") == done("# note\r\n\r\n0 0 0 1\r\n"));
+    CHECK(run(convert + "--append", "1,0,0,0\r\n") == done("1,0,0,0,0,0,0,1\r\n"));
+}
+
+TEST_CASE("a last row without a newline counts") {
+    // Catches a reader that loses it.
+    const auto result = run(convert, "1 0 0 0\n0 1 0 0");
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+    CHECK((result.out == "0 0 0 1\n1 0 0 0\n" || result.out == "0 0 0 1\n1 0 0 0"));
+    const auto broken = run(convert, "1 0 0 0\n0 1 0");
+    CHECK(broken.exit_code == 2);
+    CHECK(missing(broken.err, {"rotconv: -:2: "}) == "");
+}
+
+TEST_CASE("a byte order mark is skipped") {
+    // Catches a first number or name that begins with three odd bytes.
+    CHECK(run(convert, "\xEF\xBB\xBF"
+                       "1,0,0,0\n") == done("0,0,0,1\n"));
+    CHECK(run(convert + "--columns qw,qx,qy,qz", "\xEF\xBB\xBF"
+                                                 "qw,qx,qy,qz\n1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(convert, "\xEF\xBB\xBF") == done(""));
+}
+
+TEST_CASE("a byte order mark later on is no mark") {
+    // Catches a skip that is not limited to the beginning.
+    const auto result = run(convert, "1,0,0,0\n\xEF\xBB\xBF"
+                                     "1,0,0,0\n");
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "0,0,0,1\n");
+}
+
+TEST_CASE("blank rows and comments pass through as they are") {
+    // Catches their loss, or a comment that counts as a row.
+    const std::string before = "# a comment, with \"quotes\n\n   \n\t\n#\n";
+    const std::string between = "# 1,0,0,0\n\n  \n#x\n";
+    CHECK(run(convert, before + "1,0,0,0\n" + between + "0,1,0,0\n#end") ==
+          done(before + "0,0,0,1\n" + between + "1,0,0,0\n#end"));
+    CHECK(run(convert, "# only\n\n") == done("# only\n\n"));
+}
+
+TEST_CASE("line numbers count every physical line") {
+    // Catches numbers that leave out comments, blank rows or the header.
+    const auto result = run(convert, "# one\n\nqw,qx,qy,qz\n1,0,0,0\n\n# six\n1,0,0,bad\n");
+    CHECK(result.exit_code == 2);
+    CHECK(missing(result.err, {"rotconv: -:7: ", "bad"}) == "");
+}
+
+TEST_CASE("empty input gives empty output") {
+    // Catches a complaint, or a line out of nothing.
+    CHECK(run(convert, "") == done(""));
+    CHECK(run(convert + "--columns 2-5", "") == done(""));
+    CHECK(run(convert + "--format json", "") == done(""));
+    CHECK(run(convert + "--diagnostics columns --strict", "") == done(""));
+}
+
+TEST_CASE("a row of 17 columns keeps the other 13") {
+    // Catches a limit on the columns, or fields that change place.
+    CHECK(run(convert + "--columns 5-8",
+              "1403636580838555648,4.688319,-1.786938,0.783338,0.5,-0.5,0.5,0.5,-0.027876,"
+              "0.033207,0.800006,-0.003172,0.021267,0.078502,-0.025266,0.136696,0.075593\n") ==
+          done("1403636580838555648,4.688319,-1.786938,0.783338,-0.5,0.5,0.5,0.5,-0.027876,"
+               "0.033207,0.800006,-0.003172,0.021267,0.078502,-0.025266,0.136696,0.075593\n"));
+}
+
+TEST_CASE("a row of 10000 columns is converted") {
+    // Catches a fixed number of fields.
+    const auto others = repeated("x,", 9'996);
+    const auto result = run(convert + "--columns 9997-10000", others + "1,0,0,0\n");
+    CHECK(result.exit_code == 0);
+    CHECK((result.out == others + "0,0,0,1\n"));
+}
+
+TEST_CASE("a field of 1 MiB passes") {
+    // Catches a line buffer that is too small.
+    const auto field = repeated("x", mebi);
+    const auto result = run(convert + "--columns 2-5", "a,1,0,0,0\n" + field + ",1,0,0,0\nb,0,1,0,0\n");
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+    CHECK((result.out == "a,0,0,0,1\n" + field + ",0,0,0,1\nb,1,0,0,0\n"));
+}
+
+TEST_CASE("a line just below 4 MiB passes") {
+    // Catches a limit that is lower than promised.
+    const auto field = repeated("x", 4 * mebi - 16);
+    const auto result = run(convert + "--columns 2-5", field + ",1,0,0,0\n0,1,0,0,0\n");
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+    CHECK((result.out == field + ",0,0,0,1\n0,0,0,0,1\n"));
+}
+
+TEST_CASE("a line over 4 MiB ends the run with its number and the rows before") {
+    // Catches memory that grows with a line, and rows that are lost when the run ends.
+    for (const auto& line : {repeated("x", 4 * mebi + 16) + "\n", repeated("x", 9 * mebi)}) {
+        const auto result = run(convert + "--on-error skip", "1,0,0,0\n0,1,0,0\n" + line + "0,0,1,0\n");
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "0,0,0,1\n1,0,0,0\n");
+        CHECK(missing(result.err, {"rotconv: -:3: "}) == "");
+        CHECK(result.err.size() < 1000);
+    }
+}
+
+TEST_CASE("a line without end is given up before it ends") {
+    // Catches a program that waits for the newline.
+    Process process(words_of(convert));
+    process.write("1 0 0 0\n" + repeated("x", 6 * mebi));
+    const auto result = process.wait(); // stdin is still open
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "0 0 0 1\n");
+    CHECK(missing(result.err, {"rotconv: -:2: "}) == "");
+}
+
+TEST_CASE("a NUL byte is a byte like any other") {
+    // Catches text that ends at a NUL.
+    CHECK(run(convert + "--columns 2-5", "a\0b,1,0,0,0,c\0\n\0,0,1,0,0,\n"s) ==
+          done("a\0b,0,0,0,1,c\0\n\0,1,0,0,0,\n"s));
+    CHECK(run(convert, "# \0 note\n1,0,0,0\n"s) == done("# \0 note\n0,0,0,1\n"s));
+    const auto result = run(convert, "1,0,0,0\n1\0,0,0,0\n"s);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "0,0,0,1\n");
+    CHECK(missing(result.err, {"rotconv: -:2: "}) == "");
+    CHECK(result.err.find('\0') == std::string::npos);
+}
+
+TEST_CASE("bytes that are not UTF-8 pass") {
+    // Catches other fields that are decoded.
+    CHECK(run(convert + "--columns 2-5", "\xE9\xFF,1,0,0,0,\x80\n") == done("\xE9\xFF,0,0,0,1,\x80\n"));
+}
+
+TEST_CASE("binary junk gives one row out for every row in") {
+    // Catches crashes, rows that run together, and raw bytes sent to a terminal.
+    std::uint32_t state = 12345;
+    std::string junk = "1 0 0 0\n";
+    for (int i = 0; i < 200'000; ++i) {
+        state = state * 1664525U + 1013904223U;
+        junk.push_back(static_cast<char>(state >> 24U));
+    }
+    junk.push_back('\n');
+    const auto result = run(convert + "--on-error nan", junk);
+    CHECK(result.exit_code == 1);
+    CHECK(count_rows(result.out) == count_rows(junk));
+    CHECK(result.err.find_first_of("\0\x1B\x07\r"s) == std::string::npos);
+    CHECK(run(convert, junk).exit_code == 2);
+}

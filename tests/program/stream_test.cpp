@@ -1,0 +1,213 @@
+#include <array>
+#include <clocale>
+
+#include <catch.hpp>
+
+#include "process.hpp"
+
+using namespace program;
+
+namespace {
+
+const std::string convert = "-f quat -t quat:xyzw ";
+
+/// Rows of unit quaternions whose answers are exact, each with its number.
+struct Rows {
+    std::string input;
+    std::string output;
+};
+
+Rows numbered_rows(std::size_t count) {
+    constexpr std::array<std::array<const char*, 2>, 6> attitudes{{{"1,0,0,0", "0,0,0,1"},
+                                                                   {"0,1,0,0", "1,0,0,0"},
+                                                                   {"0,0,-1,0", "0,1,0,0"},
+                                                                   {"0.5,-0.5,0.5,0.5", "-0.5,0.5,0.5,0.5"},
+                                                                   {"-.5,.5,.5,.5", "-0.5,-0.5,-0.5,0.5"},
+                                                                   {"0,0,0,1", "0,0,1,0"}}};
+    Rows rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& attitude = attitudes.at(i * 2654435761U % attitudes.size());
+        const auto number = std::to_string(i);
+        rows.input += number + "," + attitude[0] + ",x" + repeated("y", i % 7) + "\n";
+        rows.output += number + "," + attitude[1] + ",x" + repeated("y", i % 7) + "\n";
+    }
+    return rows;
+}
+
+} // namespace
+
+TEST_CASE("a row is answered before the next one is sent") {
+    // Catches output that waits in a buffer, and a reader that waits for more than a line.
+    Process process(words_of(convert));
+    for (int i = 0; i < 100; ++i) {
+        process.write("1 0 0 0\n");
+        REQUIRE(process.read_rows(1) == "0 0 0 1\n");
+        process.write("0 0 1 0\n");
+        REQUIRE(process.read_rows(1) == "0 1 0 0\n");
+    }
+    CHECK(process.finish() == done(""));
+}
+
+TEST_CASE("a row that comes in pieces is answered when it is whole") {
+    // Catches half a row that is converted.
+    Process process(words_of(convert));
+    for (const char* piece : {"0.", "5 -0.5 0", ".5 0.", "5"}) {
+        process.write(piece);
+        process.wait_until_read();
+    }
+    process.write("\n0 1 0");
+    CHECK(process.read_rows(1) == "-0.5 0.5 0.5 0.5\n");
+    process.wait_until_read();
+    process.write(" 0\n");
+    CHECK(process.read_rows(1) == "1 0 0 0\n");
+    CHECK(process.finish() == done(""));
+}
+
+TEST_CASE("header and comments and failed rows are answered at once") {
+    // Catches a first block that is held back, in every format and policy.
+    Process process(words_of(convert + "--on-error nan --columns qw,qx,qy,qz"));
+    process.write("# t,qw,qx,qy,qz\n");
+    CHECK(process.read_rows(1) == "# t,qx,qy,qz,qw\n");
+    process.write("7,1,0,0,0\n");
+    CHECK(process.read_rows(1) == "7,0,0,0,1\n");
+    process.write("# note\n");
+    CHECK(process.read_rows(1) == "# note\n");
+    process.write("8,1,bad,0,0\n");
+    CHECK(process.read_rows(1) == "8,nan,nan,nan,nan\n");
+    const auto result = process.finish();
+    CHECK(result.exit_code == 1);
+    CHECK(missing(result.err, {"rotconv: -:4: ", "bad"}) == "");
+
+    Process json(words_of("-f rotvec -t mrp --format json"));
+    json.write("0 0 0\n");
+    CHECK(missing(json.read_rows(1), {"{", "mx", "}"}) == "");
+    CHECK(json.finish() == done(""));
+}
+
+TEST_CASE("an output file is written row by row") {
+    // Catches a file that stays empty until the end.
+    const Folder folder;
+    const auto out = folder / "out";
+    Process process(words_of(convert + "-o " + out.string() + " --on-error skip --diagnostics rows"));
+    process.write("1 0 0 0\n0 0 0 0\n");
+    process.write("x 0 0 0\n");
+    CHECK(process.finish().exit_code == 1);
+    CHECK(read_file(out) == "0 0 0 1\n");
+}
+
+TEST_CASE("a row error under stop ends the run while the input is open") {
+    // Catches a program that reads on for nothing.
+    Process process(words_of(convert));
+    process.write("1 0 0 0\nbad 0 0 0\n");
+    const auto result = process.wait();
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "0 0 0 1\n");
+}
+
+TEST_CASE("memory does not grow with the stream") {
+    // Catches rows, diagnostics or messages that are kept.
+    constexpr std::size_t chunk_rows = 50'000;
+    const auto chunk = repeated("0,1,0,0\n1.0001,0,0,0\n", chunk_rows / 2);
+    Process process(words_of("-f quat -t rotvec"));
+    const auto convert_rows = [&](std::size_t count) {
+        for (std::size_t done_rows = 0; done_rows < count; done_rows += chunk_rows) {
+            process.write(chunk);
+            REQUIRE(count_rows(process.read_rows(chunk_rows)) == chunk_rows);
+        }
+    };
+    convert_rows(100'000);
+    const long before = process.peak_memory_kib();
+    convert_rows(900'000);
+    const long growth = process.peak_memory_kib() - before;
+    CHECK(growth < 4096); // less than 5 bytes a row
+    const auto result = process.finish();
+    CHECK(result.exit_code == 0);
+    CHECK(count_rows(result.err) == 2);
+    CHECK(missing(result.err, {"half-turn", "normalized", "500000"}) == "");
+}
+
+TEST_CASE("many rows come out as many and in order") {
+    // Catches rows that are lost or change places at the borders of blocks.
+    const auto rows = numbered_rows(200'000);
+    const auto result = run(convert + "--columns 2-5", rows.input);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+    CHECK(count_rows(result.out) == 200'000);
+    CHECK((result.out == rows.output));
+}
+
+TEST_CASE("the number of threads changes no byte") {
+    // Catches rows, messages or an end that depend on who was first.
+    auto rows = numbered_rows(30'000).input;
+    rows += "bad,1,zero,0,0\n# note\n\n" + numbered_rows(30'000).input + "worse,0,0,0,0\n";
+    for (const char* policy : {"stop", "nan", "skip"}) {
+        const std::string arguments =
+            std::string("-f quat -t rotvec --columns 2-5 --diagnostics columns --on-error ") + policy;
+        const auto expected = run(arguments + " --threads 1", rows);
+        CHECK(expected.exit_code == (policy == std::string("stop") ? 2 : 1));
+        for (const char* threads : {"2", "3", "16"}) {
+            CHECK((run(arguments + " --threads " + threads, rows) == expected));
+        }
+        CHECK((run(arguments, rows) == expected));
+    }
+}
+
+TEST_CASE("rows before an error far down the stream are all written") {
+    // Catches blocks after the error that overtake it, and blocks before it that are dropped.
+    const auto rows = numbered_rows(100'000);
+    const auto result = run(convert + "--columns 2-5", rows.input + "bad,1,zero,0,0\n" + rows.input);
+    CHECK(result.exit_code == 2);
+    CHECK((result.out == rows.output));
+    CHECK(missing(result.err, {"rotconv: -:100001: ", "zero"}) == "");
+    CHECK(count_rows(result.err) == 1);
+}
+
+TEST_CASE("every split of the input gives the same bytes") {
+    // Catches lines, line ends, marks and headers that are torn by the border of a read.
+    const std::string input =
+        "\xEF\xBB\xBF# note\r\n\r\n# t,qw [],qx,qy,qz\r\n\"a,b\",1,0,0,0\r\n#\r\n7,.5,-0.5,0.5,0.5";
+    const std::string output = "# note\r\n\r\n# t,qx,qy,qz,qw\r\n\"a,b\",0,0,0,1\r\n#\r\n7,-0.5,0.5,0.5,0.5";
+    const auto arguments = words_of(convert + "--columns qw,qx,qy,qz");
+    const auto whole = run(arguments, input);
+    CHECK(whole.exit_code == 0);
+    CHECK(whole.out.substr(0, output.size()) == output); // the last line may get a line end
+    for (std::size_t split = 1; split < input.size(); ++split) {
+        INFO("split after " << split << " bytes");
+        Process process(arguments);
+        process.write(std::string_view(input).substr(0, split));
+        process.wait_until_read();
+        process.write(std::string_view(input).substr(split));
+        CHECK(process.finish() == whole);
+    }
+}
+
+TEST_CASE("a stream that comes byte by byte gives the same bytes") {
+    // Catches a state that is lost between reads.
+    const auto rows = numbered_rows(20);
+    Process process(words_of(convert + "--columns 2-5"));
+    for (const char byte : rows.input) {
+        process.write({&byte, 1});
+        process.wait_until_read();
+    }
+    CHECK(process.finish() == done(rows.output));
+}
+
+TEST_CASE("nothing depends on the locale") {
+    // Catches decimal commas in numbers, in options and in messages.
+    const Surroundings german{.environment = {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8", "LC_NUMERIC=de_DE.UTF-8"}};
+    if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
+        WARN("there is no German locale here");
+    }
+    std::setlocale(LC_ALL, "C");
+    CHECK(run(convert + "-p 3", "0.5;-0.5;0.5;0.5\n", german) == done("-0.5;0.5;0.5;0.5\n"));
+    CHECK(run(convert, "0.5,-0.5,0.5,0.5\n", german) == done("-0.5,0.5,0.5,0.5\n"));
+    CHECK(run(convert + "--tolerance 0.5 --diagnostics off", "1.25 0 0 0\n", german) == done("0 0 0 1\n"));
+    const auto comma = run(convert + "0,5 0,5 0,5 0,5", {}, german);
+    CHECK(comma.exit_code == 2);
+    for (const char* arguments : {"-f quat -t rotvec --diagnostics rows", "-f quat -t dcm --diagnostics columns",
+                                  "-f quat -t quat --format pretty", "-f quat -t quat --format json"}) {
+        const std::string rows = "0 1.0001 0 0\n1.5 0 0 0\n";
+        const Surroundings plain{.environment = {"LC_ALL=C"}};
+        CHECK(run(arguments, rows, german) == run(arguments, rows, plain));
+    }
+}

@@ -1,0 +1,204 @@
+#include <catch.hpp>
+
+#include "process.hpp"
+
+using namespace program;
+
+namespace {
+
+/// One line on stderr with these words, nothing on stdout, exit 2.
+void check_usage_error(const std::string& arguments, std::initializer_list<std::string_view> words) {
+    INFO("rotconv " << arguments);
+    const auto result = run(arguments, "1 0 0 0\n");
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "");
+    CHECK(count_rows(result.err) == 1);
+    CHECK(missing(result.err, {"rotconv: "}) == "");
+    CHECK(missing(result.err, words) == "");
+}
+
+} // namespace
+
+TEST_CASE("an unknown representation is answered with the legal names and the nearest") {
+    // Catches a message that leaves the user to guess.
+    const auto names = {"dcm",   "matrix", "6d",  "two-column", "5d",  "hopf",   "quat",  "quaternion", "axis-angle",
+                        "axang", "rotvec", "exp", "euler",      "rpy", "cayley", "gibbs", "rodrigues",  "mrp"};
+    for (const std::string_view name : names) {
+        check_usage_error("-f quaternoin -t dcm", {name});
+    }
+    check_usage_error("-f quaternoin -t dcm", {"'quaternoin'", "did you mean quaternion?"});
+    check_usage_error("-f quat -t rotvek", {"'rotvek'", "did you mean rotvec?"});
+    check_usage_error("-f QUAT -t dcm", {"'QUAT'", "did you mean quat?"});
+}
+
+TEST_CASE("a missing SPEC is a usage error") {
+    // Catches a default that nobody asked for.
+    check_usage_error("", {"--from"});
+    check_usage_error("-f quat", {"--to"});
+    check_usage_error("-t quat", {"--from"});
+    check_usage_error("-t quat 1 0 0 0", {"--from"});
+    check_usage_error("-t quat -f", {"--from"});
+}
+
+TEST_CASE("a modifier without a meaning is answered with the legal ones") {
+    // Catches modifiers that are ignored.
+    check_usage_error("-f quat:deg -t dcm", {"deg", "quat", "passive", "xyzw"});
+    check_usage_error("-f dcm:xyzw -t dcm", {"xyzw", "dcm", "passive", "col"});
+    check_usage_error("-f quat -t mrp:deg", {"deg", "mrp", "passive"});
+    check_usage_error("-f quat -t euler:ZYX:col", {"col", "euler", "passive", "deg"});
+    check_usage_error("-f quat:xyzx -t dcm", {"xyzx", "xyzw"});
+    check_usage_error("-f quat:scippy -t dcm", {"scippy", "scipy"});
+    check_usage_error("-f quat: -t dcm", {"quat"});
+}
+
+TEST_CASE("a sequence is three letters with different neighbours and of one case") {
+    // Catches sequences that describe no attitude.
+    for (const std::string sequence : {"ZZX", "XYY", "ZY", "ZYXZ", "zYX", "ABC", "123", "passive"}) {
+        check_usage_error("-f quat -t euler:" + sequence, {sequence});
+    }
+    check_usage_error("-f quat -t euler", {"euler"});
+    check_usage_error("-f quat -t rpy:ZYX", {"ZYX"});
+}
+
+TEST_CASE("all 24 sequences are known") {
+    // Catches a table with a gap.
+    for (const char* letters : {"XYZ", "xyz"}) {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                for (int k = 0; k < 3; ++k) {
+                    if (i != j && j != k) {
+                        const std::string sequence{letters[i], letters[j], letters[k]};
+                        CHECK(run("-f euler:" + sequence + " -t quat 0 0 0") == done("1 0 0 0\n"));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("modifiers are a set with at most one preset") {
+    // Catches an order or a count that matters.
+    CHECK(run("-f quat:xyzw:xyzw -t quat 0 0 0 1") == done("1 0 0 0\n"));
+    CHECK(run("-f quat:scipy:xyzw -t quat 0 0 0 1") == done("1 0 0 0\n"));
+    CHECK(run("-f quat:passive:passive -t quat 0.5 0.5 0.5 0.5") == done("0.5 -0.5 -0.5 -0.5\n"));
+    CHECK(run("-f quat:passive:xyzw -t quat:xyzw:passive -0.5 0.5 0.5 0.5") == done("-0.5 0.5 0.5 0.5\n"));
+    check_usage_error("-f quat:scipy:ros -t dcm", {"ros"});
+    check_usage_error("-f quat -t dcm:spice:matlab", {"matlab"});
+}
+
+TEST_CASE("aliases are the names that they stand for") {
+    // Catches an alias that points to a neighbour.
+    CHECK(run("-f quaternion -t matrix 0.5 0.5 0.5 0.5") == done("0 0 1 1 0 0 0 1 0\n"));
+    CHECK(run("-f quat -t two-column 0.5 0.5 0.5 0.5") == done("0 1 0 0 0 1\n"));
+    CHECK(run("-f two-column -t 6d 0 1 0 0 0 1") == done("0 1 0 0 0 1\n"));
+    CHECK(run("-f gibbs -t rodrigues 1 1 1") == done("1 1 1\n"));
+    CHECK(run("-f axang -t exp 1 0 0 0") == done("0 0 0\n"));
+    CHECK(run("-f hopf -t quat --diagnostics off -- 0 0 0 2.414213562373095 0") == done("1 0 0 0\n"));
+}
+
+TEST_CASE("a preset leaves the names alone that it does not mention") {
+    // Catches a preset that is refused or does too much.
+    CHECK(run("-f dcm:scipy -t quat:scipy 0 0 1 1 0 0 0 1 0") == done("0.5 0.5 0.5 0.5\n"));
+    CHECK(run("-f dcm:matlab -t quat:matlab 0 0 1 1 0 0 0 1 0") == done("0.5 -0.5 -0.5 -0.5\n"));
+    CHECK(run("-f dcm:spice -t quat:spice 0 0 1 1 0 0 0 1 0") == done("0.5 0.5 0.5 0.5\n"));
+    CHECK(run("-f dcm:trawny -t quat:trawny 0 0 1 1 0 0 0 1 0") == done("-0.5 -0.5 -0.5 0.5\n"));
+    CHECK(run("-f dcm:stuelpnagel -t quat:stuelpnagel 0 0 1 1 0 0 0 1 0") == done("0.5 0.5 0.5 0.5\n"));
+    CHECK(run("-f euler:ZYX:spice:deg -t dcm 90 0 0") == done("0 -1 0 1 0 0 0 0 1\n"));
+    CHECK(run("-f mrp:trawny -t mrp:tum 0 0 0") == done("0 0 0\n"));
+}
+
+TEST_CASE("a word that an option does not know is answered with the legal ones") {
+    // Catches a default that hides a slip of the pen.
+    const std::string convert = "-f quat -t dcm ";
+    check_usage_error(convert + "--header maybe", {"maybe", "auto", "yes", "no", "add"});
+    check_usage_error(convert + "--on-error nam", {"nam", "stop", "nan", "skip", "did you mean nan?"});
+    check_usage_error(convert + "--format jsn", {"jsn", "csv", "json", "pretty", "did you mean json?"});
+    check_usage_error(convert + "--diagnostics colums",
+                      {"colums", "off", "summary", "rows", "columns", "did you mean columns?"});
+    check_usage_error(convert + "--delimiter colon", {"colon", "comma", "tab", "semicolon", "blank"});
+}
+
+TEST_CASE("an unknown option is answered with the nearest") {
+    // Catches options that are ignored or taken for VALUEs.
+    check_usage_error("-f quat -t dcm --precison 3", {"--precison", "did you mean --precision?"});
+    check_usage_error("-f quat -t dcm --degree", {"--degree", "did you mean --degrees?"});
+    check_usage_error("-f quat -t dcm -x", {"-x"});
+    check_usage_error("-f quat -t dcm --strict=maybe", {"--strict"});
+}
+
+TEST_CASE("an option without its argument is a usage error") {
+    // Catches the next option taken for the argument's absence, or a crash.
+    for (const char* option : {"-i", "-o", "--columns", "--delimiter", "--header", "--format", "-p", "--diagnostics",
+                               "--on-error", "--tolerance", "--lock-margin", "--threads"}) {
+        check_usage_error(std::string("-f quat -t dcm ") + option, {option});
+    }
+}
+
+TEST_CASE("an empty argument of an option is a usage error") {
+    // Catches a shell variable without a value that is taken for the default.
+    for (const std::string option : {"--from", "--columns", "--delimiter", "--header", "--format", "--precision",
+                                     "--diagnostics", "--on-error", "--tolerance", "--lock-margin", "--threads"}) {
+        for (const auto& words : {Words{option, ""}, Words{option + "="}}) {
+            INFO(option);
+            Words arguments{"-f", "quat", "-t", "dcm"};
+            if (option == "--from") {
+                arguments = {"-t", "dcm"};
+            }
+            arguments.insert(arguments.end(), words.begin(), words.end());
+            const auto result = run(arguments, "1 0 0 0\n");
+            CHECK(result.exit_code == 2);
+            CHECK(result.out == "");
+        }
+    }
+}
+
+TEST_CASE("numbers of options are checked") {
+    // Catches digits that are cut off, and senseless amounts.
+    const std::string convert = "-f quat -t dcm ";
+    for (const std::string digits : {"0", "-1", "2.5", "x", "nan", "1e99", "3x"}) {
+        check_usage_error(convert + "-p " + digits, {"precision", digits});
+        check_usage_error(convert + "--threads " + digits, {"threads", digits});
+    }
+    for (const std::string amount : {"-1", "x", "nan", "-inf", "1e-3x"}) {
+        check_usage_error(convert + "--tolerance " + amount, {"tolerance", amount});
+        check_usage_error(convert + "--lock-margin " + amount, {"lock-margin", amount});
+    }
+}
+
+TEST_CASE("an option without effect on the conversion is legal") {
+    // Catches scripts that break when only the representation changes.
+    CHECK(run("-f quat -t dcm -d --lock-margin 1e-3 --precision 5 --strict --threads 3 --header auto --on-error skip "
+              "--delimiter comma",
+              "1,0,0,0\n") == done("1,0,0,0,1,0,0,0,1\n"));
+    CHECK(run("-f rotvec -t cayley --tolerance 0 --append --columns 1-3 --header no 0 0 0") == done("0 0 0 0 0 0\n"));
+}
+
+TEST_CASE("help and version go to stdout with exit 0") {
+    // Catches help that is an error message.
+    const auto help = run("--help");
+    CHECK(help.exit_code == 0);
+    CHECK(help.err == "");
+    CHECK(missing(help.out, {"rotconv", "--from", "--to", "--columns", "--on-error", "axis-angle", "mrp"}) == "");
+    CHECK(run("-f quat --help") == help);
+    const auto version = run("--version");
+    CHECK(version.exit_code == 0);
+    CHECK(version.err == "");
+    CHECK(missing(version.out, {"rotconv", "."}) == "");
+    CHECK(count_rows(version.out) == 1);
+}
+
+TEST_CASE("list knows every representation") {
+    // Catches a representation that cannot be looked up.
+    const auto all = run("list");
+    CHECK(all.exit_code == 0);
+    CHECK(all.err == "");
+    for (const std::string name :
+         {"dcm", "6d", "5d", "quat", "axis-angle", "rotvec", "euler", "rpy", "cayley", "mrp"}) {
+        CHECK(missing(all.out, {name}) == "");
+        const auto one = run("list " + name);
+        CHECK(one.exit_code == 0);
+        CHECK(missing(one.out, {name}) == "");
+    }
+    check_usage_error("list quaternoin", {"quaternoin", "quaternion"});
+    check_usage_error("lst", {"lst", "list"});
+}
