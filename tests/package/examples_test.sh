@@ -1,0 +1,39 @@
+#!/bin/sh
+# examples_test.sh FOLDER: each example runs, and the source documents' examples print what the documents print.
+set -eu
+cd "$1"
+failed=0
+check() { # what, expected line, text
+    printf '%s\n' "$3" | grep -qxF -- "$2" || {
+        echo "FAILED: $1 does not print: $2"
+        printf '%s\n' "$3"
+        failed=1
+    }
+}
+
+# Baruh's six digits; the parameters of the first example with the sign of part c).
+baruh=$(./baruh.sh)
+check baruh.sh "0.986048 -0.150702 -0.070700 0.146981 0.987598 -0.055195 0.078141 0.044033 0.995969" "$baruh"
+check baruh.sh "-0.024902 0.037352 -0.074705 0.996195" "$baruh"
+check baruh.sh "-0.232467 0.641122 0.731383 -0.969780 -0.095527 -0.224503 -0.074067 -0.761471 0.643954" "$baruh"
+check baruh.sh "0.234043 -0.351065 0.702130 0.573576" "$baruh"
+check baruh.sh "-0.285714 0.428571 -0.857143 10.000000" "$baruh"
+check baruh.sh "0.285714 -0.428571 0.857143 110.000000" "$baruh"
+
+# cos(-phi + psi) = 0.6 and sin(-phi + psi) = 0.8 with psi = 0: phi = -53.1301 degrees.
+stuelpnagel=$(./stuelpnagel.sh 2>&1)
+check stuelpnagel.sh "-53.1301 90 0" "$stuelpnagel"
+check stuelpnagel.sh "0 0 180" "$stuelpnagel"
+check stuelpnagel.sh "0 0 inf" "$stuelpnagel"
+check stuelpnagel.sh "0 0 0 -0.414214 0" "$stuelpnagel"
+for kind in gimbal-lock half-turn infinite; do
+    printf '%s\n' "$stuelpnagel" | grep -q "$kind" || {
+        echo "FAILED: stuelpnagel.sh does not report $kind"
+        failed=1
+    }
+done
+
+[ "$(./tum-to-rpy.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/tum_fr1_xyz.txt)" ] || failed=1
+[ "$(./euroc-to-matrices.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/euroc_v102.csv)" ] || failed=1
+[ "$(./kitti-to-quaternions.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/kitti_00.txt)" ] || failed=1
+exit "$failed"

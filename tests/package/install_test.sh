@@ -1,0 +1,34 @@
+#!/bin/sh
+# install_test.sh CMAKE BUILD SOURCE: installs into an empty folder, looks for what should be there, and builds an outside project
+# against it.
+set -eu
+cmake=$1
+build=$2
+source=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$cmake" --install "$build" --prefix "$work/usr" > "$work/log"
+for file in bin/rotconv include/rotconv/rotconv.hpp share/man/man1/rotconv.1; do
+    [ -f "$work/usr/$file" ] || {
+        echo "FAILED: $file is not installed"
+        exit 1
+    }
+done
+"$work/usr/bin/rotconv" --version | grep -q '^rotconv [0-9]'
+if ldd "$work/usr/bin/rotconv" | grep -vE 'linux-vdso|libstdc\+\+|libgcc_s|libm\.|libc\.|ld-linux|lib(a|ub)san'; then
+    echo "FAILED: the program needs more than the C and C++ runtime"
+    exit 1
+fi
+
+cp -r "$source/examples/cpp" "$work/project"
+"$cmake" -S "$work/project" -B "$work/project/build" -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}" > "$work/log"
+"$cmake" --build "$work/project/build" > "$work/log"
+cat > "$work/expected" <<'END'
+ 0.000000 -0.173648  0.984808
+ 0.000000  0.984808  0.173648
+-1.000000  0.000000  0.000000
+roll -10 pitch 90 yaw 0
+at gimbal lock: only the difference of roll and yaw is defined
+END
+"$work/project/build/attitude" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
