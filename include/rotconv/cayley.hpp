@@ -4,11 +4,9 @@
 
 #include <rotconv/reading.hpp>
 
-namespace rotconv {
-
 /// The Gibbs vector, Rodrigues parameters: tan(theta/2) n, with R = (I + [c]_x)(I - [c]_x)^-1 (Stuelpnagel 1964,
 /// section 6, whose s is -c). Represents no half-turn.
-namespace cayley {
+namespace rotconv::cayley {
 
 /// q ~ (1, c): nothing is rounded. Fault: not_finite.
 [[nodiscard]] Reading to_rotation(const Eigen::Vector3d& c) noexcept;
@@ -23,5 +21,4 @@ namespace cayley {
 /// Margin pi - theta, condition (1 + |c|^2)/2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 
-} // namespace cayley
-} // namespace rotconv
+} // namespace rotconv::cayley

@@ -4,11 +4,9 @@
 
 #include <rotconv/reading.hpp>
 
-namespace rotconv {
-
 /// Modified Rodrigues parameters, tan(theta/4) n: the stereographic projection of the quaternion (Wiener 1962; Schaub
 /// and Junkins 1996). At a half-turn the set changes to its shadow -m/|m|^2, so that its norm stays at most 1.
-namespace mrp {
+namespace rotconv::mrp {
 
 /// q ~ (1 - |m|^2, 2m), for m of any length. Fault: not_finite.
 [[nodiscard]] Reading to_rotation(const Eigen::Vector3d& m) noexcept;
@@ -22,5 +20,4 @@ namespace mrp {
 /// Margin pi - theta, condition (1 + |m|^2)/4.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 
-} // namespace mrp
-} // namespace rotconv
+} // namespace rotconv::mrp

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
@@ -71,7 +73,7 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv)
         if (argument.empty()) {
             sorted.empty_option = long_name;
         }
-        sorted.options.push_back(long_name + "=" + argument);
+        sorted.options.push_back(fmt::format("{}={}", long_name, argument));
     }
     return sorted;
 }

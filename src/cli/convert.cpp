@@ -1,5 +1,6 @@
 #include "convert.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <memory>
@@ -67,12 +68,8 @@ public:
     [[nodiscard]] bool met_fault() const noexcept { return faults_ > 0; }
     /// Any kind but normalized.
     [[nodiscard]] bool met_singularity() const noexcept {
-        for (const Count& count : counts_) {
-            if (count.rows > 0 && count.first.kind != Kind::normalized) {
-                return true;
-            }
-        }
-        return false;
+        return std::ranges::any_of(
+            counts_, [](const Count& count) { return count.rows > 0 && count.first.kind != Kind::normalized; });
     }
 
 private:

@@ -1,5 +1,6 @@
 #include <cerrno>
 #include <csignal>
+#include <exception>
 #include <string>
 #include <variant>
 
@@ -49,7 +50,12 @@ struct Run {
 } // namespace rotconv::cli
 
 int main(int argc, char** argv) {
-    rotconv::stream::guard_standard_descriptors();
-    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error code of write()
-    return static_cast<int>(std::visit(rotconv::cli::Run{}, rotconv::cli::read_command_line(argc, argv)));
+    try {
+        rotconv::stream::guard_standard_descriptors();
+        static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // a closed pipe is an error code of write()
+        return static_cast<int>(std::visit(rotconv::cli::Run{}, rotconv::cli::read_command_line(argc, argv)));
+    } catch (const std::exception& error) { // such as std::bad_alloc
+        rotconv::cli::say(error.what());
+    }
+    return static_cast<int>(rotconv::cli::ExitCode::incomplete);
 }

@@ -1,6 +1,7 @@
 #include "words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <system_error>
 
@@ -126,7 +127,7 @@ std::string_view about_preset(std::string_view preset) {
         std::string_view preset;
         std::string_view about;
     };
-    static constexpr Line lines[] = {
+    static constexpr std::array<Line, 10> lines{{
         {"scipy", "scipy.spatial.transform.Rotation"},
         {"ros", "ROS geometry_msgs/Quaternion"},
         {"tum", "TUM RGB-D trajectory files"},
@@ -137,9 +138,9 @@ std::string_view about_preset(std::string_view preset) {
         {"baruh", "Baruh, Analytical Dynamics, 1999"},
         {"trawny", "Trawny and Roumeliotis 2005, the JPL quaternion"},
         {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
-    };
+    }};
     const auto* found = std::ranges::find(lines, preset, &Line::preset);
-    return found == std::end(lines) ? std::string_view{} : found->about;
+    return found == lines.end() ? std::string_view{} : found->about;
 }
 
 std::string modifiers_of(const Representation& representation) {

@@ -17,7 +17,7 @@ Reading to_rotation(const Eigen::Vector3d& c) noexcept {
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     const Eigen::Vector3d v{rotation.x(), rotation.y(), rotation.z()};
-    const Eigen::Vector3d c = v / rotation.w();
+    Eigen::Vector3d c = v / rotation.w();
     if (c.allFinite()) {
         return c;
     }

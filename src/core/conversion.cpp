@@ -60,7 +60,7 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::spa
 
 void Conversion::run_block(const double* in, double* out, std::span<Report> reports) const noexcept {
     const std::size_t rows = reports.size();
-    std::array<double, block * widest> own_order;
+    std::array<double, block * widest> own_order; // NOLINT(*-member-init): written before it is read
     if (reordered(from_)) {
         to_own_order(from_, in, rows, own_order.data());
         in = own_order.data();

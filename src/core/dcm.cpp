@@ -1,10 +1,10 @@
 #include <rotconv/dcm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
@@ -24,18 +24,36 @@ Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - 
 
 Rotation rotation_of(const Eigen::Vector4d& q) noexcept { return Rotation::from_components(q[0], q[1], q[2], q[3]); }
 
-/// Adds a number to a sum that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
-void add_exactly(std::vector<double>& sum, double number) {
-    for (double& part : sum) {
-        const DoubleDouble both = exact_sum(number, part);
-        part = both.lo;
-        number = both.hi;
+/// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
+class ExactSum {
+public:
+    void add(double number) noexcept {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const DoubleDouble both = exact_sum(number, parts_[i]);
+            parts_[i] = both.lo;
+            number = both.hi;
+        }
+        parts_[count_++] = number;
     }
-    sum.push_back(number);
-}
 
-/// The exact sign of the determinant. Rows and columns are first scaled by powers of two, lest products underflow.
-int sign_of_determinant(Dcm m) {
+    /// The sign of the largest part that is not 0, which is that of the sum.
+    [[nodiscard]] int sign() const noexcept {
+        for (std::size_t i = count_; i > 0; --i) {
+            if (parts_[i - 1] != 0.0) {
+                return parts_[i - 1] > 0.0 ? 1 : -1;
+            }
+        }
+        return 0;
+    }
+
+private:
+    std::array<double, 24> parts_{};
+    std::size_t count_ = 0;
+};
+
+/// The sign of the determinant, exact but for parts below 2^-960 of the largest product: rows and columns are first
+/// scaled by powers of two.
+int sign_of_determinant(Dcm m) noexcept {
     for (int side = 0; side < 2; ++side) {
         for (Eigen::Index i = 0; i < 3; ++i) {
             const double largest = m.row(i).cwiseAbs().maxCoeff();
@@ -46,7 +64,7 @@ int sign_of_determinant(Dcm m) {
         }
         m.transposeInPlace();
     }
-    std::vector<double> sum;
+    ExactSum sum;
     for (int first = 0; first < 3; ++first) {
         for (const int step : {1, 2}) {
             const int second = (first + step) % 3;
@@ -55,13 +73,12 @@ int sign_of_determinant(Dcm m) {
             const DoubleDouble two = exact_product(m(0, first), m(1, second));
             for (const double part : {two.hi, two.lo}) {
                 const DoubleDouble three = exact_product(part, sign * m(2, third));
-                add_exactly(sum, three.lo);
-                add_exactly(sum, three.hi);
+                sum.add(three.lo);
+                sum.add(three.hi);
             }
         }
     }
-    const auto leading = std::find_if(sum.rbegin(), sum.rend(), [](double part) { return part != 0.0; });
-    return leading == sum.rend() ? 0 : (*leading > 0.0 ? 1 : -1);
+    return sum.sign();
 }
 
 /// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
@@ -99,7 +116,7 @@ Reading far_from_rotation(const Dcm& matrix) noexcept {
 
     Reading reading;
     reading.rotation = rotation_of(corrected);
-    const Eigen::Vector3d singular = svd.singularValues();
+    const Eigen::Vector3d& singular = svd.singularValues();
     reading.defect = std::max(std::fabs(scale.undone(singular[0]) - 1.0), std::fabs(scale.undone(singular[2]) - 1.0));
     return reading;
 }

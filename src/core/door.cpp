@@ -20,38 +20,34 @@ using Eigen::Map;
 using Eigen::Vector3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-struct DcmRow {
-    static constexpr std::size_t size = 9;
-    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
-        return dcm::to_rotation(Map<const RowMajor>(v));
+/// A room whose numbers are one fixed-size matrix and know neither unit nor sequence.
+template <class Numbers, auto ToRotation, auto FromRotation, auto FiguresOf> struct PlainRow {
+    static constexpr std::size_t size = Numbers::SizeAtCompileTime;
+    static Reading read(const Spec& /*spec*/, const double* v) noexcept { return ToRotation(Map<const Numbers>(v)); }
+    // NOLINTNEXTLINE(readability-non-const-parameter): the map writes through it
+    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+        Map<Numbers>{v} = FromRotation(r);
     }
+    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return FiguresOf(r); }
+};
+
+struct DcmRow : PlainRow<RowMajor, &dcm::to_rotation, &dcm::from_rotation, &dcm::figures> {
     static double exact_defect(const double* v) noexcept { return dcm::defect(Map<const RowMajor>(v)); }
-    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        Map<RowMajor>{v} = dcm::from_rotation(r);
-    }
-    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return dcm::figures(r); }
 };
 
-struct SixDRow {
-    static constexpr std::size_t size = 6;
-    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
-        return columns::to_rotation(Map<const Columns>(v));
+using SixDRow = PlainRow<Columns, &columns::to_rotation, &columns::from_rotation, &columns::figures>;
+using FiveDRow = PlainRow<hopf::Vector5, &hopf::to_rotation, &hopf::from_rotation, &hopf::figures>;
+
+struct CayleyRow : PlainRow<Vector3d, &cayley::to_rotation, &cayley::from_rotation, &cayley::figures> {
+    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
+        return cayley::notes(r);
     }
-    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        Map<Columns>{v} = columns::from_rotation(r);
-    }
-    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return columns::figures(r); }
 };
 
-struct FiveDRow {
-    static constexpr std::size_t size = 5;
-    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
-        return hopf::to_rotation(Map<const hopf::Vector5>(v));
+struct MrpRow : PlainRow<Vector3d, &mrp::to_rotation, &mrp::from_rotation, &mrp::figures> {
+    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
+        return mrp::notes(r);
     }
-    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        Map<hopf::Vector5>{v} = hopf::from_rotation(r);
-    }
-    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return hopf::figures(r); }
 };
 
 struct QuatRow {
@@ -114,32 +110,6 @@ struct EulerRow {
         return euler::notes(r, spec.sequence, lock_margin);
     }
     static Figures figures(const Spec& spec, const Rotation& r) noexcept { return euler::figures(r, spec.sequence); }
-};
-
-struct CayleyRow {
-    static constexpr std::size_t size = 3;
-    static Reading read(const Spec& /*spec*/, const double* v) noexcept {
-        return cayley::to_rotation({v[0], v[1], v[2]});
-    }
-    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        Map<Vector3d>{v} = cayley::from_rotation(r);
-    }
-    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
-        return cayley::notes(r);
-    }
-    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return cayley::figures(r); }
-};
-
-struct MrpRow {
-    static constexpr std::size_t size = 3;
-    static Reading read(const Spec& /*spec*/, const double* v) noexcept { return mrp::to_rotation({v[0], v[1], v[2]}); }
-    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        Map<Vector3d>{v} = mrp::from_rotation(r);
-    }
-    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
-        return mrp::notes(r);
-    }
-    static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return mrp::figures(r); }
 };
 
 template <class Row> constexpr Door door_for() noexcept {

@@ -51,7 +51,7 @@ bool File::same_file(const File& other) const noexcept {
            mine.st_dev == theirs.st_dev && mine.st_ino == theirs.st_ino;
 }
 
-int File::truncate() noexcept {
+int File::truncate() const noexcept {
     struct stat status {};
     if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && ::ftruncate(descriptor_, 0) != 0) {
         return errno;

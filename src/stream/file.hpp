@@ -58,7 +58,7 @@ public:
     /// The same regular file is behind both.
     [[nodiscard]] bool same_file(const File& other) const noexcept;
     /// Empties a regular file; 0 or an errno.
-    int truncate() noexcept;
+    [[nodiscard]] int truncate() const noexcept;
     /// Closes the file, which is where some file systems first report a full disk; 0 or an errno.
     int close() noexcept;
 

@@ -26,10 +26,10 @@ private:
 
     struct Row {
         Line line;
-        std::size_t number;      ///< of the line
-        bool passed;             ///< blank or comment: goes out as it is
-        std::size_t first_field; ///< in fields_
-        std::size_t field_count;
+        std::size_t number = 0;      ///< of the line
+        bool passed = false;         ///< blank or comment: goes out as it is
+        std::size_t first_field = 0; ///< in fields_
+        std::size_t field_count = 0;
         std::size_t fault; ///< in faults_
     };
 
