@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string_view>
 
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
@@ -11,8 +10,8 @@ namespace rotconv {
 
 /// What a conversion gives up, and what it looks for.
 struct Settings {
-    double tolerance = 1e-3;                         ///< largest defect that is accepted
-    double lock_margin = euler::default_lock_margin; ///< radians; see euler::from_rotation()
+    double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
+    double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool figures = false;                            ///< margin, condition and the exact defect for every row
 };
 

@@ -53,7 +53,7 @@ private:
 /// Roll, pitch and yaw: turns about the fixed x, y and z axes (Stuelpnagel's phi, theta, psi).
 inline constexpr EulerSequence roll_pitch_yaw = *EulerSequence::parse("xyz");
 
-/// Three angles in the order of their sequence.
+/// Three angles in the order of their sequence; any finite size on input.
 struct EulerAngles {
     std::array<double, 3> angles{};
     EulerSequence sequence = roll_pitch_yaw;
@@ -78,7 +78,8 @@ inline constexpr double default_lock_margin = 1e-15;
 /// and difference s, t of the outer angles: these are the arguments of (a + ib)(c +- id), and the middle one that of
 /// (C^2 - S^2, 2 C S). No threshold is needed; accuracy does not depend on the distance from lock.
 /// Where the margin is at most `lock_margin` the third angle is 0, the middle one at its limit, and the first takes up
-/// the rest: this gives up to `lock_margin` radians. With 0 only exact lock is special.
+/// the rest: this gives up to `lock_margin` radians. With 0 only exact lock is special; from pi/2 on all is
+/// locked.
 [[nodiscard]] EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence,
                                         AngleUnit unit = AngleUnit::radians,
                                         double lock_margin = default_lock_margin) noexcept;

@@ -8,8 +8,8 @@ namespace rotconv {
 /// The one home of a rotation: a nonzero quaternion (w, x, y, z), Hamilton product, active, body to reference
 /// (`v_ref = R_ref_body * v_body`).
 ///
-/// It is *not* normalised: every room divides by the norm itself, which saves half an eps everywhere. What always
-/// holds:
+/// It is *not* normalised: every representation divides by the norm itself, which saves half an eps everywhere. What
+/// always holds:
 /// - all four components are finite;
 /// - the largest magnitude lies in [1/2, 1), reached by an exact scaling with a power of two, so that no square of it
 ///   overflows and the norm lies in [1/2, 2);
@@ -21,7 +21,7 @@ public:
 
     /// The rotation of a finite nonzero quaternion of any norm and either sign. Exact, but for components more than
     /// 2^1074 times smaller than the largest, which become 0.
-    /// @pre all components finite, one of them not 0 (rooms check what comes from outside).
+    /// @pre all components finite, one of them not 0 (the representations check what comes from outside).
     static Rotation from_components(double w, double x, double y, double z) noexcept;
 
     [[nodiscard]] double w() const noexcept { return q_[0]; }

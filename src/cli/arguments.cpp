@@ -56,7 +56,7 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv)
             continue;
         }
         const bool is_long = word.starts_with("--");
-        if (is_long && word.ends_with('=')) {
+        if (is_long && word.find('=') + 1 == word.size()) {
             sorted.empty_option = word.substr(0, word.size() - 1);
         }
         const std::string name =

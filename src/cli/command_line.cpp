@@ -120,7 +120,8 @@ double amount_of(std::string_view option, const std::string& text, double defaul
     double value = 0.0;
     if (stream::read_number(text, value) != stream::NumberFault::none || !(value >= 0.0) ||
         (std::isinf(value) && !infinite)) {
-        throw Usage(fmt::format("{} {} is no number from 0{}", option, words::quoted(text), infinite ? " to inf" : ""));
+        throw Usage(fmt::format("{} {} must be a {}number that is not negative", option, words::quoted(text),
+                                infinite ? "" : "finite "));
     }
     return value;
 }
@@ -132,7 +133,7 @@ int count_of(std::string_view option, const std::string& text, int most) {
     double value = 0.0;
     if (stream::read_number(text, value) != stream::NumberFault::none || value != std::floor(value) || value < 1 ||
         value > most) {
-        throw Usage(fmt::format("{} {} is no whole number from 1 to {}", option, words::quoted(text), most));
+        throw Usage(fmt::format("{} {} must be a whole number from 1 to {}", option, words::quoted(text), most));
     }
     return static_cast<int>(value);
 }
@@ -198,7 +199,7 @@ ConvertCommand convert_command(const Texts& texts, const std::vector<std::string
     }
     const bool headless = options.header == stream::HeaderMode::no || options.header == stream::HeaderMode::add;
     if (options.columns.has_names() && (headless || !values.empty())) {
-        throw Usage("--columns selects by name, and there is no header");
+        throw Usage("--columns selects by name, and there is no header to look in; use indices");
     }
     if (!values.empty()) {
         if (has_input) {
@@ -219,10 +220,16 @@ ConvertCommand convert_command(const Texts& texts, const std::vector<std::string
     return command;
 }
 
-/// The words that CLI11 did not know, with the nearest option.
-std::string unknown_options(const CLI::App& app, const std::string& word) {
+/// A word that CLI11 did not know, with the nearest option of the command that it was given to.
+std::string unexpected(const CLI::App& app) {
+    const auto commands = app.get_subcommands();
+    const CLI::App& command = commands.empty() ? app : *commands.front();
+    const std::string word = app.remaining(true).front();
+    if (!word.starts_with('-')) {
+        return "unexpected argument " + words::quoted(word);
+    }
     std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) {
+    for (const CLI::Option* option : command.get_options()) {
         for (const std::string& name : option->get_lnames()) {
             names.push_back("--" + name);
         }
@@ -252,7 +259,7 @@ Command read_command_line(int argc, const char* const* argv) {
     } catch (const CLI::CallForVersion& version) {
         return PrintCommand{std::string(version.what()) + "\n"};
     } catch (const CLI::ExtrasError&) {
-        return UsageError{unknown_options(app, app.remaining(true).front())};
+        return UsageError{unexpected(app)};
     } catch (const CLI::ParseError& error) {
         return UsageError{error.what()};
     } catch (const Usage& error) {

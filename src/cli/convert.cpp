@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <memory>
-#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -124,7 +123,7 @@ ExitCode convert(const ConvertCommand& command) {
     }
     reporter.summarize();
     if (ending.fault) {
-        const auto message = words::explain(*ending.fault, command.options.columns.names());
+        const auto message = words::explain(*ending.fault, command.options.conversion.from());
         if (ending.fault->what == stream::StreamFault::What::write) {
             return failed(fmt::format("{}: {}", command.output, message));
         }

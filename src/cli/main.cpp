@@ -23,7 +23,7 @@ ExitCode print(const std::string& text) {
     if (error == 0 || error == EPIPE) {
         return ExitCode::done;
     }
-    say("-: " + words::explain({stream::StreamFault::What::write, 0, error, {}}, {}));
+    say("-: " + words::explain(stream::StreamFault{stream::StreamFault::What::write, 0, error, {}}, Spec{}));
     return ExitCode::incomplete;
 }
 

@@ -163,7 +163,8 @@ std::string quoted(std::string_view text) {
 }
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
-    return fmt::format("{} is no {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "), suggestion(text, legal));
+    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
+                       suggestion(text, legal));
 }
 
 std::string explain(const SpecFault& fault) {
@@ -216,17 +217,13 @@ std::string explain(const stream::RowFault& fault, const Spec& from, double tole
     return {};
 }
 
-std::string explain(const stream::StreamFault& fault, const std::vector<std::string>& column_names) {
+std::string explain(const stream::StreamFault& fault, const Spec& from) {
     using What = stream::StreamFault::What;
     switch (fault.what) {
     case What::read: return fmt::format("cannot be read: {}", std::generic_category().message(fault.error));
     case What::write: return fmt::format("cannot be written: {}", std::generic_category().message(fault.error));
     case What::line_too_long: return "the line is longer than 4 MiB";
-    case What::no_such_columns:
-        return fmt::format("data, and no header before it that has the column{} {}",
-                           column_names.size() == 1 ? "" : "s", fmt::join(column_names, ", "));
-    case What::column_twice: return fmt::format("column {} is selected twice", fault.text);
-    case What::column_ambiguous: return fmt::format("more than one column is called {}", quoted(fault.text));
+    case What::columns: return explain(fault.column, from);
     }
     return {};
 }
@@ -240,6 +237,10 @@ std::string explain(const stream::ColumnFault& fault, const Spec& from) {
         return fmt::format("{} selects {} column{} where {} has {} numbers", quoted(fault.text), fault.count,
                            fault.count == 1 ? "" : "s", representation(from.name).text, from.size());
     case What::twice: return fmt::format("column {} is selected twice", fault.text);
+    case What::missing:
+        return fmt::format(
+            "neither a header before this row nor the row itself has all of the columns {}; here {} is missing",
+            fault.list, quoted(fault.text));
     case What::ambiguous: return fmt::format("more than one column is called {}", quoted(fault.text));
     }
     return {};

@@ -30,11 +30,11 @@ struct About {
 /// Why a SPEC is none, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecFault& fault);
 
-/// Why a row has no attitude, with the text at fault. `columns_hint` where the row has more fields than numbers.
+/// Why a row has no attitude, with the text at fault.
 [[nodiscard]] std::string explain(const stream::RowFault& fault, const Spec& from, double tolerance);
 
 /// Why a run ended, other than by a row.
-[[nodiscard]] std::string explain(const stream::StreamFault& fault, const std::vector<std::string>& column_names);
+[[nodiscard]] std::string explain(const stream::StreamFault& fault, const Spec& from);
 
 [[nodiscard]] std::string explain(const stream::ColumnFault& fault, const Spec& from);
 

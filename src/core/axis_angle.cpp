@@ -17,7 +17,8 @@ Reading to_rotation(const AxisAngle& value) noexcept {
     const HalfAngle half = half_of(value.angle, value.unit);
     const double size = value.axis.cwiseAbs().maxCoeff();
     if (size == 0.0) {
-        return half.sine == 0.0 ? Reading{} : Reading::failed(Fault::zero_axis);
+        const bool no_turn = value.unit == AngleUnit::degrees ? half.sine == 0.0 : value.angle == 0.0;
+        return no_turn ? Reading{} : Reading::failed(Fault::zero_axis);
     }
     const Eigen::Vector3d axis = value.axis.unaryExpr(PowerOfTwo::to_unit(size));
     const Eigen::Vector3d v = axis * half.sine;

@@ -92,11 +92,10 @@ Reading to_rotation(const Vector5& y) noexcept {
     const Vector5 fy = y.unaryExpr(scale);
     const double square = fy.squaredNorm();
     const Eigen::Vector3d first{square - f * f, 2.0 * f * fy[0], 2.0 * f * fy[1]};
-    const Eigen::Vector3d second = (2.0 * f) * fy.tail<3>();
-    Reading reading = gram_schmidt(first, second);
+    Reading reading = gram_schmidt(first, fy.tail<3>()); // of the second column only the direction counts
     if (reading.ok()) {
         Columns m;
-        m << first, second;
+        m << first, (2.0 * f) * fy.tail<3>();
         reading.defect = columns_defect(m * (sqrt2 / (square + f * f)));
     }
     return reading;

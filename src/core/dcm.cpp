@@ -22,6 +22,12 @@ constexpr double near_rotation = 0.05;
 /// M'M - I.
 Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
 
+/// An upper bound on the defect: |s - 1| = |s^2 - 1|/(1 + s) for each singular value s, and rounding.
+double defect_bound(const Dcm& m) noexcept {
+    const double excess = gram_excess(m).norm();
+    return 0.5 * excess * (1.0 + excess) + 8 * std::numeric_limits<double>::epsilon();
+}
+
 Rotation rotation_of(const Eigen::Vector4d& q) noexcept { return Rotation::from_components(q[0], q[1], q[2], q[3]); }
 
 /// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
@@ -84,15 +90,11 @@ int sign_of_determinant(Dcm m) noexcept {
 /// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
 /// on trace(R(q)' M) against M itself then removes the rounding of the decomposition.
 Reading far_from_rotation(const Dcm& matrix) noexcept {
-    const double largest = matrix.cwiseAbs().maxCoeff();
-    if (largest == 0.0) {
+    if (sign_of_determinant(matrix) <= 0) {
         return Reading::failed(Fault::not_proper);
     }
-    const auto scale = PowerOfTwo::to_unit(largest);
+    const auto scale = PowerOfTwo::to_unit(matrix.cwiseAbs().maxCoeff());
     const Dcm m = matrix.unaryExpr(scale);
-    if (sign_of_determinant(m) <= 0) {
-        return Reading::failed(Fault::not_proper);
-    }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Dcm factor = svd.matrixU() * svd.matrixV().transpose();
     if (factor.determinant() < 0.0) {
@@ -127,14 +129,13 @@ Reading to_rotation(const Dcm& matrix) noexcept {
     if (!matrix.allFinite()) {
         return Reading::failed(Fault::not_finite);
     }
-    // Half the Frobenius norm of M'M - I bounds the defect from above, to first order and within sqrt 3.
-    const double bound = 0.5 * gram_excess(matrix).norm();
+    const double bound = defect_bound(matrix);
     if (!(bound <= near_rotation) || matrix.determinant() <= 0.0) {
         return far_from_rotation(matrix);
     }
     const Eigen::Matrix4d k = davenport_matrix(matrix);
     Eigen::Vector4d q = pivot_column(k);
-    double remaining = std::max(bound, std::numeric_limits<double>::epsilon());
+    double remaining = bound;
     while (remaining * bound > 0x1p-58) {
         q = power_step(k, q);
         remaining *= bound;

@@ -28,9 +28,8 @@ HalfAngle turned(HalfAngle h, int quadrants) noexcept {
     }
 }
 
-/// Half of hi + lo degrees: each part is reduced exactly to a multiple of 180, half of which are quadrants, and a rest
-/// within
-/// 90. The rest's product with pi/180 is off by at most 0.65 ulp, less than a correction would round away.
+/// Half of hi + lo degrees: each part is reduced exactly to a multiple of 180, half of which are quadrants, and a rest.
+/// The rest's product with pi/180 is off by at most 0.65 ulp, less than a correction would round away.
 HalfAngle half_of_degrees(DoubleDouble angle) noexcept {
     int quadrants_hi = 0; // std::remquo gives the low three bits of the quotient and its sign
     int quadrants_lo = 0;

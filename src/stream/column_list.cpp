@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
+#include <tuple>
+#include <utility>
 
-#include "delimiter.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
@@ -41,6 +43,7 @@ std::optional<ColumnFault> find_twice(const std::vector<std::size_t>& positions)
 
 std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, std::size_t count) {
     ColumnList made;
+    made.list_ = list;
     std::size_t counted = 0;
     std::string_view rest = list;
     for (bool more = true; more;) {
@@ -91,16 +94,6 @@ bool ColumnList::has_names() const noexcept {
     return std::ranges::any_of(items_, [](const Item& item) { return !item.name.empty(); });
 }
 
-std::vector<std::string> ColumnList::names() const {
-    std::vector<std::string> names;
-    for (const Item& item : items_) {
-        if (!item.name.empty()) {
-            names.push_back(item.name);
-        }
-    }
-    return names;
-}
-
 std::vector<std::size_t> ColumnList::positions() const {
     std::vector<std::size_t> positions;
     std::ranges::transform(items_, std::back_inserter(positions), &Item::position);
@@ -108,18 +101,17 @@ std::vector<std::size_t> ColumnList::positions() const {
 }
 
 std::variant<std::vector<std::size_t>, ColumnFault>
-ColumnList::positions(const std::vector<std::string_view>& header) const {
+ColumnList::positions(const std::vector<std::string>& header) const {
     std::vector<std::size_t> positions;
     for (const Item& item : items_) {
         if (item.name.empty()) {
             positions.push_back(item.position);
             continue;
         }
-        // The whole text of a field goes before the part up to its first blank.
-        const auto whole = [&item](std::string_view field) { return field_text(field) == item.name; };
-        const auto part = [&item](std::string_view field) {
-            const auto text = field_text(field);
-            return text.substr(0, text.find_first_of(" \t")) == item.name;
+        // The whole name goes before the part up to its first blank.
+        const auto whole = [&item](std::string_view name) { return name == item.name; };
+        const auto part = [&item](std::string_view name) {
+            return name.substr(0, name.find_first_of(" \t")) == item.name;
         };
         const auto look = [&header](const auto& matches) {
             return std::pair{std::ranges::count_if(header, matches), std::ranges::find_if(header, matches)};
@@ -129,7 +121,7 @@ ColumnList::positions(const std::vector<std::string_view>& header) const {
             std::tie(count, found) = look(part);
         }
         if (count == 0) {
-            return std::vector<std::size_t>{};
+            return ColumnFault{What::missing, item.name, 0, list_};
         }
         if (count > 1) {
             return ColumnFault{What::ambiguous, item.name};

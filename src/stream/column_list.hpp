@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,10 +11,11 @@ namespace rotconv::stream {
 
 /// Why a list of columns cannot be used.
 struct ColumnFault {
-    enum class What { not_an_item, wrong_count, twice, ambiguous };
-    What what;
+    enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous };
+    What what = What::not_an_item;
     std::string text;      ///< the item at fault
     std::size_t count = 0; ///< how many columns the list names
+    std::string list{};    ///< the whole list, where a name of it is missing
 };
 
 /// The input columns of `--columns LIST`, in the order of the representation's numbers: 1-based indices, ranges 5-8,
@@ -25,15 +27,12 @@ public:
 
     [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
     [[nodiscard]] bool has_names() const noexcept;
-    /// The names, for messages.
-    [[nodiscard]] std::vector<std::string> names() const;
-
     /// 0-based positions of a list without names.
     [[nodiscard]] std::vector<std::size_t> positions() const;
-    /// 0-based positions with the names looked up among a header's fields; empty where one is not there. A name matches
-    /// a field's trimmed text, or that text up to its first blank.
+    /// 0-based positions with the names looked up in a header. A name matches one of the header's, or one of those up
+    /// to its first blank.
     [[nodiscard]] std::variant<std::vector<std::size_t>, ColumnFault>
-    positions(const std::vector<std::string_view>& header) const;
+    positions(const std::vector<std::string>& header) const;
 
 private:
     struct Item {
@@ -41,6 +40,7 @@ private:
         std::size_t position = 0;
     };
     std::vector<Item> items_;
+    std::string list_;
 };
 
 } // namespace rotconv::stream

@@ -1,7 +1,6 @@
 #include "delimiter.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "number_text.hpp"
 
@@ -35,7 +34,7 @@ std::optional<Delimiter> Delimiter::parse(std::string_view text) noexcept {
     if (text == "blank") {
         return blanks();
     }
-    constexpr std::string_view refused = "0123456789+-.eE\"\r\n#";
+    constexpr std::string_view refused = "0123456789+-.\"\r\n#aefintyAEFINTY";
     if (text.size() != 1 || refused.find(text[0]) != std::string_view::npos ||
         (static_cast<unsigned char>(text[0]) & 0x80U) != 0U) {
         return std::nullopt;
@@ -83,6 +82,20 @@ bool Delimiter::split(std::string_view row, std::vector<std::string_view>& field
         fields.push_back(row.substr(start, end - start));
         start = end + 1;
     }
+}
+
+std::string Delimiter::unquoted(std::string_view field) const {
+    if (is_blanks() || field.size() < 2 || field.front() != '"' || field.back() != '"') {
+        return std::string(field);
+    }
+    std::string text;
+    for (std::size_t i = 1; i + 1 < field.size(); ++i) {
+        text.push_back(field[i]);
+        if (field[i] == '"') {
+            ++i;
+        }
+    }
+    return text;
 }
 
 std::string_view field_text(std::string_view field) noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,9 @@ public:
     /// Appends the row's fields to `fields`. Quoted fields keep their quotes; under blanks quotes mean nothing.
     /// @return false where a quote is left open
     bool split(std::string_view row, std::vector<std::string_view>& fields) const;
+
+    /// The field without the quotes around it, doubled ones inside made single; as it is under blanks.
+    [[nodiscard]] std::string unquoted(std::string_view field) const;
 
 private:
     constexpr explicit Delimiter(char c) noexcept : character_(c) {}

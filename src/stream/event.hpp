@@ -8,6 +8,7 @@
 
 #include <rotconv/reading.hpp>
 
+#include "column_list.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
@@ -55,17 +56,15 @@ struct Output {
 /// Why a run ended early, other than by a row fault.
 struct StreamFault {
     enum class What : std::uint8_t {
-        read,             ///< `error` is an errno
-        write,            ///< `error` is an errno
-        line_too_long,    ///< line `line`
-        no_such_columns,  ///< data at line `line`, and no header before it with all the names in `text`
-        column_twice,     ///< column `text`
-        column_ambiguous, ///< more than one field of the header is called `text`
+        read,          ///< `error` is an errno
+        write,         ///< `error` is an errno
+        line_too_long, ///< line `line`
+        columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
     };
     What what;
     std::size_t line = 0;
     int error = 0;
-    std::string text;
+    ColumnFault column{};
 };
 
 } // namespace rotconv::stream

@@ -100,24 +100,14 @@ Preamble::Role Preamble::role_of(const Line& line, std::size_t number) {
 
 Preamble::Role Preamble::role_by_name(const Line& line, std::size_t number) {
     split_header(line.text);
-    auto looked_up = options_->columns.positions(header_fields_);
-    if (const auto* fault = std::get_if<ColumnFault>(&looked_up)) {
-        if (is_comment(line.text)) {
-            return Role::passed;
-        }
-        const bool twice = fault->what == ColumnFault::What::twice;
-        fault_ = StreamFault{twice ? StreamFault::What::column_twice : StreamFault::What::column_ambiguous, number, 0,
-                             fault->text};
-        return Role::passed;
-    }
-    auto& positions = std::get<std::vector<std::size_t>>(looked_up);
-    if (!positions.empty()) {
-        layout_.select(std::move(positions));
+    auto looked_up = options_->columns.positions(layout_.header);
+    if (auto* positions = std::get_if<std::vector<std::size_t>>(&looked_up)) {
+        layout_.select(std::move(*positions));
         header_done_ = true;
         return Role::header;
     }
     if (!is_comment(line.text)) {
-        fault_ = StreamFault{StreamFault::What::no_such_columns, number, 0, {}};
+        fault_ = StreamFault{StreamFault::What::columns, number, 0, std::get<ColumnFault>(looked_up)};
     }
     return Role::passed;
 }
@@ -130,8 +120,9 @@ void Preamble::split_header(std::string_view text) {
     header_fields_.clear();
     header_delimiter_.split(names, header_fields_);
     layout_.header.clear();
-    std::ranges::transform(header_fields_, std::back_inserter(layout_.header),
-                           [](std::string_view field) { return std::string(field_text(field)); });
+    std::ranges::transform(header_fields_, std::back_inserter(layout_.header), [this](std::string_view field) {
+        return std::string(trimmed(header_delimiter_.unquoted(trimmed(field))));
+    });
 }
 
 bool Preamble::has_selected_fields() const noexcept {

@@ -84,29 +84,27 @@ void append_json_string(Buffer& to, std::string_view text) {
     to.push_back('"');
 }
 
-/// A field's content with doubled quotes made single.
-std::string unquoted(std::string_view field, const Delimiter& delimiter) {
-    if (delimiter.is_blanks() || field.size() < 2 || field.front() != '"' || field.back() != '"') {
-        return std::string(field);
+/// The header's names, but the index where a name is empty, stands twice, or is that of a column of the result.
+std::vector<std::string> json_keys(const Layout& layout, const Spec& to) {
+    const auto columns = to.columns();
+    std::vector<std::string> keys;
+    for (const std::string& name : layout.header) {
+        const bool usable =
+            !name.empty() && std::ranges::count(columns, name) == 0 && std::ranges::count(keys, name) == 0;
+        keys.push_back(usable ? name : std::to_string(keys.size() + 1));
     }
-    std::string text;
-    for (std::size_t i = 1; i + 1 < field.size(); ++i) {
-        text.push_back(field[i]);
-        if (field[i] == '"') {
-            ++i;
-        }
-    }
-    return text;
+    return keys;
 }
 
 } // namespace
 
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
     const Spec& spec = options.conversion.to();
+    keys_ = json_keys(layout, spec);
     if (options.precision > 0 && (spec.name == Name::euler || spec.name == Name::rpy)) {
-        Buffer text;
-        append_number(text, spec.unit == AngleUnit::degrees ? -180.0 : -std::numbers::pi, options.precision);
-        lower_end_ = fmt::to_string(text);
+        const bool degrees = spec.unit == AngleUnit::degrees;
+        half_turn_ = degrees ? 180.0 : std::numbers::pi;
+        half_a_digit_ = 0.5 * std::pow(10.0, (degrees ? 3 : 1) - options.precision);
     }
 }
 
@@ -119,14 +117,9 @@ void RowText::write(Buffer& to, const ConvertedRow& row) const {
 }
 
 void RowText::write_number(Buffer& to, double value, std::size_t column) const {
-    const std::size_t start = to.size();
-    append_number(to, value, options_->precision);
-    // The outer Euler angles have the range (-pi, pi]: what rounds to the lower end is the upper one.
-    if (!lower_end_.empty() && value < 0.0 && column != 1 &&
-        std::string_view(to.data() + start, to.size() - start) == lower_end_) {
-        to.resize(start);
-        append(to, std::string_view(lower_end_).substr(1));
-    }
+    // The outer Euler angles have the range (-pi, pi]: what is -pi to the digits that are printed is pi.
+    const bool is_lower_end = column != 1 && value + half_turn_ <= half_a_digit_;
+    append_number(to, is_lower_end ? half_turn_ : value, options_->precision);
 }
 
 void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
@@ -175,9 +168,8 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
         append(to, ": ");
     };
     const auto other = [&](std::size_t i) {
-        const bool named = i < layout_->header.size() && !layout_->header[i].empty();
-        key(named ? layout_->header[i] : std::to_string(i + 1));
-        append_json_string(to, unquoted(row.fields[i], layout_->delimiter));
+        key(i < keys_.size() ? keys_[i] : std::to_string(i + 1));
+        append_json_string(to, layout_->delimiter.unquoted(row.fields[i]));
     };
     if (options_->append) {
         for (std::size_t i = 0; i < row.fields.size(); ++i) {

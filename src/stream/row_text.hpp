@@ -1,8 +1,10 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "event.hpp"
 #include "layout.hpp"
@@ -37,7 +39,9 @@ private:
 
     const Options* options_;
     const Layout* layout_;
-    std::string lower_end_; ///< the text of -pi (-180) where it is rounded: printed without its sign
+    std::vector<std::string> keys_;                              ///< of the fields in JSON: header names, each once
+    double half_turn_ = std::numeric_limits<double>::infinity(); ///< of outer Euler angles that are rounded
+    double half_a_digit_ = 0.0;                                  ///< the last that is printed of it
 };
 
 /// The diagnostics of a row, in order of kind, with their figures.

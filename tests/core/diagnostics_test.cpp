@@ -225,3 +225,78 @@ TEST_CASE("numbers without an attitude are faults") {
         }
     }
 }
+
+// Would catch: a bound on the defect that is below it, so that a decision depends on whether figures are asked for.
+TEST_CASE("the defect decides the same with and without figures") {
+    for (const double off : {1e-6, 1e-3, 0.04}) {
+        for (const double sign : {1.0, -1.0}) {
+            for (const double nudge : {-1e-9, 1e-9}) {
+                const double s = 1 + sign * off * (1 + nudge);
+                for (const double tolerance : {off, 1.0}) {
+                    const std::vector<double> row{s, 0, 0, 0, 1, 0, 0, 0, 1};
+                    const auto plain = report_of("dcm", "quat", row, {.tolerance = tolerance});
+                    const auto figures = report_of("dcm", "quat", row, {.tolerance = tolerance, .figures = true});
+                    INFO(off << ' ' << sign << ' ' << nudge);
+                    CHECK(plain.fault == figures.fault);
+                    CHECK((plain.fault == Fault::defect) == (tolerance == off && nudge > 0));
+                    CHECK(plain.notes.has(Kind::normalized) == figures.notes.has(Kind::normalized));
+                }
+            }
+        }
+    }
+}
+
+// Would catch: a reflection in the place of the polar factor, a determinant whose sign is rounding.
+TEST_CASE("nearly singular matrices have the polar factor of their sign") {
+    const rotconv::Settings any{.tolerance = infinity};
+    for (const auto& row : std::vector<std::vector<double>>{{1, 0, 0, 0, 1, 0, 0, 0, 1e-40},
+                                                            {1, 0, 0, 0, 1e-15, 0, 0, 0, 1e-15},
+                                                            {1e-300, 0, 0, 0, 1, 0, 0, 0, 1e300},
+                                                            {1, 0, 0, 0, 1e-200, 0, 0, 0, 1e-200}}) {
+        CHECK(report_of("dcm", "quat", row, any).fault == Fault::none);
+        CHECK(accuracy::own(spec("dcm"), spec("quat"))(row) == std::vector<double>{1, 0, 0, 0});
+        auto mirrored = row;
+        mirrored[8] = -mirrored[8];
+        CHECK(report_of("dcm", "quat", mirrored, any).fault == Fault::not_proper);
+    }
+    strata::Source source(71);
+    int proper = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::vector<double> row(9);
+        for (std::size_t k = 0; k < 3; ++k) {
+            row[3 * k] = source.normal();
+            row[3 * k + 1] = source.normal();
+            row[3 * k + 2] = row[3 * k] - 0.5 * row[3 * k + 1] + 1e-16 * source.normal();
+        }
+        if (report_of("dcm", "quat", row, any).fault != Fault::none) {
+            continue;
+        }
+        ++proper;
+        const auto exact = oracle::attitude(spec("dcm"), row);
+        const auto got = oracle::attitude(spec("quat"), accuracy::own(spec("dcm"), spec("quat"))(row));
+        // conditioned by 1/(s2 + s3), which is about 1 here
+        REQUIRE(oracle::error_in_eps(exact, got) < 1e3);
+    }
+    CHECK(proper > 500);
+}
+
+// Would catch: digits of the plane lost in a difference of products.
+TEST_CASE("nearly parallel columns keep their accuracy") {
+    strata::Source source(72);
+    for (int i = 0; i < 400; ++i) {
+        std::vector<double> row(6);
+        const double apart = std::pow(10.0, source.uniform(-15, 0));
+        for (std::size_t k = 0; k < 3; ++k) {
+            row[k] = source.normal();
+            row[k + 3] = 1.7 * row[k] + apart * source.normal();
+        }
+        const auto exact = oracle::attitude(spec("6d"), row);
+        const auto got = oracle::attitude(spec("quat"), accuracy::own(spec("6d"), spec("quat"))(row));
+        INFO(apart);
+        CHECK(oracle::error_in_eps(exact, got) <= accuracy::limit_from(spec("6d")));
+    }
+    // far out on the stereographic plane only the direction of the second column is left
+    const auto far = accuracy::own(spec("5d"), spec("quat"))(std::vector<double>{1e200, 0, 0, 0.6, 0.8});
+    CHECK(far[0] == Approx(std::sqrt(0.8)).epsilon(1e-15));
+    CHECK(far[1] == Approx(std::sqrt(0.2)).epsilon(1e-15));
+}

@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (columns->positions().size() != 4) {
             std::abort();
         }
-        static_cast<void>(columns->positions({"timestamp", "q_w []", " q_x", "\"q_y\"", "q_z"}));
+        static_cast<void>(columns->positions({"timestamp", "q_w []", "q_x", "q_y", "q_z"}));
     }
     static_cast<void>(rotconv::stream::Delimiter::parse(text));
     double value = 0.0;

@@ -9,7 +9,7 @@ fail() {
     failed=1
 }
 
-lint=$(mandoc -T lint "$page" 2>&1) || true
+lint=$(mandoc -T lint "$page" 2>&1 | grep -v 'date in the future') || true
 [ -z "$lint" ] || fail "mandoc -T lint: $lint"
 if command -v man > /dev/null; then
     warnings=$(LC_ALL=C.UTF-8 MANWIDTH=80 man --warnings -l "$page" 2>&1 > /dev/null) || true

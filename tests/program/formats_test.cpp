@@ -157,3 +157,22 @@ TEST_CASE("pretty tells the diagnostics in words") {
     CHECK(missing(off.out, {"half-turn"}) != "");
     CHECK(off.err == "");
 }
+
+TEST_CASE("a JSON object has no key twice") {
+    // Catches fields that a parser would drop.
+    const auto result =
+        run("-f quat:xyzw -t quat --columns 1-4 --append --format json", "qx,qy,b,\"q\"\"w\",b,b\n0,0,0,1,7,8\n");
+    CHECK(result == done("{\"1\": \"0\", \"2\": \"0\", \"b\": \"0\", \"q\\\"w\": \"1\", \"5\": \"7\", \"6\": \"8\", "
+                         "\"qw\": 1, \"qx\": 0, \"qy\": 0, \"qz\": 0}\n"));
+}
+
+TEST_CASE("only an angle that is minus pi to the printed digits changes its sign") {
+    // Catches a sign flipped far from the end of the range.
+    const std::string same = "-f euler:ZYX -t euler:ZYX -p ";
+    CHECK(run(same + "2 -3.06 0 0") == done("-3.1 0 0\n"));
+    CHECK(run(same + "2 -3.14 0 0") == done("3.1 0 0\n"));
+    CHECK(run(same + "4 -3.1415 0 0") == done("3.142 0 0\n"));
+    CHECK(run(same + "4 -3.14 0 0") == done("-3.14 0 0\n"));
+    CHECK(run("-d " + same + "4 -179.96 0 0") == done("180 0 0\n"));
+    CHECK(run("-d " + same + "4 -179.94 0 0") == done("-179.9 0 0\n"));
+}

@@ -202,3 +202,16 @@ TEST_CASE("list knows every representation") {
     check_usage_error("list quaternoin", {"quaternoin", "quaternion"});
     check_usage_error("lst", {"lst", "list"});
 }
+
+TEST_CASE("an argument after an equals sign may be empty or one") {
+    // Catches an option that takes the next word for its own.
+    CHECK(run("-f quat -t rpy --columns= --append").exit_code == 2);
+    CHECK(run("-f quat -t quat --delimiter==", "1=0=0=0\n") == done("1=0=0=0\n"));
+}
+
+TEST_CASE("a mistyped column is named") {
+    // Catches a message that leaves the user to find it.
+    const auto result = run("-f quat -t rpy --columns qw,qx,qy,qzz", "qw,qx,qy,qz\n1,0,0,0\n");
+    CHECK(result.exit_code == 2);
+    CHECK(missing(result.err, {"rotconv: -:1: ", "'qzz'"}) == "");
+}

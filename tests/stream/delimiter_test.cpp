@@ -44,7 +44,7 @@ TEST_CASE("delimiters by name and by character") {
     CHECK(Delimiter::parse("|")->text() == '|');
     CHECK(Delimiter::parse("x")->text() == 'x');
     CHECK(Delimiter::parse(" ")->is_blanks());
-    for (const std::string text : {"", "ab", "e", "1", "-", "+", ".", "\"", "\n", "\xC3\xA4", "#"}) {
+    for (const std::string text : {"", "ab", "e", "n", "1", "-", "+", ".", "\"", "\n", "\xC3\xA4", "#"}) {
         INFO(text);
         CHECK_FALSE(Delimiter::parse(text));
     }

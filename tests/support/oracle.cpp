@@ -39,11 +39,17 @@ Matrix3 cayley_matrix(const Vector3& c) {
     return ((1 - square) * i + 2 * (cross_matrix(c) + Matrix3(c * c.transpose()))) / (1 + square);
 }
 
-/// Newton's iteration M <- (M + M (M'M)^-1)/2, for three or two columns.
+/// Newton's iteration M <- (M + M^-T)/2, where M (M'M)^-1 stands for M^-T of two columns.
 template <class Matrix> Matrix polar_factor(Matrix m) {
     m /= m.norm();
     for (int step = 0; step < 200; ++step) {
-        const Matrix next = Real(0.5) * (m + m * (m.transpose() * m).inverse());
+        Matrix inverse_transpose;
+        if constexpr (Matrix::ColsAtCompileTime == 3) {
+            inverse_transpose = m.inverse().transpose();
+        } else {
+            inverse_transpose = m * (m.transpose() * m).inverse();
+        }
+        const Matrix next = Real(0.5) * (m + inverse_transpose);
         const Real change = (next - m).norm();
         m = next;
         if (change < Real(1e-34)) {
