@@ -40,8 +40,8 @@ struct Options {
 /// What the rows before the first data row settle, and then holds for all of them.
 struct Layout {
     Delimiter delimiter = Delimiter::blanks();
-    std::vector<std::size_t>
-        positions; ///< of the selected fields, in the order of the representation's numbers; empty: all
+    /// Positions of the selected fields, in the order of the representation's numbers; empty: all.
+    std::vector<std::size_t> positions;
     std::vector<std::size_t> in_row_order; ///< the same, sorted
     std::vector<std::string> header;       ///< the header's field texts; empty where there is none
     std::string line_end = "\n";           ///< for a last row that has none

@@ -87,10 +87,12 @@ void append_json_string(Buffer& to, std::string_view text) {
 /// The header's names, but the index where a name is empty, stands twice, or is that of a column of the result.
 std::vector<std::string> json_keys(const Layout& layout, const Spec& to) {
     const auto columns = to.columns();
+    const auto is_result = [&columns](std::string_view name) {
+        return std::ranges::count(columns, name) + std::ranges::count(figure_names, name) > 0 || name == "notes";
+    };
     std::vector<std::string> keys;
     for (const std::string& name : layout.header) {
-        const bool usable =
-            !name.empty() && std::ranges::count(columns, name) == 0 && std::ranges::count(keys, name) == 0;
+        const bool usable = !name.empty() && !is_result(name) && std::ranges::count(keys, name) == 0;
         keys.push_back(usable ? name : std::to_string(keys.size() + 1));
     }
     return keys;
