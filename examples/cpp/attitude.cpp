@@ -6,10 +6,11 @@
 
 int main() {
     // Three lines: read, use, write.
-    const auto reading = rotconv::euler::to_rotation(
-        {{30, 90, 20}, *rotconv::EulerSequence::parse("ZYX"), rotconv::AngleUnit::degrees});
+    const auto reading =
+        rotconv::euler::to_rotation({{30, 90, 20}, *rotconv::EulerSequence::parse("ZYX"), rotconv::AngleUnit::degrees});
     const Eigen::Matrix3d R_ref_body = rotconv::dcm::from_rotation(reading.rotation);
-    const auto rpy = rotconv::euler::from_rotation(reading.rotation, rotconv::roll_pitch_yaw, rotconv::AngleUnit::degrees);
+    const auto rpy =
+        rotconv::euler::from_rotation(reading.rotation, rotconv::roll_pitch_yaw, rotconv::AngleUnit::degrees);
 
     for (int row = 0; row < 3; ++row) {
         std::printf("%9.6f %9.6f %9.6f\n", R_ref_body(row, 0), R_ref_body(row, 1), R_ref_body(row, 2));

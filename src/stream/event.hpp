@@ -61,7 +61,7 @@ struct StreamFault {
         line_too_long, ///< line `line`
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
     };
-    What what;
+    What what = What::read;
     std::size_t line = 0;
     int error = 0;
     ColumnFault column{};

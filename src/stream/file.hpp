@@ -52,6 +52,8 @@ public:
     File(const char* path, Mode mode) noexcept;
     /// Borrows a descriptor.
     explicit File(int descriptor) noexcept : descriptor_(descriptor) {}
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
     ~File() override;
 
     [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }

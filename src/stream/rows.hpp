@@ -30,7 +30,7 @@ private:
         bool passed = false;         ///< blank or comment: goes out as it is
         std::size_t first_field = 0; ///< in fields_
         std::size_t field_count = 0;
-        std::size_t fault; ///< in faults_
+        std::size_t fault = no_fault; ///< in faults_
     };
 
     void gather(std::string_view& text, std::size_t& line);
