@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include <rotconv/method.hpp>
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
@@ -13,6 +14,7 @@ struct Settings {
     double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool figures = false;                            ///< margin, condition and the exact defect for every row
+    const Method* method = nullptr;                  ///< of this pair; null: rotconv's own
 };
 
 /// What is known of one converted row.
@@ -21,6 +23,8 @@ struct Report {
     Notes notes;
     double defect = 0.0; ///< below `reported_defect` and without Settings::figures only an upper bound
     Figures figures{};   ///< where there are notes or Settings::figures asks for them
+    /// With Settings::method, angle in radians from the attitude to the method's answer; nan where that is none.
+    double method_error = 0.0;
 };
 
 struct Door;
@@ -40,9 +44,13 @@ public:
     void run(std::span<const double> in, std::span<double> out, std::span<Report> reports) const noexcept;
 
 private:
-    static constexpr std::size_t block = 128;
     void run_block(const double* in, double* out, std::span<Report> reports) const noexcept;
-    [[nodiscard]] Report report(const Reading& reading, const double* numbers) const noexcept;
+    [[nodiscard]] Report report(const Reading& reading, Notes notes, const Rotation& written,
+                                const double* numbers) const noexcept;
+
+    /// The method's numbers in the place of rotconv's own, still in the representation's own order.
+    void run_method(const double* in, const Rotation* rotations, std::size_t rows, double* out, Notes* notes,
+                    double* errors) const noexcept;
 
     Spec from_;
     Spec to_;

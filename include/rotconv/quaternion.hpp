@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
@@ -16,8 +19,13 @@ struct Quaternion {
 /// the same attitude), linear kinematics, no singular attitude.
 namespace quaternion {
 
-/// The attitude q/|q|. Exact: nothing is rounded. Faults: not_finite, zero_quaternion. Defect: | |q| - 1 |.
+/// The attitude q/|q|. Exact: nothing is rounded. Faults: not_finite, zero_quaternion. Defect: | |q| - 1 |, up to
+/// `reported_defect` a bound on it.
 [[nodiscard]] Reading to_rotation(const Quaternion& q) noexcept;
+
+/// | |q| - 1 |.
+/// @pre to_rotation(q).ok()
+[[nodiscard]] double defect(const Quaternion& q) noexcept;
 
 /// q/|q| with w > 0, or w = 0 and the first nonzero of x, y, z positive. Within 1 eps of the attitude: each component
 /// is rounded once; a quaternion that is unit to 4 eps keeps its bits.
@@ -25,6 +33,31 @@ namespace quaternion {
 
 /// Margin infinite, condition 1/2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+// What follows is short and frequent, so that callers should have it inline.
+
+/// to_rotation() of a quaternion that is far from unit or describes no attitude.
+[[nodiscard]] Reading to_rotation_of_any_size(const Quaternion& q) noexcept;
+
+inline Reading to_rotation(const Quaternion& q) noexcept {
+    Reading reading{.rotation = Rotation::near_unit(q.w, q.x, q.y, q.z)};
+    const double excess = std::fabs(reading.rotation.squared_norm() - 1.0);
+    // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1); a number that is not finite fails the comparison
+    if (excess <= reported_defect) [[likely]] {
+        reading.defect = excess;
+        return reading;
+    }
+    return to_rotation_of_any_size(q);
+}
+
+inline Quaternion from_rotation(const Rotation& rotation) noexcept {
+    const Rotation q = rotation.canonical();
+    const double squared_norm = q.squared_norm();
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    const double norm = std::sqrt(squared_norm);
+    const double divisor = std::fabs(squared_norm - 1.0) <= rounding ? 1.0 : norm;
+    return {q.w() / divisor, q.x() / divisor, q.y() / divisor, q.z() / divisor};
+}
 
 } // namespace quaternion
 } // namespace rotconv

@@ -32,8 +32,16 @@ struct Reading {
 };
 
 /// Kinds of diagnostic, in the order in which they are reported.
-enum class Kind : std::uint8_t { normalized, gimbal_lock, near_gimbal_lock, half_turn, infinite, identity_axis };
-inline constexpr std::size_t kind_count = 6;
+enum class Kind : std::uint8_t {
+    normalized,
+    gimbal_lock,
+    near_gimbal_lock,
+    half_turn,
+    infinite,
+    identity_axis,
+    method_error
+};
+inline constexpr std::size_t kind_count = 7;
 
 /// The kind's name as it stands in the `notes` column, such as "gimbal-lock".
 [[nodiscard]] std::string_view name_of(Kind kind) noexcept;
@@ -68,6 +76,8 @@ struct Figures {
 inline constexpr double half_turn_margin = 1e-15;
 /// A condition above this is reported as near gimbal lock.
 inline constexpr double near_lock_condition = 1e6;
+/// A method's answer that is further than this (radians) from the attitude is reported.
+inline constexpr double reported_method_error = 1e-6;
 /// A defect above this is reported.
 inline constexpr double reported_defect = 1e-6;
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace rotconv {
 
@@ -9,11 +10,8 @@ namespace rotconv {
 /// (`v_ref = R_ref_body * v_body`).
 ///
 /// It is *not* normalised: every representation divides by the norm itself, which saves half an eps everywhere. What
-/// always holds:
-/// - all four components are finite;
-/// - the largest magnitude lies in [1/2, 1), reached by an exact scaling with a power of two, so that no square of it
-///   overflows and the norm lies in [1/2, 2);
-/// - the sign is canonical: w > 0, or w = 0 and the first nonzero of x, y, z is positive; no component is -0.
+/// always holds: all four components are finite, and |q|^2 lies in [1/4, 4), reached by an exact scaling with a power
+/// of two where the numbers from outside are larger or smaller. Both signs of q are the same rotation.
 class Rotation {
 public:
     /// The identity.
@@ -22,7 +20,14 @@ public:
     /// The rotation of a finite nonzero quaternion of any norm and either sign. Exact, but for components more than
     /// 2^1074 times smaller than the largest, which become 0.
     /// @pre all components finite, one of them not 0 (the representations check what comes from outside).
-    static Rotation from_components(double w, double x, double y, double z) noexcept;
+    static Rotation from_components(double w, double x, double y, double z) noexcept {
+        const Rotation as_it_is = near_unit(w, x, y, z);
+        const double square = as_it_is.squared_norm();
+        return square >= 0.25 && square < 4.0 ? as_it_is : scaled(w, x, y, z);
+    }
+
+    /// The same where the caller knows |q|^2 to lie in [1/4, 4).
+    static Rotation near_unit(double w, double x, double y, double z) noexcept { return {w, x, y, z}; }
 
     [[nodiscard]] double w() const noexcept { return q_[0]; }
     [[nodiscard]] double x() const noexcept { return q_[1]; }
@@ -37,24 +42,29 @@ public:
     }
 
     /// |(x, y, z)| with full relative accuracy at any size: 0 only when the vector part is exactly 0.
-    [[nodiscard]] double vector_length() const noexcept {
-        const double square = squared_vector_length();
-        return square > 1e-280 ? std::sqrt(square) : tiny_vector_length();
+    [[nodiscard]] double vector_length() const noexcept;
+
+    /// 1 or -1: the factor that gives q the sign that is printed, w > 0, or w = 0 and the first nonzero of x, y, z
+    /// positive.
+    [[nodiscard]] double sign() const noexcept {
+        const double vector_leader = q_[1] != 0.0 ? q_[1] : (q_[2] != 0.0 ? q_[2] : q_[3]);
+        return std::copysign(1.0, q_[0] != 0.0 ? q_[0] : vector_leader);
     }
 
-    /// |(x, y, z)|^2; loses digits below 1e-280, where vector_length() does not.
-    [[nodiscard]] double squared_vector_length() const noexcept {
-        return (q_[1] * q_[1] + q_[2] * q_[2]) + q_[3] * q_[3];
+    /// The same rotation with that sign.
+    [[nodiscard]] Rotation canonical() const noexcept {
+        const double factor = sign();
+        return {q_[0] * factor, q_[1] * factor, q_[2] * factor, q_[3] * factor};
     }
 
     /// The inverse rotation (reference to body). Exact.
-    [[nodiscard]] Rotation inverse() const noexcept;
+    [[nodiscard]] Rotation inverse() const noexcept { return {q_[0], -q_[1], -q_[2], -q_[3]}; }
 
 private:
-    [[nodiscard]] double tiny_vector_length() const noexcept;
-    void make_sign_canonical() noexcept;
+    Rotation(double w, double x, double y, double z) noexcept : q_{w, x, y, z} {}
+    static Rotation scaled(double w, double x, double y, double z) noexcept;
 
-    std::array<double, 4> q_{0.5, 0.0, 0.0, 0.0};
+    std::array<double, 4> q_{1.0, 0.0, 0.0, 0.0};
 };
 
 } // namespace rotconv

@@ -8,6 +8,7 @@
 #include <rotconv/conversion.hpp>
 #include <rotconv/dcm.hpp>
 #include <rotconv/euler.hpp>
+#include <rotconv/method.hpp>
 #include <rotconv/mrp.hpp>
 #include <rotconv/quaternion.hpp>
 #include <rotconv/rotation_vector.hpp>

@@ -34,6 +34,7 @@ struct Texts {
     std::string tolerance;
     std::string lock_margin;
     std::string threads;
+    std::string method = "default";
     std::string listed;
     bool degrees = false;
     bool append = false;
@@ -80,9 +81,12 @@ void define(CLI::App& app, Texts& texts) {
         ->type_name("T");
     app.add_option("--lock-margin", texts.lock_margin, "Radians from gimbal lock that count as locked (default 1e-15)")
         ->type_name("ANGLE");
+    app.add_option("--method", texts.method,
+                   "A published formula in the place of rotconv's own; see rotconv list methods")
+        ->type_name("NAME");
     app.add_option("--threads", texts.threads, "At most N threads; the output does not depend on N")->type_name("N");
-    auto* list = app.add_subcommand("list", "List the representations, or explain one");
-    list->add_option("NAME", texts.listed, "A representation");
+    auto* list = app.add_subcommand("list", "List the representations, or explain one; list methods: the methods");
+    list->add_option("NAME", texts.listed, "A representation, or methods");
     list->set_help_flag("-h,--help", "Print this help and exit");
     app.require_subcommand(0, 1);
     app.footer(help_footer());
@@ -138,6 +142,15 @@ int count_of(std::string_view option, const std::string& text, int most) {
     return static_cast<int>(value);
 }
 
+/// The method of the pair, or null for rotconv's own.
+const Method* method_of(const Spec& from, const Spec& to, const std::string& text) {
+    const Method* method = find_method(from.name, to.name, text);
+    if (method == nullptr && text != "default") {
+        throw Usage("--method " + words::no_such_method(from.name, to.name, text));
+    }
+    return method;
+}
+
 /// One row of numbers, whatever they are.
 bool is_row(std::string_view text) {
     return !stream::is_blank(text) && !stream::is_comment(text) && text.find_first_of("\r\n") == std::string_view::npos;
@@ -156,7 +169,8 @@ ConvertCommand convert_command(const Texts& texts, const std::vector<std::string
                                                       {"columns", ShowDiagnostics::columns}});
     const Settings settings{.tolerance = amount_of("--tolerance", texts.tolerance, Settings{}.tolerance, true),
                             .lock_margin = amount_of("--lock-margin", texts.lock_margin, Settings{}.lock_margin, false),
-                            .figures = diagnostics == ShowDiagnostics::columns};
+                            .figures = diagnostics == ShowDiagnostics::columns,
+                            .method = method_of(from, to, texts.method)};
     count_of("--threads", texts.threads, 1 << 20U);
 
     ConvertCommand command(Conversion(from, to, settings));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <rotconv/method.hpp>
 #include <rotconv/spec.hpp>
 
 #include "words.hpp"
@@ -77,6 +78,16 @@ std::optional<std::string> list_one(std::string_view name) {
     for (const Preset& preset : presets()) {
         line(&preset == presets().data() ? "presets" : "",
              fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, *found), words::about_preset(preset.text)));
+    }
+    return text;
+}
+
+std::string list_methods() {
+    std::string text =
+        fmt::format("{:<6}  {:<6}  {:<18}  {:<42}  {}\n", "FROM", "TO", "METHOD", "holds for", "reference");
+    for (const Method& method : methods()) {
+        text += fmt::format("{:<6}  {:<6}  {:<18}  {:<42}  {}\n", representation(method.from).text,
+                            representation(method.to).text, method.name, method.domain, method.reference);
     }
     return text;
 }

@@ -12,6 +12,9 @@ namespace rotconv::cli {
 /// What one representation is: formula, numbers, ranges, modifiers, presets; nothing where there is none of that name.
 [[nodiscard]] std::optional<std::string> list_one(std::string_view name);
 
+/// The table of methods.
+[[nodiscard]] std::string list_methods();
+
 /// The end of --help: the names, and commands to copy.
 [[nodiscard]] std::string help_footer();
 

@@ -41,6 +41,9 @@ struct Run {
         if (command.name.empty()) {
             return print(list_all());
         }
+        if (command.name == "methods") {
+            return print(list_methods());
+        }
         const auto text = list_one(command.name);
         return text ? print(*text) : usage(words::explain(SpecFault{SpecFault::What::unknown_name, command.name}));
     }

@@ -167,6 +167,22 @@ std::string no_such_word(std::string_view what, std::string_view text, const std
                        suggestion(text, legal));
 }
 
+std::string no_such_method(Name from, Name to, std::string_view text) {
+    const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
+    const auto rows = methods_of(from, to);
+    if (rows.empty()) {
+        return fmt::format("{}: from {} only the default is known", quoted(text), pair);
+    }
+    std::vector<std::string_view> legal;
+    std::ranges::transform(rows, std::back_inserter(legal), &Method::name);
+    std::string message =
+        fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair, suggestion(text, legal));
+    for (const Method& method : rows) {
+        message += fmt::format("\n  {:<18} {}", method.name, method.domain);
+    }
+    return message;
+}
+
 std::string explain(const SpecFault& fault) {
     using What = SpecFault::What;
     switch (fault.what) {
@@ -254,6 +270,7 @@ std::string_view meaning(Kind kind) {
     case Kind::half_turn: return "the axis and its opposite are the same; its sign is a convention";
     case Kind::infinite: return "a half-turn has no finite Cayley vector";
     case Kind::identity_axis: return "every axis serves; (1, 0, 0) is a convention";
+    case Kind::method_error: return "the method's answer is off the attitude by more than 1e-6 rad";
     }
     return {};
 }
@@ -261,6 +278,7 @@ std::string_view meaning(Kind kind) {
 std::string describe(const stream::Diagnostic& diagnostic) {
     const std::string_view figure = diagnostic.kind == Kind::normalized         ? "defect"
                                     : diagnostic.kind == Kind::near_gimbal_lock ? "condition"
+                                    : diagnostic.kind == Kind::method_error     ? "angle"
                                                                                 : "margin";
     return fmt::format("{}: {} {:.3g}; {}", name_of(diagnostic.kind), figure, diagnostic.figure,
                        meaning(diagnostic.kind));

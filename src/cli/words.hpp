@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rotconv/method.hpp>
 #include <rotconv/spec.hpp>
 
 #include "../stream/column_list.hpp"
@@ -47,6 +48,9 @@ struct About {
 /// "'text' is not a format" and the like, with the legal words and the nearest.
 [[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
                                        const std::vector<std::string_view>& legal);
+
+/// Why a word names no method of the pair, with those that there are and where they hold.
+[[nodiscard]] std::string no_such_method(Name from, Name to, std::string_view text);
 
 /// The text in quotes, its unprintable bytes escaped, cut where it is long.
 [[nodiscard]] std::string quoted(std::string_view text);

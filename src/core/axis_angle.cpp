@@ -1,12 +1,17 @@
 #include <rotconv/axis_angle.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "angles.hpp"
+#include "blocks.hpp"
+#include "double_double.hpp"
 #include "finite.hpp"
 #include "half_turn.hpp"
 #include "scaling.hpp"
 #include "trigonometry.hpp"
+#include "vector_parts.hpp"
 
 namespace rotconv::axis_angle {
 
@@ -26,18 +31,42 @@ Reading to_rotation(const AxisAngle& value) noexcept {
 }
 
 AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
-    const double length = rotation.vector_length();
-    if (length == 0.0) {
-        return {.unit = unit};
+    std::array<double, 4> numbers{};
+    Notes notes;
+    write(&rotation, 1, unit, numbers.data(), &notes);
+    return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
+}
+
+void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
+    VectorParts parts; // NOLINT(*-member-init): written before it is read
+    take_apart(rotations, rows, parts);
+    Angles angles; // NOLINT(*-member-init)
+    angles_of(parts.half, rows, unit, angles);
+    for (std::size_t i = 0; i < rows; ++i) {
+        const DoubleDouble inverse = quotient(1.0, 0.0, parts.length(i));
+        numbers[4 * i] = product(split(parts.x[i]), inverse);
+        numbers[4 * i + 1] = product(split(parts.y[i]), inverse);
+        numbers[4 * i + 2] = product(split(parts.z[i]), inverse);
+        numbers[4 * i + 3] = 2.0 * (angles.hi[i] + angles.lo[i]);
     }
-    return {.axis = {rotation.x() / length, rotation.y() / length, rotation.z() / length},
-            .angle = 2.0 * angle_of(length, rotation.w(), unit),
-            .unit = unit};
+    for (std::size_t i = 0; i < rows; ++i) {
+        notes[i] = note_half_turn(parts.half.x[i], parts.half.y[i]);
+        if (parts.half.y[i] > least_known_length) {
+            continue;
+        }
+        const double length = rotations[i].vector_length();
+        notes[i] |= {Kind::identity_axis, length == 0.0};
+        numbers[4 * i] = length == 0.0 ? 1.0 : parts.x[i] / length;
+        numbers[4 * i + 1] = length == 0.0 ? 0.0 : parts.y[i] / length;
+        numbers[4 * i + 2] = length == 0.0 ? 0.0 : parts.z[i] / length;
+        numbers[4 * i + 3] = length / parts.half.x[i] * (2.0 * radian(unit));
+    }
 }
 
 Notes notes(const Rotation& rotation) noexcept {
-    Notes found = note_half_turn(rotation);
-    found |= {Kind::identity_axis, rotation.x() == 0.0 && rotation.y() == 0.0 && rotation.z() == 0.0};
+    const double length = rotation.vector_length();
+    Notes found = note_half_turn(rotation.w(), length);
+    found |= {Kind::identity_axis, length == 0.0};
     return found;
 }
 

@@ -16,8 +16,9 @@ Reading to_rotation(const Eigen::Vector3d& c) noexcept {
 }
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
-    const Eigen::Vector3d v{rotation.x(), rotation.y(), rotation.z()};
-    Eigen::Vector3d c = v / rotation.w();
+    const Rotation q = rotation.canonical();
+    const Eigen::Vector3d v{q.x(), q.y(), q.z()};
+    Eigen::Vector3d c = v / q.w();
     if (c.allFinite()) {
         return c;
     }
@@ -28,7 +29,7 @@ Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
 Notes notes(const Rotation& rotation) noexcept {
     const double length_bound = (std::fabs(rotation.x()) + std::fabs(rotation.y())) + std::fabs(rotation.z());
     // Only a quotient above the largest double is infinite; the cheap bound decides nearly always.
-    const bool suspect = length_bound >= rotation.w() * 0x1p1023;
+    const bool suspect = length_bound >= std::fabs(rotation.w()) * 0x1p1023;
     return {Kind::infinite, suspect && !from_rotation(rotation).allFinite()};
 }
 

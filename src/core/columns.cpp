@@ -51,12 +51,12 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
         return Reading::failed(Fault::rank_deficient);
     }
     normal = normal.unaryExpr(PowerOfTwo::to_unit(normal_size)).eval();
-    Eigen::Matrix3d m;
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> m;
     m.col(0) = first.normalized();
     m.col(2) = normal.normalized();
     m.col(1) = m.col(2).cross(m.col(0));
-    const Eigen::Vector4d q = quaternion_of_rotation(m);
-    return {.rotation = Rotation::from_components(q[0], q[1], q[2], q[3])};
+    const Quaternion q = quaternion_of_rotation(m.data());
+    return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z)};
 }
 
 } // namespace

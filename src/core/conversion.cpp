@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
+#include <utility>
 
+#include "angles.hpp"
 #include "door.hpp"
 
 namespace rotconv {
@@ -41,6 +46,37 @@ void to_written_order(const Spec& spec, double* numbers, std::size_t rows) noexc
     }
 }
 
+/// The numbers of the inverse rotation, of a representation that methods start from.
+void invert(Name name, double* numbers) noexcept {
+    if (name == Name::dcm) {
+        std::swap(numbers[1], numbers[3]);
+        std::swap(numbers[2], numbers[6]);
+        std::swap(numbers[5], numbers[7]);
+        return;
+    }
+    const std::size_t first = name == Name::quat ? 1 : 0; // of the vector
+    for (std::size_t i = first; i < first + 3; ++i) {
+        numbers[i] = -numbers[i];
+    }
+}
+
+/// The sign of a quaternion that is printed.
+void make_sign_canonical(double* q) noexcept {
+    const double* const leader = std::find_if(q, q + 4, [](double component) { return component != 0.0; });
+    if (leader != q + 4 && *leader < 0.0) {
+        std::transform(q, q + 4, q, std::negate<>());
+    }
+}
+
+/// Rotation angle from one to the other, in radians.
+double angle_between(const Rotation& p, const Rotation& q) noexcept {
+    const double w = (p.w() * q.w() + p.x() * q.x()) + (p.y() * q.y() + p.z() * q.z());
+    const double x = (p.w() * q.x() - p.x() * q.w()) - (p.y() * q.z() - p.z() * q.y());
+    const double y = (p.w() * q.y() - p.y() * q.w()) - (p.z() * q.x() - p.x() * q.z());
+    const double z = (p.w() * q.z() - p.z() * q.w()) - (p.x() * q.y() - p.y() * q.x());
+    return 2.0 * std::atan2(std::sqrt((x * x + y * y) + z * z), std::fabs(w));
+}
+
 } // namespace
 
 Conversion::Conversion(const Spec& from, const Spec& to, const Settings& settings)
@@ -65,30 +101,81 @@ void Conversion::run_block(const double* in, double* out, std::span<Report> repo
         to_own_order(from_, in, rows, own_order.data());
         in = own_order.data();
     }
-    std::array<Reading, block> readings;
+    std::array<Reading, block> readings; // NOLINT(*-member-init)
     in_door_->read(from_, in, rows, readings.data());
-    if (from_.passive != to_.passive) {
-        for (std::size_t i = 0; i < rows; ++i) {
-            readings[i].rotation = readings[i].rotation.inverse();
-        }
+    std::array<Rotation, block> rotations; // NOLINT(*-member-init)
+    const bool inverted = from_.passive != to_.passive;
+    for (std::size_t i = 0; i < rows; ++i) {
+        rotations[i] = inverted ? readings[i].rotation.inverse() : readings[i].rotation;
     }
-    out_door_->write(to_, settings_.lock_margin, readings.data(), rows, out);
-    for (std::size_t i = 0; i < rows * to_.size(); ++i) {
+    std::array<Notes, block> notes; // NOLINT(*-member-init)
+    out_door_->write(to_, settings_.lock_margin, rotations.data(), rows, out, notes.data());
+    std::array<double, block> method_errors; // NOLINT(*-member-init)
+    const bool by_method = settings_.method != nullptr && settings_.method->run != nullptr;
+    if (by_method) {
+        run_method(in, rotations.data(), rows, out, notes.data(), method_errors.data());
+    }
+    const std::size_t width = to_.size();
+    for (std::size_t i = 0; i < rows * width; ++i) {
         out[i] += 0.0; // -0 becomes 0
     }
     if (reordered(to_)) {
         to_written_order(to_, out, rows);
     }
+    const double unremarkable = settings_.figures ? -1.0 : std::min(settings_.tolerance, reported_defect);
     for (std::size_t i = 0; i < rows; ++i) {
-        reports[i] = report(readings[i], in + i * from_.size());
+        const Reading& reading = readings[i];
+        if (reading.ok() && notes[i].empty() && reading.defect <= unremarkable) {
+            reports[i] = {
+                .fault = Fault::none, .notes = {}, .defect = reading.defect, .figures = {}, .method_error = 0.0};
+            continue;
+        }
+        reports[i] = report(reading, notes[i], rotations[i], in + i * from_.size());
+        reports[i].method_error = by_method ? method_errors[i] : 0.0;
         if (reports[i].fault != Fault::none) {
-            std::fill_n(out + i * to_.size(), to_.size(), std::numeric_limits<double>::quiet_NaN());
+            std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
         }
     }
 }
 
-Report Conversion::report(const Reading& reading, const double* numbers) const noexcept {
-    Report report{.fault = reading.fault, .notes = {}, .defect = reading.defect, .figures = {}};
+void Conversion::run_method(const double* in, const Rotation* rotations, std::size_t rows, double* out, Notes* notes,
+                            double* errors) const noexcept {
+    // What the methods do not know of is done to the numbers: the inverse, and degrees.
+    std::array<double, block * widest> active; // NOLINT(*-member-init): written before it is read
+    const std::size_t in_size = from_.size();
+    std::copy_n(in, rows * in_size, active.begin());
+    if (from_.passive != to_.passive) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            invert(from_.name, active.data() + i * in_size);
+        }
+    }
+    if (from_.unit == AngleUnit::degrees) {
+        std::for_each_n(active.begin(), rows * in_size, [](double& v) { v *= std::numbers::pi / 180.0; });
+    }
+    settings_.method->run(to_.sequence, active.data(), rows, out);
+    const std::size_t out_size = to_.size();
+    if (to_.unit == AngleUnit::degrees) {
+        std::for_each_n(out, rows * out_size, [](double& v) { v *= 180.0 / std::numbers::pi; });
+    }
+    std::array<Reading, block> answers; // NOLINT(*-member-init)
+    out_door_->read(to_, out, rows, answers.data());
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (to_.name == Name::quat) {
+            make_sign_canonical(out + i * out_size);
+        }
+        if (notes[i].has(Kind::infinite)) {
+            errors[i] = 0.0; // no finite number is nearer
+            continue;
+        }
+        errors[i] = answers[i].ok() ? angle_between(answers[i].rotation, rotations[i])
+                                    : std::numeric_limits<double>::quiet_NaN();
+        notes[i] |= {Kind::method_error, !(errors[i] <= reported_method_error)};
+    }
+}
+
+Report Conversion::report(const Reading& reading, Notes notes, const Rotation& written,
+                          const double* numbers) const noexcept {
+    Report report{.fault = reading.fault, .notes = {}, .defect = reading.defect, .figures = {}, .method_error = 0.0};
     if (!reading.ok()) {
         return report;
     }
@@ -99,12 +186,10 @@ Report Conversion::report(const Reading& reading, const double* numbers) const n
         report.fault = Fault::defect;
         return report;
     }
-    report.notes = {Kind::normalized, report.defect > reported_defect};
-    if (out_door_->notes != nullptr) {
-        report.notes |= out_door_->notes(to_, settings_.lock_margin, reading.rotation);
-    }
+    report.notes = notes;
+    report.notes |= {Kind::normalized, report.defect > reported_defect};
     if (settings_.figures || !report.notes.empty()) {
-        report.figures = out_door_->figures(to_, reading.rotation);
+        report.figures = out_door_->figures(to_, written);
     }
     return report;
 }

@@ -1,24 +1,83 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <rotconv/quaternion.hpp>
+
+#include "double_double.hpp"
 
 namespace rotconv {
 
-/// Davenport's symmetric 4x4 matrix K of a 3x3 matrix M, plus the identity, in the order (w, x, y, z). The unit
-/// quaternion q that maximises trace(R(q)' M) is its eigenvector to the largest eigenvalue, and R(q) the polar factor
-/// of M where det M > 0. For a rotation K + I = 4 q q'.
-[[nodiscard]] Eigen::Matrix4d davenport_matrix(const Eigen::Matrix3d& m) noexcept;
+/// Davenport's symmetric 4x4 matrix K of a 3x3 matrix M, plus the identity. The unit quaternion q that maximises
+/// trace(R(q)' M) is its eigenvector to the largest eigenvalue, and R(q) the polar factor of M where det M > 0. For a
+/// rotation K + I = 4 q q'.
+class Davenport {
+public:
+    /// @param m nine numbers, row by row
+    explicit Davenport(const double* m) noexcept {
+        const double plus = 1.0 + m[0];
+        const double minus = 1.0 - m[0];
+        const double sum = m[4] + m[8];
+        const double difference = m[4] - m[8];
+        ww = plus + sum;
+        xx = plus - sum;
+        yy = minus + difference;
+        zz = minus - difference;
+        wx = m[7] - m[5];
+        wy = m[2] - m[6];
+        wz = m[3] - m[1];
+        xy = m[1] + m[3];
+        xz = m[2] + m[6];
+        yz = m[5] + m[7];
+    }
 
-/// The column with the largest diagonal element: parallel to q for a rotation, near it for a matrix near one.
-[[nodiscard]] Eigen::Vector4d pivot_column(const Eigen::Matrix4d& k) noexcept;
+    /// A quarter of the column with the largest diagonal element: parallel to q for a rotation, near it for a matrix
+    /// near one. Its length is then between 1/2 and 1.
+    [[nodiscard]] Quaternion pivot_column() const noexcept {
+        const bool w_first = ww >= xx; // selections in the place of branches, which random attitudes mispredict
+        const bool y_first = yy >= zz;
+        const double wx_pivot = w_first ? ww : xx;
+        const double yz_pivot = y_first ? yy : zz;
+        const bool wx_first = wx_pivot >= yz_pivot;
+        return {0.25 * (wx_first ? (w_first ? ww : wx) : (y_first ? wy : wz)),
+                0.25 * (wx_first ? (w_first ? wx : xx) : (y_first ? xy : xz)),
+                0.25 * (wx_first ? (w_first ? wy : xy) : (y_first ? yy : yz)),
+                0.25 * (wx_first ? (w_first ? wz : xz) : (y_first ? yz : zz))};
+    }
 
-/// K q / 4: keeps the eigenvector, reduces all else by about the matrix's defect.
-[[nodiscard]] Eigen::Vector4d power_step(const Eigen::Matrix4d& k, const Eigen::Vector4d& q) noexcept;
+    /// (K + I) q / 4: keeps the eigenvector, reduces all else by about the matrix's defect.
+    [[nodiscard]] Quaternion power_step(const Quaternion& q) const noexcept {
+        return {0.25 * ((ww * q.w + wx * q.x) + (wy * q.y + wz * q.z)),
+                0.25 * ((wx * q.w + xx * q.x) + (xy * q.y + xz * q.z)),
+                0.25 * ((wy * q.w + xy * q.x) + (yy * q.y + yz * q.z)),
+                0.25 * ((wz * q.w + xz * q.x) + (yz * q.y + zz * q.z))};
+    }
 
-/// The same with the products exact, each component rounded once: for the last step, whose rounding remains.
-[[nodiscard]] Eigen::Vector4d exact_power_step(const Eigen::Matrix4d& k, const Eigen::Vector4d& q) noexcept;
+    /// The same with exact products, each component rounded once: for the last step, whose rounding remains.
+    [[nodiscard]] Quaternion exact_power_step(const Quaternion& q) const noexcept {
+        const Split w = split(q.w);
+        const Split x = split(q.x);
+        const Split y = split(q.y);
+        const Split z = split(q.z);
+        const auto row = [&](double kw, double kx, double ky, double kz) {
+            const Split sw = split(kw);
+            const Split sx = split(kx);
+            const Split sy = split(ky);
+            const Split sz = split(kz);
+            return 0.25 * (((sw.high * w.high + sx.high * x.high) + (sy.high * y.high + sz.high * z.high)) +
+                           ((rest_of_product(sw, w) + rest_of_product(sx, x)) +
+                            (rest_of_product(sy, y) + rest_of_product(sz, z))));
+        };
+        return {row(ww, wx, wy, wz), row(wx, xx, xy, xz), row(wy, xy, yy, yz), row(wz, xz, yz, zz)};
+    }
 
-/// The quaternion of a matrix that is orthogonal to rounding.
-[[nodiscard]] Eigen::Vector4d quaternion_of_rotation(const Eigen::Matrix3d& m) noexcept;
+private:
+    double ww, xx, yy, zz, wx, wy, wz, xy, xz, yz; // of K + I
+};
+
+/// The quaternion of nine numbers, row by row, that are a rotation to rounding: the polar factor to a few tenths of an
+/// eps.
+inline Quaternion quaternion_of_rotation(const double* m) noexcept {
+    const Davenport k(m);
+    return k.exact_power_step(k.pivot_column());
+}
 
 } // namespace rotconv

@@ -9,6 +9,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
+#include "angles.hpp"
+#include "blocks.hpp"
 #include "davenport.hpp"
 #include "double_double.hpp"
 #include "scaling.hpp"
@@ -19,16 +21,28 @@ namespace {
 /// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
 constexpr double near_rotation = 0.05;
 
+/// A squared distance from where on one power step serves, and a bound on the defect there.
+constexpr double clean_square = 0x1p-58;
+constexpr double clean_defect = 0x1p-27;
+
 /// M'M - I.
 Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
 
-/// An upper bound on the defect: |s - 1| = |s^2 - 1|/(1 + s) for each singular value s, and rounding.
-double defect_bound(const Dcm& m) noexcept {
-    const double excess = gram_excess(m).norm();
-    return 0.5 * excess * (1.0 + excess) + 8 * std::numeric_limits<double>::epsilon();
-}
+/// A matrix as nine numbers, row by row.
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-Rotation rotation_of(const Eigen::Vector4d& q) noexcept { return Rotation::from_components(q[0], q[1], q[2], q[3]); }
+/// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
+/// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
+inline double squared_distance(const double* m) noexcept {
+    const double cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
+    const double cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
+    const double cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
+    const double first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
+    const double second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
+    const double both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
+    return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
+           ((first * first + second * second) + both * both);
+}
 
 /// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
 class ExactSum {
@@ -101,10 +115,11 @@ Reading far_from_rotation(const Dcm& matrix) noexcept {
         // det M > 0 is known exactly: rounding has turned the sign of the smallest singular value
         factor -= 2.0 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
     }
-    const Eigen::Vector4d q = quaternion_of_rotation(factor);
+    const Quaternion q = quaternion_of_rotation(RowMajor(factor).data());
+    const Rotation decomposed = Rotation::from_components(q.w, q.x, q.y, q.z);
 
     // With S = R(q)' M, the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12).
-    const Eigen::Matrix3d s = from_rotation(rotation_of(q)).transpose() * m;
+    const Eigen::Matrix3d s = from_rotation(decomposed).transpose() * m;
     const Eigen::Matrix3d symmetric = 0.5 * (s + s.transpose());
     const Eigen::Vector3d skew{s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1)};
     const Eigen::Matrix3d hessian = symmetric.trace() * Eigen::Matrix3d::Identity() - symmetric;
@@ -112,40 +127,57 @@ Reading far_from_rotation(const Dcm& matrix) noexcept {
     if (!(half.norm() < 1e-8)) {
         half.setZero(); // the matrix is nearly singular, and this its noise
     }
-    const Eigen::Vector3d v = q.tail<3>();
-    Eigen::Vector4d corrected;
-    corrected << q[0] - v.dot(half), v + q[0] * half + v.cross(half);
+    const Eigen::Vector3d v{q.x, q.y, q.z};
+    const Eigen::Vector3d corrected = v + q.w * half + v.cross(half);
 
     Reading reading;
-    reading.rotation = rotation_of(corrected);
+    reading.rotation = Rotation::from_components(q.w - v.dot(half), corrected.x(), corrected.y(), corrected.z());
     const Eigen::Vector3d& singular = svd.singularValues();
     reading.defect = std::max(std::fabs(scale.undone(singular[0]) - 1.0), std::fabs(scale.undone(singular[2]) - 1.0));
     return reading;
 }
 
-} // namespace
-
-Reading to_rotation(const Dcm& matrix) noexcept {
+/// Where one power step is not known to serve.
+Reading read_unclean(const double* numbers, double square) noexcept {
+    const Eigen::Map<const RowMajor> matrix(numbers);
     if (!matrix.allFinite()) {
         return Reading::failed(Fault::not_finite);
     }
-    const double bound = defect_bound(matrix);
-    if (!(bound <= near_rotation) || matrix.determinant() <= 0.0) {
+    const double bound = 3.0 * std::sqrt(square);
+    if (!(bound <= near_rotation)) {
         return far_from_rotation(matrix);
     }
-    const Eigen::Matrix4d k = davenport_matrix(matrix);
-    Eigen::Vector4d q = pivot_column(k);
-    double remaining = bound;
-    while (remaining * bound > 0x1p-58) {
-        q = power_step(k, q);
-        remaining *= bound;
+    const Davenport k(numbers);
+    Quaternion q = k.power_step(k.pivot_column());
+    for (double remaining = bound * bound; remaining > 0x1p-56; remaining *= bound) {
+        q = k.power_step(q);
     }
-    q = exact_power_step(k, q);
+    return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z),
+            .defect = bound <= reported_defect ? bound : defect(matrix)};
+}
 
+} // namespace
+
+Reading to_rotation(const Dcm& matrix) noexcept {
+    const RowMajor numbers = matrix;
     Reading reading;
-    reading.rotation = rotation_of(q);
-    reading.defect = bound <= reported_defect ? bound : defect(matrix);
+    read(numbers.data(), 1, &reading);
     return reading;
+}
+
+void read(const double* numbers, std::size_t rows, Reading* readings) noexcept {
+    for (std::size_t i = 0; i < rows; ++i, numbers += 9) {
+        const Davenport k(numbers);
+        const Quaternion q = k.power_step(k.pivot_column());
+        const double square = squared_distance(numbers);
+        if (square <= clean_square) [[likely]] {
+            readings[i].rotation = Rotation::near_unit(q.w, q.x, q.y, q.z);
+            readings[i].defect = clean_defect;
+            readings[i].fault = Fault::none;
+        } else {
+            readings[i] = read_unclean(numbers, square);
+        }
+    }
 }
 
 double defect(const Dcm& matrix) noexcept {
@@ -160,23 +192,6 @@ double defect(const Dcm& matrix) noexcept {
         return std::fabs(square_excess) / (1.0 + std::sqrt(1.0 + square_excess));
     };
     return std::max(from_one(solver.eigenvalues()[0]), from_one(solver.eigenvalues()[2]));
-}
-
-Dcm from_rotation(const Rotation& rotation) noexcept {
-    const double w = rotation.w();
-    const double x = rotation.x();
-    const double y = rotation.y();
-    const double z = rotation.z();
-    const double ww = w * w;
-    const double xx = x * x;
-    const double yy = y * y;
-    const double zz = z * z;
-    const double squared_norm = (ww + xx) + (yy + zz);
-    Dcm m;
-    m << (ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
-        2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x),  //
-        2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy);
-    return m / squared_norm;
 }
 
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }

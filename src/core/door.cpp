@@ -11,7 +11,10 @@
 #include <rotconv/quaternion.hpp>
 #include <rotconv/rotation_vector.hpp>
 
-// Each struct below fits one room to rows of plain numbers; `door_for` makes the loops over rows around it.
+#include "blocks.hpp"
+
+// Each struct below fits one room to rows of plain numbers: `read` and `write` of one row, around which `door_for`
+// makes the loops, or `read_block` and `write_block`.
 
 namespace rotconv {
 namespace {
@@ -25,13 +28,14 @@ template <class Numbers, auto ToRotation, auto FromRotation, auto FiguresOf> str
     static constexpr std::size_t size = Numbers::SizeAtCompileTime;
     static Reading read(const Spec& /*spec*/, const double* v) noexcept { return ToRotation(Map<const Numbers>(v)); }
     // NOLINTNEXTLINE(readability-non-const-parameter): the map writes through it
-    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        Map<Numbers>{v} = FromRotation(r);
-    }
+    static void write(const Rotation& r, double* v) noexcept { Map<Numbers>{v} = FromRotation(r); }
     static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return FiguresOf(r); }
 };
 
 struct DcmRow : PlainRow<RowMajor, &dcm::to_rotation, &dcm::from_rotation, &dcm::figures> {
+    static void read_block(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading* readings) noexcept {
+        dcm::read(numbers, rows, readings);
+    }
     static double exact_defect(const double* v) noexcept { return dcm::defect(Map<const RowMajor>(v)); }
 };
 
@@ -39,15 +43,11 @@ using SixDRow = PlainRow<Columns, &columns::to_rotation, &columns::from_rotation
 using FiveDRow = PlainRow<hopf::Vector5, &hopf::to_rotation, &hopf::from_rotation, &hopf::figures>;
 
 struct CayleyRow : PlainRow<Vector3d, &cayley::to_rotation, &cayley::from_rotation, &cayley::figures> {
-    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
-        return cayley::notes(r);
-    }
+    static Notes notes(const Rotation& r) noexcept { return cayley::notes(r); }
 };
 
 struct MrpRow : PlainRow<Vector3d, &mrp::to_rotation, &mrp::from_rotation, &mrp::figures> {
-    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
-        return mrp::notes(r);
-    }
+    static Notes notes(const Rotation& r) noexcept { return mrp::notes(r); }
 };
 
 struct QuatRow {
@@ -55,7 +55,8 @@ struct QuatRow {
     static Reading read(const Spec& /*spec*/, const double* v) noexcept {
         return quaternion::to_rotation({v[0], v[1], v[2], v[3]});
     }
-    static void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
+    static double exact_defect(const double* v) noexcept { return quaternion::defect({v[0], v[1], v[2], v[3]}); }
+    static void write(const Rotation& r, double* v) noexcept {
         const Quaternion q = quaternion::from_rotation(r);
         v[0] = q.w;
         v[1] = q.x;
@@ -70,27 +71,21 @@ struct AxisAngleRow {
     static Reading read(const Spec& spec, const double* v) noexcept {
         return axis_angle::to_rotation({{v[0], v[1], v[2]}, v[3], spec.unit});
     }
-    static void write(const Spec& spec, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        const AxisAngle value = axis_angle::from_rotation(r, spec.unit);
-        Map<Vector3d>{v} = value.axis;
-        v[3] = value.angle;
-    }
-    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
-        return axis_angle::notes(r);
+    static void write_block(const Spec& spec, double /*lock_margin*/, const Rotation* rotations, std::size_t rows,
+                            double* numbers, Notes* notes) noexcept {
+        axis_angle::write(rotations, rows, spec.unit, numbers, notes);
     }
     static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return axis_angle::figures(r); }
 };
 
 struct RotvecRow {
     static constexpr std::size_t size = 3;
-    static Reading read(const Spec& spec, const double* v) noexcept {
-        return rotation_vector::to_rotation({{v[0], v[1], v[2]}, spec.unit});
+    static void read_block(const Spec& spec, const double* numbers, std::size_t rows, Reading* readings) noexcept {
+        rotation_vector::read(numbers, rows, spec.unit, readings);
     }
-    static void write(const Spec& spec, double /*lock_margin*/, const Rotation& r, double* v) noexcept {
-        Map<Vector3d>{v} = rotation_vector::from_rotation(r, spec.unit).vector;
-    }
-    static Notes notes(const Spec& /*spec*/, double /*lock_margin*/, const Rotation& r) noexcept {
-        return rotation_vector::notes(r);
+    static void write_block(const Spec& spec, double /*lock_margin*/, const Rotation* rotations, std::size_t rows,
+                            double* numbers, Notes* notes) noexcept {
+        rotation_vector::write(rotations, rows, spec.unit, numbers, notes);
     }
     static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return rotation_vector::figures(r); }
 };
@@ -100,37 +95,42 @@ struct EulerRow {
     static Reading read(const Spec& spec, const double* v) noexcept {
         return euler::to_rotation({{v[0], v[1], v[2]}, spec.sequence, spec.unit});
     }
-    static void write(const Spec& spec, double lock_margin, const Rotation& r, double* v) noexcept {
-        const EulerAngles value = euler::from_rotation(r, spec.sequence, spec.unit, lock_margin);
-        v[0] = value.angles[0];
-        v[1] = value.angles[1];
-        v[2] = value.angles[2];
-    }
-    static Notes notes(const Spec& spec, double lock_margin, const Rotation& r) noexcept {
-        return euler::notes(r, spec.sequence, lock_margin);
+    static void write_block(const Spec& spec, double lock_margin, const Rotation* rotations, std::size_t rows,
+                            double* numbers, Notes* notes) noexcept {
+        euler::write(rotations, rows, spec.sequence, spec.unit, lock_margin, numbers, notes);
     }
     static Figures figures(const Spec& spec, const Rotation& r) noexcept { return euler::figures(r, spec.sequence); }
 };
 
 template <class Row> constexpr Door door_for() noexcept {
     Door door{};
-    door.read = [](const Spec& spec, const double* numbers, std::size_t rows, Reading* readings) noexcept {
-        for (std::size_t i = 0; i < rows; ++i) {
-            readings[i] = Row::read(spec, numbers + i * Row::size);
-        }
-    };
-    door.write = [](const Spec& spec, double lock_margin, const Reading* readings, std::size_t rows,
-                    double* numbers) noexcept {
-        for (std::size_t i = 0; i < rows; ++i) {
-            Row::write(spec, lock_margin, readings[i].rotation, numbers + i * Row::size);
-        }
-    };
+    if constexpr (requires { &Row::read_block; }) {
+        door.read = &Row::read_block;
+    } else {
+        door.read = [](const Spec& spec, const double* numbers, std::size_t rows, Reading* readings) noexcept {
+            for (std::size_t i = 0; i < rows; ++i) {
+                readings[i] = Row::read(spec, numbers + i * Row::size);
+            }
+        };
+    }
+    if constexpr (requires { &Row::write_block; }) {
+        door.write = &Row::write_block;
+    } else {
+        door.write = [](const Spec& /*spec*/, double /*lock_margin*/, const Rotation* rotations, std::size_t rows,
+                        double* numbers, Notes* notes) noexcept {
+            for (std::size_t i = 0; i < rows; ++i) {
+                Row::write(rotations[i], numbers + i * Row::size);
+                if constexpr (requires { &Row::notes; }) {
+                    notes[i] = Row::notes(rotations[i]);
+                } else {
+                    notes[i] = {};
+                }
+            }
+        };
+    }
     door.figures = &Row::figures;
     if constexpr (requires { &Row::exact_defect; }) {
         door.exact_defect = &Row::exact_defect;
-    }
-    if constexpr (requires { &Row::notes; }) {
-        door.notes = &Row::notes;
     }
     return door;
 }

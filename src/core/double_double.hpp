@@ -17,6 +17,12 @@ inline DoubleDouble exact_sum(double a, double b) noexcept {
     return {sum, (a - (sum - b_seen)) + (b - b_seen)};
 }
 
+/// a + b exactly where |a| >= |b| or a is 0 (Dekker 1971).
+inline DoubleDouble exact_sum_of_ordered(double a, double b) noexcept {
+    const double sum = a + b;
+    return {sum, (a - sum) + b};
+}
+
 /// a * b exactly, for magnitudes below 2^996 and products above 2^-960 (Dekker 1971, with Veltkamp's split).
 inline DoubleDouble exact_product(double a, double b) noexcept {
     constexpr double splitter = 134217729.0; // 2^27 + 1
@@ -38,22 +44,65 @@ inline double difference_of_products(double a, double b, double c, double d) noe
     return high.hi + (high.lo + (first.lo + second.lo));
 }
 
-/// x^2 + y^2 + z^2 to 2^-102 relative, for a largest magnitude between 2^-400 and 1.
-inline DoubleDouble squared_length(double x, double y, double z) noexcept {
+/// sqrt(x^2 + y^2 + z^2) to 2^-102 relative, for a largest magnitude between 2^-400 and 1.
+inline DoubleDouble length(double x, double y, double z) noexcept {
     const DoubleDouble xx = exact_product(x, x);
     const DoubleDouble yy = exact_product(y, y);
     const DoubleDouble zz = exact_product(z, z);
     const DoubleDouble two = exact_sum(xx.hi, yy.hi);
     const DoubleDouble three = exact_sum(two.hi, zz.hi);
-    return exact_sum(three.hi, (two.lo + three.lo) + (xx.lo + yy.lo + zz.lo));
-}
-
-/// Its square root, to as much.
-inline DoubleDouble length(double x, double y, double z) noexcept {
-    const DoubleDouble square = squared_length(x, y, z);
+    const DoubleDouble square = exact_sum(three.hi, (two.lo + three.lo) + (xx.lo + yy.lo + zz.lo));
     const double root = std::sqrt(square.hi);
     const DoubleDouble root_square = exact_product(root, root);
     return exact_sum(root, ((square.hi - root_square.hi) + (square.lo - root_square.lo)) / (2.0 * root));
+}
+
+// On a fixed grid much of the same is had for a few operations, in loops that the compiler vectorises.
+
+/// A number in two parts, the high one on the grid: products of two high parts, and sums of such, are exact up to 16.
+struct Split {
+    double value;
+    double high;
+    [[nodiscard]] double low() const noexcept { return value - high; }
+};
+
+/// Splits a number of size up to 4 on the grid of 2^-24.
+inline Split split(double value) noexcept {
+    constexpr double shift = 1.5 * 0x1p28;
+    return {value, (value + shift) - shift};
+}
+
+/// high^2 is exact; this is what is missing to value^2.
+inline double rest_of_square(Split a) noexcept { return a.low() * (a.value + a.high); }
+
+/// What is missing from the product of the high parts to that of the values.
+inline double rest_of_product(Split a, Split b) noexcept { return a.high * b.low() + a.low() * b.value; }
+
+/// The square root of a sum high + low of squares, high on the grid of products, with its inverse, rounded.
+struct Root {
+    double hi;
+    double lo;
+    double inverse;
+};
+
+inline Root root_of(double high, double low) noexcept {
+    const Split root = split(std::sqrt(high + low));
+    const double inverse = 1.0 / root.value;
+    return {root.value, 0.5 * ((high - root.high * root.high) + (low - rest_of_square(root))) * inverse, inverse};
+}
+
+/// (hi + lo) / |divisor|, for a quotient of size up to 4.
+inline DoubleDouble quotient(double hi, double lo, Root divisor) noexcept {
+    const Split q = split(hi * divisor.inverse);
+    const Split d = split(divisor.hi);
+    const double rest = ((hi - q.high * d.high) - rest_of_product(q, d)) + (lo - q.value * divisor.lo);
+    return {q.value, rest * divisor.inverse};
+}
+
+/// a (hi + lo), rounded once.
+inline double product(Split a, DoubleDouble factor) noexcept {
+    const Split f = split(factor.hi);
+    return a.high * f.high + (a.high * (f.low() + factor.lo) + a.low() * f.value);
 }
 
 } // namespace rotconv

@@ -1,9 +1,14 @@
 #include <rotconv/euler.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "angles.hpp"
+#include "blocks.hpp"
+#include "double_double.hpp"
 #include "finite.hpp"
 #include "scaling.hpp"
 #include "trigonometry.hpp"
@@ -47,7 +52,8 @@ struct FixedAxes {
 };
 
 /// a + ib = C e^(is), c + id = S e^(it), where s + t and s - t are the outer angles, and C, S are cosine and sine of
-/// half the middle angle (of half the middle angle plus pi/4 for Tait-Bryan angles), times a common factor.
+/// half the middle angle (of half the middle angle plus pi/4 for Tait-Bryan angles), times a common factor. Only the
+/// ratios a : b and c : d matter, so that these are brought to lengths between 1/2 and 1.
 struct Halves {
     Halves(const Rotation& q, const FixedAxes& axes, bool proper) noexcept {
         const double qi = q.along(axes.i);
@@ -64,8 +70,8 @@ struct Halves {
             c = qj + q.w();
             d = qk - qi;
         }
-        cosine = magnitude(a, b);
-        sine = magnitude(c, d);
+        cosine = take_length(a, b);
+        sine = take_length(c, d);
     }
 
     /// The smaller of C and S over their hypotenuse: sin(margin/2).
@@ -73,35 +79,82 @@ struct Halves {
         return std::min(cosine, sine) / std::sqrt(cosine * cosine + sine * sine);
     }
 
-    /// Margin at most `lock_margin`, which is compared through the tangent of its half.
-    [[nodiscard]] bool locked(double lock_margin) const noexcept {
+    /// Margin at most that whose half has the tangent `lock_tangent`.
+    [[nodiscard]] bool locked(double lock_tangent) const noexcept {
         const double smaller = std::min(cosine, sine);
-        return smaller == 0.0 || lock_margin >= 0.5 * std::numbers::pi ||
-               smaller <= tangent_of_half(lock_margin) * std::max(cosine, sine);
+        return smaller == 0.0 || smaller <= lock_tangent * std::max(cosine, sine);
     }
 
     double a, b, c, d;
     double cosine, sine;
 
 private:
-    static double tangent_of_half(double angle) noexcept {
-        return angle < 1e-8 ? 0.5 * angle : std::tan(0.5 * angle); // the same to an ulp, and quicker
-    }
-
-    /// hypot(u, v), where u and v are brought to a size that can be multiplied: only their ratio matters to the angles,
-    /// and the length keeps its accuracy.
-    static double magnitude(double& u, double& v) noexcept {
+    /// hypot(u, v), of which u and v are freed.
+    static double take_length(double& u, double& v) noexcept {
         const double square = u * u + v * v;
-        if (square > 1e-280 || (u == 0.0 && v == 0.0)) {
-            return std::sqrt(square);
+        const double length = square > 1e-280 ? std::sqrt(square) : std::hypot(u, v);
+        if (length > 0.0) {
+            const auto scale = PowerOfTwo::to_unit(length);
+            u = scale(u);
+            v = scale(v);
         }
-        const double length = std::hypot(u, v);
-        const auto scale = PowerOfTwo::to_unit(largest_magnitude(u, v));
-        u = scale(u);
-        v = scale(v);
         return length;
     }
 };
+
+double tangent_of_half(double lock_margin) noexcept {
+    return lock_margin >= 0.5 * std::numbers::pi ? std::numeric_limits<double>::infinity()
+                                                 : std::tan(0.5 * lock_margin);
+}
+
+Notes notes_of(const Halves& h, bool locked) noexcept {
+    if (locked) {
+        return {Kind::gimbal_lock, true};
+    }
+    return {Kind::near_gimbal_lock, near_lock_condition * std::numbers::sqrt2 * h.sine_of_half_margin() < 1.0};
+}
+
+/// Only s (where S = 0) or t (where C = 0) is defined; the angle that is not set to 0 is twice that.
+std::array<double, 3> locked_angles(const Halves& h, EulerSequence sequence, const FixedAxes& axes,
+                                    AngleUnit unit) noexcept {
+    const bool proper = sequence.proper();
+    const bool sum = h.sine < h.cosine;
+    const double real = sum ? h.a : h.c;
+    const double imaginary = sum ? h.b : h.d;
+    const double sine_of_double = 2.0 * (real * imaginary);
+    const double cosine_of_double = (real - imaginary) * (real + imaginary);
+    const double limit = proper ? half_turn(unit) : 0.5 * half_turn(unit);
+    const double middle = sum ? (proper ? 0.0 : -limit) : limit;
+    // Intrinsic turns are the fixed ones in reverse order: there it is the last fixed turn that comes first.
+    const double third_sign = proper ? 1.0 : axes.sign;
+    const double sign = sequence.intrinsic() ? third_sign : (sum ? 1.0 : -1.0);
+    return {angle_of(sign * sine_of_double, cosine_of_double, unit), middle, 0.0};
+}
+
+/// Vectors of a block, and their angles.
+struct Turns {
+    PlaneVectors vectors;
+    Angles angles;
+
+    void set(std::size_t row, DoubleDouble x, DoubleDouble y) noexcept {
+        vectors.x[row] = x.hi;
+        vectors.x_low[row] = x.lo;
+        vectors.y[row] = y.hi;
+        vectors.y_low[row] = y.lo;
+    }
+
+    /// In (-pi, pi] or (-180, 180].
+    [[nodiscard]] double outer_angle(std::size_t row, double limit) const noexcept {
+        const double angle = angles.hi[row] + angles.lo[row];
+        const double with_sign = vectors.y[row] < 0.0 ? -angle : angle;
+        return with_sign <= -limit ? limit : with_sign;
+    }
+};
+
+/// a b + sign c d.
+DoubleDouble sum_of_products(Split a, Split b, double sign, Split c, Split d) noexcept {
+    return exact_sum(a.high * b.high + sign * (c.high * d.high), rest_of_product(a, b) + sign * rest_of_product(c, d));
+}
 
 } // namespace
 
@@ -141,47 +194,62 @@ Reading to_rotation(const EulerAngles& value) noexcept {
 
 EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
                           double lock_margin) noexcept {
+    EulerAngles result{.sequence = sequence, .unit = unit};
+    Notes notes;
+    write(&rotation, 1, sequence, unit, lock_margin, result.angles.data(), &notes);
+    return result;
+}
+
+void write(const Rotation* rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit, double lock_margin,
+           double* numbers, Notes* notes) noexcept {
+    if (rows == 0) {
+        return;
+    }
     const FixedAxes axes(sequence);
     const bool proper = sequence.proper();
-    const Halves h(rotation, axes, proper);
     const double third_sign = proper ? 1.0 : axes.sign;
-    double turned_first = 0.0; // about the fixed axis i
-    double turned_second = 0.0;
-    double turned_third = 0.0;
-    if (h.locked(lock_margin)) {
-        // Only s (where S = 0) or t (where C = 0) is defined; the angle that is not set to 0 is twice that.
-        const bool sum = h.sine < h.cosine;
-        const double real = sum ? h.a : h.c;
-        const double imaginary = sum ? h.b : h.d;
-        const double sine_of_double = 2.0 * (real * imaginary);
-        const double cosine_of_double = (real - imaginary) * (real + imaginary);
-        if (sequence.intrinsic()) {
-            turned_third = angle_of(third_sign * sine_of_double, cosine_of_double, unit);
-        } else {
-            turned_first = angle_of(sum ? sine_of_double : -sine_of_double, cosine_of_double, unit);
+    const double lock_tangent = tangent_of_half(lock_margin);
+    Turns first;                    // NOLINT(*-member-init): written before they are read
+    Turns middle;                   // NOLINT(*-member-init)
+    Turns third;                    // NOLINT(*-member-init)
+    std::array<bool, block> locked; // NOLINT(*-member-init)
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Halves h(rotations[i], axes, proper);
+        const Split a = split(h.a);
+        const Split b = split(h.b);
+        const Split c = split(h.c);
+        const Split d = split(h.d);
+        first.set(i, sum_of_products(a, c, 1.0, b, d), sum_of_products(b, c, -1.0, a, d));
+        const DoubleDouble rise = sum_of_products(a, d, 1.0, b, c);
+        third.set(i, sum_of_products(a, c, -1.0, b, d), {third_sign * rise.hi, third_sign * rise.lo});
+        middle.set(i, {h.cosine, 0.0}, {h.sine, 0.0});
+        locked[i] = h.locked(lock_tangent);
+        notes[i] = notes_of(h, locked[i]);
+    }
+    angles_of(first.vectors, rows, unit, first.angles);
+    angles_of(middle.vectors, rows, unit, middle.angles);
+    angles_of(third.vectors, rows, unit, third.angles);
+    const DoubleDouble half_turn_exact = half_turn_in(unit);
+    const double limit = half_turn_exact.hi;
+    const double quarters = proper ? 0.0 : 0.5; // of a half-turn, from half the middle angle to the middle angle
+    const std::size_t first_place = sequence.intrinsic() ? 2 : 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const DoubleDouble turned = exact_sum(2.0 * middle.angles.hi[i], -quarters * half_turn_exact.hi);
+        numbers[3 * i + first_place] = first.outer_angle(i, limit);
+        numbers[3 * i + 1] = turned.hi + (turned.lo + (2.0 * middle.angles.lo[i] - quarters * half_turn_exact.lo));
+        numbers[3 * i + 2 - first_place] = third.outer_angle(i, limit);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (locked[i]) {
+            const auto angles = locked_angles(Halves(rotations[i], axes, proper), sequence, axes, unit);
+            std::ranges::copy(angles, numbers + 3 * i);
         }
-        const double limit = proper ? half_turn(unit) : 0.5 * half_turn(unit);
-        turned_second = sum ? (proper ? 0.0 : -limit) : limit;
-    } else {
-        const double sine_of_double = 2.0 * h.cosine * h.sine;
-        const double cosine_of_double = (h.cosine - h.sine) * (h.cosine + h.sine);
-        turned_first = angle_of(h.b * h.c - h.a * h.d, h.a * h.c + h.b * h.d, unit);
-        turned_second = proper ? angle_of(sine_of_double, cosine_of_double, unit)
-                               : angle_of(-cosine_of_double, sine_of_double, unit);
-        turned_third = angle_of(third_sign * (h.a * h.d + h.b * h.c), h.a * h.c - h.b * h.d, unit);
     }
-    if (sequence.intrinsic()) {
-        std::swap(turned_first, turned_third);
-    }
-    return {.angles = {turned_first, turned_second, turned_third}, .sequence = sequence, .unit = unit};
 }
 
 Notes notes(const Rotation& rotation, EulerSequence sequence, double lock_margin) noexcept {
     const Halves h(rotation, FixedAxes(sequence), sequence.proper());
-    if (h.locked(lock_margin)) {
-        return {Kind::gimbal_lock, true};
-    }
-    return {Kind::near_gimbal_lock, near_lock_condition * std::numbers::sqrt2 * h.sine_of_half_margin() < 1.0};
+    return notes_of(h, h.locked(tangent_of_half(lock_margin)));
 }
 
 Figures figures(const Rotation& rotation, EulerSequence sequence) noexcept {

@@ -8,17 +8,17 @@ namespace rotconv {
 
 /// theta in [0, pi].
 inline double angle_of(const Rotation& rotation) noexcept {
-    return 2.0 * std::atan2(rotation.vector_length(), rotation.w());
+    return 2.0 * std::atan2(rotation.vector_length(), std::fabs(rotation.w()));
 }
 
 /// pi - theta, without cancellation.
 inline double angle_to_half_turn(const Rotation& rotation) noexcept {
-    return 2.0 * std::atan2(rotation.w(), rotation.vector_length());
+    return 2.0 * std::atan2(std::fabs(rotation.w()), rotation.vector_length());
 }
 
-/// pi - theta <= half_turn_margin; tan(x/2) = x/2 at this size.
-inline Notes note_half_turn(const Rotation& rotation) noexcept {
-    return {Kind::half_turn, rotation.w() <= (0.5 * half_turn_margin) * rotation.vector_length()};
+/// pi - theta <= half_turn_margin, from the parts of a quaternion; tan(x/2) = x/2 at this size.
+inline Notes note_half_turn(double w, double vector_length) noexcept {
+    return {Kind::half_turn, std::fabs(w) <= (0.5 * half_turn_margin) * vector_length};
 }
 
 } // namespace rotconv

@@ -17,25 +17,33 @@ Reading to_rotation(const Eigen::Vector3d& m) noexcept {
     // Times the square of a power of two f <= 1, so that |m|^2 cannot overflow.
     const auto scale = PowerOfTwo::to_unit(std::max(0.5, m.cwiseAbs().maxCoeff()));
     const double f = scale(1.0);
-    const double x = scale(m.x());
-    const double y = scale(m.y());
-    const double z = scale(m.z());
+    const Split x = split(scale(m.x()));
+    const Split y = split(scale(m.y()));
+    const Split z = split(scale(m.z()));
     // The rounding of |m|^2 would be the largest part of the error where |m| is about 1 or more.
-    const DoubleDouble square = squared_length(x, y, z);
-    const double w = (f * f - square.hi) - square.lo;
-    return {.rotation = Rotation::from_components(w, 2.0 * f * x, 2.0 * f * y, 2.0 * f * z)};
+    const double w = (f * f - ((x.high * x.high + y.high * y.high) + z.high * z.high)) -
+                     ((rest_of_square(x) + rest_of_square(y)) + rest_of_square(z));
+    return {.rotation = Rotation::from_components(w, 2.0 * f * x.value, 2.0 * f * y.value, 2.0 * f * z.value)};
 }
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
-    const double divisor = std::sqrt(rotation.squared_norm()) + rotation.w();
-    return {rotation.x() / divisor, rotation.y() / divisor, rotation.z() / divisor};
+    const Rotation q = rotation.canonical();
+    const Split w = split(q.w());
+    const Split x = split(q.x());
+    const Split y = split(q.y());
+    const Split z = split(q.z());
+    const Root norm = root_of((w.high * w.high + x.high * x.high) + (y.high * y.high + z.high * z.high),
+                              (rest_of_square(w) + rest_of_square(x)) + (rest_of_square(y) + rest_of_square(z)));
+    const DoubleDouble divisor = exact_sum(norm.hi, w.value);
+    const DoubleDouble inverse = quotient(1.0, 0.0, {divisor.hi, divisor.lo + norm.lo, 1.0 / divisor.hi});
+    return {product(x, inverse), product(y, inverse), product(z, inverse)};
 }
 
-Notes notes(const Rotation& rotation) noexcept { return note_half_turn(rotation); }
+Notes notes(const Rotation& rotation) noexcept { return note_half_turn(rotation.w(), rotation.vector_length()); }
 
 Figures figures(const Rotation& rotation) noexcept {
     const double norm = std::sqrt(rotation.squared_norm());
-    return {.margin = angle_to_half_turn(rotation), .condition = 0.5 * norm / (norm + rotation.w())};
+    return {.margin = angle_to_half_turn(rotation), .condition = 0.5 * norm / (norm + std::fabs(rotation.w()))};
 }
 
 } // namespace rotconv::mrp

@@ -4,36 +4,16 @@
 
 namespace rotconv {
 
-Rotation Rotation::from_components(double w, double x, double y, double z) noexcept {
+Rotation Rotation::scaled(double w, double x, double y, double z) noexcept {
     const auto scale = PowerOfTwo::to_unit(largest_magnitude(w, x, y, z));
-    Rotation rotation;
-    rotation.q_ = {scale(w), scale(x), scale(y), scale(z)};
-    rotation.make_sign_canonical();
-    return rotation;
+    return {scale(w), scale(x), scale(y), scale(z)};
 }
 
-Rotation Rotation::inverse() const noexcept {
-    Rotation rotation;
-    rotation.q_ = {q_[0], -q_[1], -q_[2], -q_[3]};
-    rotation.make_sign_canonical();
-    return rotation;
-}
-
-void Rotation::make_sign_canonical() noexcept {
-    double leader = q_[0];
-    for (std::size_t i = 1; leader == 0.0 && i < 4; ++i) {
-        leader = q_[i];
-    }
-    const double sign = leader < 0.0 ? -1.0 : 1.0;
-    for (double& component : q_) {
-        component = component * sign + 0.0; // + 0.0 turns -0 into 0
-    }
-}
-
-double Rotation::tiny_vector_length() const noexcept {
+double Rotation::vector_length() const noexcept {
+    const double square = (q_[1] * q_[1] + q_[2] * q_[2]) + q_[3] * q_[3];
     const double largest = largest_magnitude(q_[1], q_[2], q_[3]);
-    if (largest == 0.0) {
-        return 0.0;
+    if (square > 1e-280 || largest == 0.0) {
+        return std::sqrt(square);
     }
     const auto scale = PowerOfTwo::to_unit(largest);
     const double x = scale(q_[1]);

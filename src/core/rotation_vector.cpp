@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "blocks.hpp"
+#include "double_double.hpp"
 #include "finite.hpp"
 #include "half_turn.hpp"
 #include "scaling.hpp"
 #include "trigonometry.hpp"
+#include "vector_parts.hpp"
 
 namespace rotconv::rotation_vector {
 namespace {
@@ -27,46 +30,105 @@ HalfAngle half_of_scaled(DoubleDouble theta, int exponent, AngleUnit unit) noexc
     return {quarter.cosine * quarter.cosine - quarter.sine * quarter.sine, 2.0 * quarter.cosine * quarter.sine};
 }
 
+/// A vector of any size, in any unit; its length to 2^-102, since whole turns are taken off it.
+Rotation rotation_of_any(double rx, double ry, double rz, AngleUnit unit) noexcept {
+    const double size = largest_magnitude(rx, ry, rz);
+    const double per_radian = radian(unit);
+    if (size <= linear_half_angle * per_radian) {
+        return Rotation::from_components(2.0 * per_radian, rx, ry, rz);
+    }
+    const auto scale = PowerOfTwo::to_unit(size);
+    const double x = scale(rx);
+    const double y = scale(ry);
+    const double z = scale(rz);
+    const DoubleDouble scaled_length = length(x, y, z);
+    const HalfAngle half = half_of_scaled(scaled_length, -scale.exponent(), unit);
+    return Rotation::from_components(scaled_length.hi * half.cosine + scaled_length.lo * half.cosine, x * half.sine,
+                                     y * half.sine, z * half.sine);
+}
+
+/// Lengths, in radians, that the grid knows to full accuracy; nan is none.
+bool is_plain(double length) noexcept { return length < 3.2 && length > least_known_length; }
+
 } // namespace
 
 Reading to_rotation(const RotationVector& value) noexcept {
-    const Eigen::Vector3d& r = value.vector;
-    if (!all_finite(r.x(), r.y(), r.z())) {
-        return Reading::failed(Fault::not_finite);
+    Reading reading;
+    read(value.vector.data(), 1, value.unit, &reading);
+    return reading;
+}
+
+void read(const double* numbers, std::size_t rows, AngleUnit unit, Reading* readings) noexcept {
+    Lane length, length_low, inverse, cosine, sine; // NOLINT(*-member-init): written before they are read
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Root root = length_of(split(numbers[3 * i]), split(numbers[3 * i + 1]), split(numbers[3 * i + 2]));
+        length[i] = root.hi;
+        length_low[i] = root.lo;
+        inverse[i] = root.inverse;
     }
-    const double size = r.cwiseAbs().maxCoeff();
-    const double per_radian = radian(value.unit);
-    if (size <= linear_half_angle * per_radian) {
-        return {.rotation = Rotation::from_components(2.0 * per_radian, r.x(), r.y(), r.z())};
+    for (std::size_t i = 0; i < rows; ++i) {
+        cosine[i] = std::cos(0.5 * length[i]);
+        sine[i] = std::sin(0.5 * length[i]);
     }
-    const auto scale = PowerOfTwo::to_unit(size);
-    const Eigen::Vector3d direction = r.unaryExpr(scale);
-    const DoubleDouble scaled_length = length(direction.x(), direction.y(), direction.z());
-    const HalfAngle half = half_of_scaled(scaled_length, -scale.exponent(), value.unit);
-    const Eigen::Vector3d v = direction * half.sine;
-    const double w = scaled_length.hi * half.cosine + scaled_length.lo * half.cosine;
-    return {.rotation = Rotation::from_components(w, v.x(), v.y(), v.z())};
+    Lane w, x, y, z;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double half_low = 0.5 * length_low[i];
+        const DoubleDouble ratio = quotient(sine[i], cosine[i] * half_low, {length[i], length_low[i], inverse[i]});
+        w[i] = cosine[i] - sine[i] * half_low;
+        x[i] = product(split(numbers[3 * i]), ratio);
+        y[i] = product(split(numbers[3 * i + 1]), ratio);
+        z[i] = product(split(numbers[3 * i + 2]), ratio);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double* r = numbers + 3 * i;
+        readings[i] = {.rotation = Rotation::near_unit(w[i], x[i], y[i], z[i])};
+        if (unit != AngleUnit::radians || !is_plain(length[i])) {
+            readings[i] = all_finite(r[0], r[1], r[2]) ? Reading{.rotation = rotation_of_any(r[0], r[1], r[2], unit)}
+                                                       : Reading::failed(Fault::not_finite);
+        }
+    }
 }
 
 RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
-    double ratio = 0.0;
-    if (rotation.vector_length() <= linear_half_angle * rotation.w()) {
-        ratio = 2.0 * radian(unit) / rotation.w();
-    } else {
-        // The length counts twice, in the angle and in the direction: near pi its rounding is the largest part of the
-        // error.
-        const double rounded_once = length(rotation.x(), rotation.y(), rotation.z()).hi;
-        ratio = 2.0 * angle_of(rounded_once, rotation.w(), unit) / rounded_once;
-    }
-    return {.vector = {rotation.x() * ratio, rotation.y() * ratio, rotation.z() * ratio}, .unit = unit};
+    RotationVector result{.unit = unit};
+    Notes notes;
+    write(&rotation, 1, unit, result.vector.data(), &notes);
+    return result;
 }
 
-Notes notes(const Rotation& rotation) noexcept { return note_half_turn(rotation); }
+void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
+    // The length counts twice, in the angle and in the direction: near pi its rounding would be the largest part of the
+    // error.
+    VectorParts parts; // NOLINT(*-member-init): written before it is read
+    take_apart(rotations, rows, parts);
+    Angles angles; // NOLINT(*-member-init)
+    angles_of(parts.half, rows, unit, angles);
+    // Degrees are brought to the size of radians by a power of two.
+    const double scale = unit == AngleUnit::degrees ? 64.0 : 1.0;
+    const double doubling = 2.0 / scale;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const DoubleDouble ratio = quotient(doubling * angles.hi[i], doubling * angles.lo[i], parts.length(i));
+        numbers[3 * i] = scale * product(split(parts.x[i]), ratio);
+        numbers[3 * i + 1] = scale * product(split(parts.y[i]), ratio);
+        numbers[3 * i + 2] = scale * product(split(parts.z[i]), ratio);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        notes[i] = note_half_turn(parts.half.x[i], parts.half.y[i]);
+        if (!(parts.half.y[i] > least_known_length)) { // there the set is linear
+            const double ratio = 2.0 * radian(unit) / parts.half.x[i];
+            numbers[3 * i] = parts.x[i] * ratio;
+            numbers[3 * i + 1] = parts.y[i] * ratio;
+            numbers[3 * i + 2] = parts.z[i] * ratio;
+        }
+    }
+}
+
+Notes notes(const Rotation& rotation) noexcept { return note_half_turn(rotation.w(), rotation.vector_length()); }
 
 Figures figures(const Rotation& rotation) noexcept {
     const double length = rotation.vector_length();
     const double sine = length / std::sqrt(rotation.squared_norm());
-    const double condition = length <= linear_half_angle * rotation.w() ? 1.0 : 0.5 * angle_of(rotation) / sine;
+    const double condition = sine <= linear_half_angle ? 1.0 : 0.5 * angle_of(rotation) / sine;
     return {.margin = angle_to_half_turn(rotation), .condition = std::max(1.0, condition)};
 }
 

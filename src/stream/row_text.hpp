@@ -51,6 +51,7 @@ template <class Visit> void for_each_diagnostic(const Report& report, std::size_
         if (report.notes.has(kind)) {
             const double figure = kind == Kind::normalized         ? report.defect
                                   : kind == Kind::near_gimbal_lock ? report.figures.condition
+                                  : kind == Kind::method_error     ? report.method_error
                                                                    : report.figures.margin;
             visit(Diagnostic{line, kind, figure});
         }

@@ -109,12 +109,12 @@ std::vector<Spec> all_of(const std::string& name, rotconv::AngleUnit unit) {
 
 const std::vector<Way>& ways() {
     static const std::vector<Way> table{
-        {"quat", "quat", 1, 0.84},     {"quat", "dcm", 1, 0.85},          {"quat", "6d", 1.5, 0.94},
-        {"quat", "5d", 4, 2.6},        {"quat", "rotvec", 5, 4.24},       {"quat", "axis-angle", 5, 2.1},
-        {"quat", "cayley", 1, 0.93},   {"quat", "mrp", 3.5, 2.97},        {"quat", "euler", 4, 3.78},
-        {"dcm", "quat", 2.5, 1.58},    {"6d", "quat", 2.5, 1.61},         {"5d", "quat", 4, 2.01},
+        {"quat", "quat", 1, 0.84},     {"quat", "dcm", 1, 0.89},          {"quat", "6d", 1.5, 1.21},
+        {"quat", "5d", 4, 2.6},        {"quat", "rotvec", 2, 1.5},        {"quat", "axis-angle", 2, 1.5},
+        {"quat", "cayley", 1, 0.93},   {"quat", "mrp", 1.5, 0.94},        {"quat", "euler", 3.5, 2.8},
+        {"dcm", "quat", 2.5, 2.21},    {"6d", "quat", 2.5, 1.61},         {"5d", "quat", 4, 2.01},
         {"cayley", "quat", 1.5, 0.82}, {"mrp", "quat", 2, 1.13},          {"euler", "quat", 2.5, 2.11},
-        {"rotvec", "quat", 2.5, 2.32}, {"axis-angle", "quat", 2.5, 2.07}, {"rotvec", "dcm", 2.5, 2.01},
+        {"rotvec", "quat", 2.5, 2.13}, {"axis-angle", "quat", 2.5, 2.12}, {"rotvec", "dcm", 2.5, 2.06},
     };
     return table;
 }

@@ -15,7 +15,7 @@ struct Way {
     std::string from;
     std::string to;
     double limit;    ///< eps = 2^-52 radians of attitude error, worst case over all strata
-    double measured; ///< the worst that `accuracy_report 20000` found, in radians or degrees
+    double measured; ///< the worst that `accuracy_report` found at 6000 or 20000, in radians or degrees
 };
 
 /// The table. `euler` stands for all 24 sequences.

@@ -29,14 +29,13 @@ TEST_CASE("typed doors convert a quarter turn about z") {
     CHECK(euler::from_rotation(turn, roll_pitch_yaw).angles[2] == Approx(std::numbers::pi / 2));
 }
 
-// Would catch: a hub that scales by anything but powers of two, or forgets its sign.
+// Would catch: a hub that scales by anything but powers of two, or prints the wrong one of its two signs.
 TEST_CASE("the hub keeps a quaternion exactly up to a power of two") {
-    const auto rotation = Rotation::from_components(-3e150, 0, 1.1e150, -7e140);
+    const auto rotation = Rotation::from_components(-3e150, 0, 1.1e150, -7e140).canonical();
     CHECK(rotation.w() > 0);
     CHECK(rotation.w() / rotation.y() == 3e150 / -1.1e150);
     CHECK(rotation.z() / rotation.w() == 7e140 / 3e150);
-    CHECK_FALSE(std::signbit(rotation.x()));
-    const auto smallest = Rotation::from_components(0, -5e-324, 0, 5e-324);
+    const auto smallest = Rotation::from_components(0, -5e-324, 0, 5e-324).canonical();
     CHECK(smallest.x() == 0.5);
     CHECK(smallest.z() == -0.5);
     const auto largest = Rotation::from_components(1.7976931348623157e308, 1e308, 0, 0);

@@ -41,8 +41,9 @@ kinds=$({
     "$program" -f quat -t cayley 0 0 1 0
     "$program" -f quat -t axis-angle 1 0 0 0
     "$program" -f euler:ZYX:deg -t rpy 10 90 20
+    "$program" -f dcm -t quat --method baruh -1 0 0 0 1 0 0 0 -1
 } 2>&1 > /dev/null | sed -n 's/^rotconv: argument: \([a-z-]*\): .*/\1/p' | sort -u)
-[ "$(printf '%s\n' "$kinds" | wc -l)" -eq 6 ] || fail "not all kinds were seen: $kinds"
+[ "$(printf '%s\n' "$kinds" | wc -l)" -eq 7 ] || fail "not all kinds were seen: $kinds"
 for kind in $kinds; do
     printf '%s\n' "$text" | grep -qE "^ {5}$kind\$" || fail "the page does not explain $kind"
 done

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include <rotconv/euler.hpp>
+#include <rotconv/spec.hpp>
+
+namespace rotconv {
+
+/// A published way from one representation to another, written as it was published, weaknesses included. rotconv's own
+/// way is the row `default` of each pair, whose function is null.
+struct Method {
+    Name from;
+    Name to;
+    std::string_view name;      ///< as in --method
+    std::string_view reference; ///< author, year, equation
+    std::string_view domain;    ///< where it holds
+    /// Rows of numbers in the representations' own order, active, in radians. Never faults: outside its domain a row
+    /// may hold anything, nan included. `sequence` counts where `to` is euler.
+    void (*run)(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept;
+};
+
+/// All rows, in the order of their pairs.
+[[nodiscard]] std::span<const Method> methods() noexcept;
+
+/// The rows of a pair (rpy counts as euler); empty where only rotconv's own way is known.
+[[nodiscard]] std::span<const Method> methods_of(Name from, Name to) noexcept;
+
+/// The method of that name, or null.
+[[nodiscard]] const Method* find_method(Name from, Name to, std::string_view name) noexcept;
+
+} // namespace rotconv

@@ -1,0 +1,214 @@
+#include "methods.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include "../davenport.hpp"
+
+namespace rotconv::formula::dcm_to_quat {
+namespace {
+
+/// R - R' and R + R' off the diagonal: 4w(x, y, z) and 4(yz, zx, xy).
+struct Parts {
+    explicit Parts(const double* m) noexcept
+        : wx(m[7] - m[5]), wy(m[2] - m[6]), wz(m[3] - m[1]), yz(m[7] + m[5]), zx(m[2] + m[6]), xy(m[3] + m[1]) {}
+
+    double wx, wy, wz, yz, zx, xy;
+};
+
+/// 4 (w^2, x^2, y^2, z^2) (Baruh 1999, Eqs 5-8).
+struct Squares {
+    explicit Squares(const double* m) noexcept
+        : w(1.0 + m[0] + m[4] + m[8]), x(1.0 + m[0] - m[4] - m[8]), y(1.0 - m[0] + m[4] - m[8]),
+          z(1.0 - m[0] - m[4] + m[8]) {}
+
+    double w, x, y, z;
+};
+
+/// Not copysign: equal entries 0 and -0 differ by -0.
+double with_sign_of(double difference, double size) noexcept { return difference < 0.0 ? -size : size; }
+
+void set(double* q, double w, double x, double y, double z) noexcept {
+    q[0] = w;
+    q[1] = x;
+    q[2] = y;
+    q[3] = z;
+}
+
+} // namespace
+
+/// Baruh 1999, Eqs 1-4: w from the trace, the rest by division by it.
+void trace(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const double w = 0.5 * std::sqrt(m[0] + m[4] + m[8] + 1.0);
+    const double scale = 4.0 * w;
+    set(q, w, p.wx / scale, p.wy / scale, p.wz / scale);
+}
+
+/// Baruh 1999: the largest from Eqs 5-8, the others from Eqs 2-4. These are differences and give w first, then all by
+/// w, as in his Example 2 c): the largest does not help where w is small.
+void baruh(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const Squares s(m);
+    const double largest = std::max(std::max(s.w, s.x), std::max(s.y, s.z));
+    const double pivot = 0.5 * std::sqrt(largest);
+    if (largest == s.w) {
+        set(q, pivot, p.wx / (4.0 * pivot), p.wy / (4.0 * pivot), p.wz / (4.0 * pivot));
+    } else if (largest == s.x) {
+        const double w = p.wx / (4.0 * pivot);
+        set(q, w, pivot, p.wy / (4.0 * w), p.wz / (4.0 * w));
+    } else if (largest == s.y) {
+        const double w = p.wy / (4.0 * pivot);
+        set(q, w, p.wx / (4.0 * w), pivot, p.wz / (4.0 * w));
+    } else {
+        const double w = p.wz / (4.0 * pivot);
+        set(q, w, p.wx / (4.0 * w), p.wy / (4.0 * w), pivot);
+    }
+}
+
+/// Klumpp 1976 in short form: four square roots of sums of the diagonal, signs from the differences. His abstract also
+/// names a protection of the roots and a care for the largest vector element, which are not here.
+void klumpp(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const Squares s(m);
+    set(q, 0.5 * std::sqrt(s.w), with_sign_of(p.wx, 0.5 * std::sqrt(s.x)), with_sign_of(p.wy, 0.5 * std::sqrt(s.y)),
+        with_sign_of(p.wz, 0.5 * std::sqrt(s.z)));
+}
+
+/// Shepperd 1978: the largest of trace and diagonal picks the square root, the rest by division by it.
+void shepperd(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const Squares s(m);
+    const double sum = m[0] + m[4] + m[8];
+    if (sum >= m[0] && sum >= m[4] && sum >= m[8]) {
+        const double root = std::sqrt(s.w);
+        const double scale = 0.5 / root;
+        set(q, 0.5 * root, scale * p.wx, scale * p.wy, scale * p.wz);
+    } else if (m[0] >= m[4] && m[0] >= m[8]) {
+        const double root = std::sqrt(s.x);
+        const double scale = 0.5 / root;
+        set(q, scale * p.wx, 0.5 * root, scale * p.xy, scale * p.zx);
+    } else if (m[4] >= m[8]) {
+        const double root = std::sqrt(s.y);
+        const double scale = 0.5 / root;
+        set(q, scale * p.wy, scale * p.xy, 0.5 * root, scale * p.yz);
+    } else {
+        const double root = std::sqrt(s.z);
+        const double scale = 0.5 / root;
+        set(q, scale * p.wz, scale * p.zx, scale * p.yz, 0.5 * root);
+    }
+}
+
+/// Markley 2008: the column of 4 q q' with the largest diagonal element, over its norm.
+void markley(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const Squares s(m);
+    const double sum = m[0] + m[4] + m[8];
+    if (sum >= m[0] && sum >= m[4] && sum >= m[8]) {
+        set(q, s.w, p.wx, p.wy, p.wz);
+    } else if (m[0] >= m[4] && m[0] >= m[8]) {
+        set(q, p.wx, s.x, p.xy, p.zx);
+    } else if (m[4] >= m[8]) {
+        set(q, p.wy, p.xy, s.y, p.yz);
+    } else {
+        set(q, p.wz, p.zx, p.yz, s.z);
+    }
+    const double norm = std::sqrt((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]));
+    set(q, q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm);
+}
+
+/// Sarabandi, Perez-Gracia and Thomas 2018, Cayley's factorisation: the norms of the four rows of 4 q q', signs from
+/// the differences.
+void cayley(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const Squares s(m);
+    const auto quarter_norm = [](double a, double b, double c, double d) {
+        return 0.25 * std::sqrt((a * a + b * b) + (c * c + d * d));
+    };
+    set(q, quarter_norm(s.w, p.wx, p.wy, p.wz), with_sign_of(p.wx, quarter_norm(p.wx, s.x, p.xy, p.zx)),
+        with_sign_of(p.wy, quarter_norm(p.wy, p.xy, s.y, p.yz)),
+        with_sign_of(p.wz, quarter_norm(p.wz, p.zx, p.yz, s.z)));
+}
+
+/// Sarabandi and Thomas 2019, with their threshold eta = 0: each component from the diagonal where that sum is large,
+/// else from its row's other three entries; signs from the differences.
+void sarabandi_thomas(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const auto component = [](double sum, double a, double b, double c) {
+        constexpr double eta = 0.0;
+        return 0.5 * std::sqrt(sum > eta ? 1.0 + sum : (a * a + b * b + c * c) / (3.0 - sum));
+    };
+    set(q, component(m[0] + m[4] + m[8], p.wx, p.wy, p.wz),
+        with_sign_of(p.wx, component(m[0] - m[4] - m[8], p.wx, p.xy, p.zx)),
+        with_sign_of(p.wy, component(m[4] - m[0] - m[8], p.wy, p.xy, p.yz)),
+        with_sign_of(p.wz, component(m[8] - m[0] - m[4], p.wz, p.zx, p.yz)));
+}
+
+/// Bar-Itzhack 2000, version 3: the eigenvector of K to its largest eigenvalue. The paper's factor 1/3 changes no
+/// eigenvector.
+void bar_itzhack(const double* m, double* q) noexcept {
+    const Parts p(m);
+    Eigen::Matrix4d k;
+    k << m[0] + m[4] + m[8], p.wx, p.wy, p.wz, //
+        p.wx, m[0] - m[4] - m[8], p.xy, p.zx,  //
+        p.wy, p.xy, m[4] - m[0] - m[8], p.yz,  //
+        p.wz, p.zx, p.yz, m[8] - m[0] - m[4];
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(k);
+    const Eigen::Vector4d vector = solver.eigenvectors().col(3); // in increasing order of eigenvalues
+    set(q, vector[0], vector[1], vector[2], vector[3]);
+}
+
+/// Markley 1988: the nearest rotation U diag(1, 1, det U det V) V' of M = U S V', then Shepperd 1978.
+void svd(const double* m, double* q) noexcept {
+    const Eigen::Matrix3d matrix = Eigen::Map<const RowMajor>(m);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> decomposition(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    if (decomposition.info() != Eigen::Success) { // not finite: U and V were never written
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        set(q, nan, nan, nan, nan);
+        return;
+    }
+    Eigen::Matrix3d u = decomposition.matrixU();
+    const Eigen::Matrix3d& v = decomposition.matrixV();
+    if (u.determinant() * v.determinant() < 0.0) {
+        u.col(2) = -u.col(2);
+    }
+    const RowMajor rotation = u * v.transpose();
+    shepperd(rotation.data(), q);
+}
+
+/// Higham 1986: X <- (X + X^-T)/2 tends to the polar factor, quadratically; then Shepperd 1978.
+void polar(const double* m, double* q) noexcept {
+    constexpr int most_steps = 30;
+    constexpr double last_change = 1e-8; // the step after it would change less than rounding
+    RowMajor x = Eigen::Map<const RowMajor>(m);
+    for (int step = 0; step < most_steps; ++step) {
+        RowMajor cofactors;
+        cofactors.row(0) = x.row(1).cross(x.row(2));
+        cofactors.row(1) = x.row(2).cross(x.row(0));
+        cofactors.row(2) = x.row(0).cross(x.row(1));
+        const double determinant = x.row(0).dot(cofactors.row(0));
+        const RowMajor next = 0.5 * (x + cofactors / determinant);
+        const double change = (next - x).norm();
+        x = next;
+        if (!(change > last_change)) {
+            break;
+        }
+    }
+    shepperd(x.data(), q);
+}
+
+/// Davenport 1968 (the matrix K), products after Dekker 1971: the largest column of K + I and two power steps, the
+/// second with exact products. Without more steps a defect d leaves an error of the order of d^3.
+void compensated(const double* m, double* q) noexcept {
+    const Davenport k(m);
+    const Quaternion p = k.exact_power_step(k.power_step(k.pivot_column()));
+    const double norm = std::sqrt((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
+    set(q, p.w / norm, p.x / norm, p.y / norm, p.z / norm);
+}
+
+} // namespace rotconv::formula::dcm_to_quat

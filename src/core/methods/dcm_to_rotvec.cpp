@@ -1,0 +1,54 @@
+#include "methods.hpp"
+
+#include <cmath>
+
+namespace rotconv::formula::dcm_to_rotvec {
+namespace {
+
+/// 2 sin(theta) n.
+Eigen::Vector3d differences(const double* m) noexcept { return {m[7] - m[5], m[2] - m[6], m[3] - m[1]}; }
+
+double cosine(const double* m) noexcept { return 0.5 * (m[0] + m[4] + m[8] - 1.0); }
+
+} // namespace
+
+/// Euler's axis and angle (Shuster 1993): angle = acos((tr - 1)/2), axis = differences/(2 sin angle).
+void acos(const double* m, double* r) noexcept {
+    const double angle = std::acos(cosine(m));
+    Eigen::Map<Eigen::Vector3d>{r} = differences(m) / (2.0 * std::sin(angle)) * angle;
+}
+
+/// Euler's axis and angle (Shuster 1993): angle = atan2(|d|/2, (tr - 1)/2), axis = d/|d| of the differences d.
+void atan2(const double* m, double* r) noexcept {
+    const Eigen::Vector3d d = differences(m);
+    const double length = d.norm();
+    Eigen::Map<Eigen::Vector3d>{r} = d / length * std::atan2(0.5 * length, cosine(m));
+}
+
+/// Stuelpnagel 1964, section 6, logarithm, its exchanged denominators put right:
+/// S = -s(1 + 2 cos s)/(2 sin s) I + s(1 + cos s)/sin s X - s/(2 sin s) X^2, where X = R' and S = -[r]_x.
+void polynomial(const double* m, double* r) noexcept {
+    const RowMajor x = Eigen::Map<const RowMajor>(m).transpose();
+    const double cos = cosine(m);
+    const double angle = std::acos(cos);
+    const double sin = std::sin(angle);
+    const RowMajor s = -angle * (1.0 + 2.0 * cos) / (2.0 * sin) * RowMajor::Identity() + angle * (1.0 + cos) / sin * x -
+                       angle / (2.0 * sin) * (x * x);
+    r[0] = s(1, 2);
+    r[1] = s(2, 0);
+    r[2] = s(0, 1);
+}
+
+/// Shepperd 1978, then r = 2 atan2(|v|, w) v/|v| of the quaternion with w >= 0.
+void quaternion(const double* m, double* r) noexcept {
+    double q[4];
+    dcm_to_quat::shepperd(m, q);
+    if (q[0] < 0.0) {
+        for (double& component : q) {
+            component = -component;
+        }
+    }
+    quat_to_rotvec::atan2(q, r);
+}
+
+} // namespace rotconv::formula::dcm_to_rotvec

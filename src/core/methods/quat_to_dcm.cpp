@@ -1,0 +1,60 @@
+#include "methods.hpp"
+
+#include <cmath>
+
+namespace rotconv::formula::quat_to_dcm {
+namespace {
+
+/// I + s (w [v]_x + [v]_x^2), which is the rotation of q for s = 2/|q|^2.
+void with_scale(double s, const double* q, double* m) noexcept {
+    const double w = q[0];
+    const double x = q[1];
+    const double y = q[2];
+    const double z = q[3];
+    m[0] = 1.0 - s * (y * y + z * z);
+    m[1] = s * (x * y - w * z);
+    m[2] = s * (x * z + w * y);
+    m[3] = s * (x * y + w * z);
+    m[4] = 1.0 - s * (x * x + z * z);
+    m[5] = s * (y * z - w * x);
+    m[6] = s * (x * z - w * y);
+    m[7] = s * (y * z + w * x);
+    m[8] = 1.0 - s * (x * x + y * y);
+}
+
+double squared_norm(const double* q) noexcept { return (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]); }
+
+} // namespace
+
+/// Stuelpnagel 1964, section 5, gamma(u) with |u| = 1 put into the diagonal.
+void unit(const double* q, double* m) noexcept { with_scale(2.0, q, m); }
+
+/// Shoemake 1994, Graphics Gems IV: the same with s = 2/|q|^2.
+void two_over_norm(const double* q, double* m) noexcept { with_scale(2.0 / squared_norm(q), q, m); }
+
+/// Baruh 1999, [R] in Euler parameters, over |q|^2.
+void homogeneous(const double* q, double* m) noexcept {
+    const double n = squared_norm(q);
+    const double w = q[0];
+    const double x = q[1];
+    const double y = q[2];
+    const double z = q[3];
+    m[0] = (w * w + x * x - y * y - z * z) / n;
+    m[1] = 2.0 * (x * y - w * z) / n;
+    m[2] = 2.0 * (x * z + w * y) / n;
+    m[3] = 2.0 * (x * y + w * z) / n;
+    m[4] = (w * w - x * x + y * y - z * z) / n;
+    m[5] = 2.0 * (y * z - w * x) / n;
+    m[6] = 2.0 * (x * z - w * y) / n;
+    m[7] = 2.0 * (y * z + w * x) / n;
+    m[8] = (w * w - x * x - y * y + z * z) / n;
+}
+
+/// Stuelpnagel 1964, section 5, of q/|q|.
+void normalise_first(const double* q, double* m) noexcept {
+    const double norm = std::sqrt(squared_norm(q));
+    const double normalised[4] = {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
+    unit(normalised, m);
+}
+
+} // namespace rotconv::formula::quat_to_dcm

@@ -1,0 +1,172 @@
+#include "methods.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace rotconv::formula::quat_to_euler {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Into (-pi, pi]; sums of two arguments need no more than one turn.
+double wrapped(double angle) noexcept {
+    if (angle <= -pi) {
+        return angle + 2.0 * pi;
+    }
+    return angle > pi ? angle - 2.0 * pi : angle;
+}
+
+/// +1 where (i, j, k) is an even permutation of (x, y, z), else -1.
+double parity(int i, int j) noexcept { return (j - i + 3) % 3 == 1 ? 1.0 : -1.0; }
+
+/// The entries of the rotation matrix by the axes of the sequence read as turns about moving axes, i first: fixed axes
+/// are the same turns in reverse order. For a proper sequence k is the axis that does not occur.
+struct MovingAxes {
+    MovingAxes(EulerSequence sequence, const double* q) noexcept
+        : i(sequence.axis(sequence.intrinsic() ? 0 : 2)), j(sequence.axis(1)), k(3 - i - j), sign(parity(i, j)) {
+        quat_to_dcm::unit(q, m);
+    }
+
+    [[nodiscard]] double operator()(int row, int column) const noexcept {
+        return m[static_cast<std::size_t>(3 * row + column)];
+    }
+
+    int i, j, k;
+    double sign;
+    double m[9];
+};
+
+struct Angles {
+    double first, middle, third;
+};
+
+/// R = R_i(first) R_j(middle) R_k(third), or with R_i at the end: outer angles by atan2.
+Angles outer_angles(const MovingAxes& r, bool proper) noexcept {
+    const int i = r.i;
+    const int j = r.j;
+    const int k = r.k;
+    if (proper) {
+        return {std::atan2(r(j, i), -r.sign * r(k, i)), 0.0, std::atan2(r(i, j), r.sign * r(i, k))};
+    }
+    return {std::atan2(-r.sign * r(j, k), r(k, k)), 0.0, std::atan2(-r.sign * r(i, j), r(i, i))};
+}
+
+void set(EulerSequence sequence, const Angles& moving, double* angles) noexcept {
+    angles[0] = wrapped(sequence.intrinsic() ? moving.first : moving.third);
+    angles[1] = moving.middle;
+    angles[2] = wrapped(sequence.intrinsic() ? moving.third : moving.first);
+}
+
+/// Bernardes and Viollet 2022: a + ib and c + id of the sequence read as turns about fixed axes i, j, k.
+struct Halves {
+    Halves(EulerSequence sequence, const double* q) noexcept {
+        const int i = sequence.axis(sequence.intrinsic() ? 2 : 0);
+        const int j = sequence.axis(1);
+        const int k = 3 - i - j;
+        sign = parity(i, j);
+        const double qi = q[1 + i];
+        const double qj = q[1 + j];
+        const double qk = q[1 + k] * sign;
+        if (sequence.proper()) {
+            a = q[0];
+            b = qi;
+            c = qj;
+            d = qk;
+        } else {
+            a = q[0] - qj;
+            b = qi + qk;
+            c = qj + q[0];
+            d = qk - qi;
+        }
+    }
+
+    double a, b, c, d;
+    double sign;
+};
+
+/// The end of their procedure: Tait-Bryan angles from those of a proper sequence. `fixed` is in the order of turns
+/// about fixed axes.
+void set_fixed(EulerSequence sequence, const Halves& h, Angles fixed, double* angles) noexcept {
+    if (!sequence.proper()) {
+        fixed.third *= h.sign;
+        fixed.middle -= 0.5 * pi;
+    }
+    if (sequence.intrinsic()) {
+        std::swap(fixed.first, fixed.third);
+    }
+    angles[0] = wrapped(fixed.first);
+    angles[1] = fixed.middle;
+    angles[2] = wrapped(fixed.third);
+}
+
+} // namespace
+
+/// Diebel 2006 (the twelve sequences): atan2 for the outer angles, asin or acos of one entry for the middle
+/// one.
+void classic(EulerSequence sequence, const double* q, double* angles) noexcept {
+    const MovingAxes r(sequence, q);
+    Angles moving = outer_angles(r, sequence.proper());
+    moving.middle = sequence.proper() ? std::acos(r(r.i, r.i)) : std::asin(r.sign * r(r.i, r.k));
+    set(sequence, moving, angles);
+}
+
+/// Shoemake 1994, Graphics Gems IV, Euler angle conversion: the middle angle by atan2 with the hypotenuse of two
+/// entries; where this is small the third angle is 0. Threshold here 1e-6.
+void matrix_threshold(EulerSequence sequence, const double* q, double* angles) noexcept {
+    constexpr double lock = 1e-6;
+    const MovingAxes r(sequence, q);
+    const int i = r.i;
+    const int j = r.j;
+    const int k = r.k;
+    const bool proper = sequence.proper();
+    const double hypotenuse =
+        proper ? std::sqrt(r(i, j) * r(i, j) + r(i, k) * r(i, k)) : std::sqrt(r(i, i) * r(i, i) + r(i, j) * r(i, j));
+    Angles moving{};
+    if (hypotenuse > lock) {
+        moving = outer_angles(r, proper);
+    } else if (sequence.intrinsic()) { // R = R_i R_j
+        moving.first = std::atan2(r.sign * r(k, j), r(j, j));
+    } else { // the third of the sequence is the first of the moving axes: R = R_j R_k, or R_j R_i
+        moving.third = proper ? std::atan2(-r.sign * r(j, k), r(j, j)) : std::atan2(r.sign * r(j, i), r(j, j));
+    }
+    moving.middle = proper ? std::atan2(hypotenuse, r(i, i)) : std::atan2(r.sign * r(i, k), hypotenuse);
+    set(sequence, moving, angles);
+}
+
+/// Bernardes and Viollet 2022: middle angle by arccos; within 1e-7 of lock one outer angle is free, and
+/// the third of the sequence set to 0.
+void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) noexcept {
+    constexpr double lock = 1e-7;
+    const Halves h(sequence, q);
+    const double cosine_square = h.a * h.a + h.b * h.b;
+    const double sine_square = h.c * h.c + h.d * h.d;
+    const double middle = std::acos(2.0 * cosine_square / (cosine_square + sine_square) - 1.0);
+    const double half_sum = std::atan2(h.b, h.a);
+    const double half_difference = std::atan2(h.d, h.c);
+    Angles fixed{half_sum - half_difference, middle, half_sum + half_difference};
+    const bool sum_only = std::fabs(middle) < lock;
+    const bool difference_only = std::fabs(middle - pi) < lock;
+    if (sum_only || difference_only) {
+        if (sequence.intrinsic()) { // the first about fixed axes is the third of the sequence
+            fixed.first = 0.0;
+            fixed.third = sum_only ? 2.0 * half_sum : 2.0 * half_difference;
+        } else {
+            fixed.first = sum_only ? 2.0 * half_sum : -2.0 * half_difference;
+            fixed.third = 0.0;
+        }
+    }
+    set_fixed(sequence, h, fixed, angles);
+}
+
+/// Bernardes and Viollet 2022, with the middle angle by atan2 of hypotenuses and without a threshold.
+void bernardes_atan2(EulerSequence sequence, const double* q, double* angles) noexcept {
+    const Halves h(sequence, q);
+    const double middle = 2.0 * std::atan2(std::hypot(h.c, h.d), std::hypot(h.a, h.b));
+    const double half_sum = std::atan2(h.b, h.a);
+    const double half_difference = std::atan2(h.d, h.c);
+    set_fixed(sequence, h, {half_sum - half_difference, middle, half_sum + half_difference}, angles);
+}
+
+} // namespace rotconv::formula::quat_to_euler

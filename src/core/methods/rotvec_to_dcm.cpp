@@ -1,0 +1,49 @@
+#include "methods.hpp"
+
+#include <cmath>
+
+namespace rotconv::formula::rotvec_to_dcm {
+namespace {
+
+double length(const double* r) noexcept { return std::sqrt((r[0] * r[0] + r[1] * r[1]) + r[2] * r[2]); }
+
+/// I + a [r]_x + b [r]_x^2
+void second_degree(const double* r, double a, double b, double* m) noexcept {
+    const double x = r[0];
+    const double y = r[1];
+    const double z = r[2];
+    m[0] = 1.0 - b * (y * y + z * z);
+    m[1] = b * (x * y) - a * z;
+    m[2] = b * (x * z) + a * y;
+    m[3] = b * (x * y) + a * z;
+    m[4] = 1.0 - b * (x * x + z * z);
+    m[5] = b * (y * z) - a * x;
+    m[6] = b * (x * z) - a * y;
+    m[7] = b * (y * z) + a * x;
+    m[8] = 1.0 - b * (x * x + y * y);
+}
+
+} // namespace
+
+/// Rodrigues 1840; Stuelpnagel 1964, section 6, exp: I + sin t/t [r]_x + (1 - cos t)/t^2 [r]_x^2.
+void rodrigues(const double* r, double* m) noexcept {
+    const double t = length(r);
+    second_degree(r, std::sin(t) / t, (1.0 - std::cos(t)) / (t * t), m);
+}
+
+/// Rodrigues 1840 with 1 - cos t = 2 sin^2(t/2), which does not cancel.
+void half_angle(const double* r, double* m) noexcept {
+    const double t = length(r);
+    const double half_sine = std::sin(0.5 * t);
+    second_degree(r, std::sin(t) / t, 2.0 * (half_sine * half_sine) / (t * t), m);
+}
+
+/// Euler-Rodrigues parameters (cos t/2, sin t/2 n), then Stuelpnagel 1964, section 5.
+void quaternion(const double* r, double* m) noexcept {
+    const double t = length(r);
+    const double scale = std::sin(0.5 * t) / t;
+    const double q[4] = {std::cos(0.5 * t), scale * r[0], scale * r[1], scale * r[2]};
+    quat_to_dcm::unit(q, m);
+}
+
+} // namespace rotconv::formula::rotvec_to_dcm

@@ -1,0 +1,209 @@
+// Published methods: each holds where its table says, and fails where it is known to fail, by as much. A suite that
+// cannot tell them from rotconv's own proves nothing.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <rotconv/conversion.hpp>
+#include <rotconv/method.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
+
+namespace {
+
+using accuracy::spec;
+using rotconv::Method;
+using rotconv::Name;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+accuracy::Convert by(const Method& method, const rotconv::Spec& from, const rotconv::Spec& to) {
+    const rotconv::Conversion conversion(from, to,
+                                         {.tolerance = inf, .lock_margin = 0.0, .figures = false, .method = &method});
+    return [conversion](std::span<const double> row) {
+        std::vector<double> result(conversion.to().size());
+        rotconv::Report report;
+        conversion.run(row, result, {&report, 1});
+        return result;
+    };
+}
+
+/// Turns of one radian about random axes, away from the lock of ZYX: harmless to every method.
+std::vector<std::vector<double>> gentle(const rotconv::Spec& from) {
+    strata::Source source(31);
+    std::vector<std::vector<double>> rows;
+    while (rows.size() < 200) {
+        rows.push_back(oracle::numbers(from, oracle::about(source.axis(), oracle::Real(1))));
+    }
+    return rows;
+}
+
+/// What is known of a method. Errors in eps = 2^-52 rad; a half-turn wrong is 1.4e16, a number that is not finite
+/// infinite.
+struct Known {
+    std::string from;
+    std::string to;
+    std::string name;
+    double holds_to;   ///< at most, on gentle turns
+    double fails_by;   ///< at least, somewhere on all strata; 0: it does not fail
+    double never_past; ///< at most, on all strata
+};
+
+const std::vector<Known>& known() {
+    // Failures by 1e16 are half-turns and lock; by 1e12 matrices off by 5e-4, whose nearest rotation a pivot alone
+    // misses; infinite ones 0/0 at the identity or a half-turn. The largest and smallest are rounding.
+    static const std::vector<Known> table{
+        {"dcm", "quat", "default", 2.5, 0, 2.5},
+        {"dcm", "quat", "trace", 2, 1e16, inf},
+        {"dcm", "quat", "baruh", 2, 1e15, inf},
+        {"dcm", "quat", "klumpp", 1e4, 1e15, inf},
+        {"dcm", "quat", "shepperd", 2.4, 1e11, 1e13},
+        {"dcm", "quat", "markley", 2, 1e11, 1e13},
+        {"dcm", "quat", "cayley", 2, 1e15, inf},
+        {"dcm", "quat", "sarabandi-thomas", 2, 1e15, inf},
+        {"dcm", "quat", "bar-itzhack", 6, 0, 6},
+        {"dcm", "quat", "svd", 10, 0, 16},
+        {"dcm", "quat", "polar", 3, 0, 3},
+        {"dcm", "quat", "compensated", 2, 1e3, 1e8},
+        {"dcm", "rotvec", "default", 4, 0, 4},
+        {"dcm", "rotvec", "acos", 3, 1e15, inf},
+        {"dcm", "rotvec", "atan2", 3, 1e15, inf},
+        {"dcm", "rotvec", "polynomial", 3, 1e15, inf},
+        {"dcm", "rotvec", "quaternion", 4, 1e11, inf},
+        {"dcm", "cayley", "default", 3, 0, 3.5},
+        {"dcm", "cayley", "lu", 4, 1e15, inf},
+        {"dcm", "cayley", "polynomial", 3, 1e15, inf},
+        {"dcm", "cayley", "quaternion", 3, 1e11, 1e13},
+        {"quat", "dcm", "default", 1, 0, 1},
+        {"quat", "dcm", "unit", 1.4, 1e15, inf},
+        {"quat", "dcm", "two-over-norm", 1.7, 0, 1.7},
+        {"quat", "dcm", "homogeneous", 1, 0, 1},
+        {"quat", "dcm", "normalise-first", 2, 0, 2.5},
+        {"quat", "rotvec", "default", 1.5, 0, 2},
+        {"quat", "rotvec", "acos", 4, 1e7, inf},
+        {"quat", "rotvec", "atan2", 3, 1e15, inf},
+        {"quat", "euler", "default", 3, 0, 3.5},
+        {"quat", "euler", "classic", 4, 1e7, inf},
+        {"quat", "euler", "matrix-threshold", 4, 1e9, inf},
+        {"quat", "euler", "bernardes-arccos", 6, 1e7, 1e10},
+        {"quat", "euler", "bernardes-atan2", 6, 0, 7},
+        {"rotvec", "dcm", "default", 2, 0, 2.5},
+        {"rotvec", "dcm", "rodrigues", 2, 1e15, inf},
+        {"rotvec", "dcm", "half-angle", 2, 1e15, inf},
+        {"rotvec", "dcm", "quaternion", 2, 1e15, inf},
+        {"cayley", "dcm", "default", 1, 0, 1},
+        {"cayley", "dcm", "inverse", 3, 1e15, inf},
+        {"cayley", "dcm", "closed", 1.5, 0, 1.5},
+    };
+    return table;
+}
+
+} // namespace
+
+// Would catch: a method that is written wrong, or made better than it is; a check that does not notice its failure.
+TEST_CASE("methods hold where they are known to hold, and fail where they are known to fail") {
+    for (const Known& expected : known()) {
+        const auto from = spec(expected.from);
+        const auto to = spec(expected.to == "euler" ? "euler:ZYX" : expected.to);
+        const Method* method = rotconv::find_method(from.name, to.name, expected.name);
+        INFO(expected.from << " to " << expected.to << " by " << expected.name);
+        REQUIRE(method != nullptr);
+        const auto convert = by(*method, from, to);
+        CHECK(accuracy::worst_error(from, to, convert, gentle(from)).error <= expected.holds_to);
+        const auto worst = accuracy::worst_error(from, to, convert, accuracy::inputs(from, to, 200));
+        INFO(worst.where);
+        CHECK(worst.error >= expected.fails_by);
+        CHECK(worst.error <= expected.never_past);
+    }
+}
+
+// Would catch: a method that is listed and never tried.
+TEST_CASE("every method of the table is known to the tests") {
+    CHECK(rotconv::methods().size() == known().size());
+    for (const Method& method : rotconv::methods()) {
+        const auto found = std::ranges::find_if(known(), [&](const Known& row) {
+            return row.from == rotconv::representation(method.from).text &&
+                   row.to == rotconv::representation(method.to).text && row.name == method.name;
+        });
+        INFO(method.name);
+        CHECK(found != known().end());
+        CHECK_FALSE(method.reference.empty());
+        CHECK_FALSE(method.domain.empty());
+        CHECK((method.run == nullptr) == (method.name == "default"));
+    }
+}
+
+// Would catch: a formula that is right for one sequence only, or a convention that the methods do not see.
+TEST_CASE("methods know all sequences, the inverse and degrees") {
+    for (const auto sequence : rotconv::EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        const std::string name = "euler:" + std::string(letters.data(), letters.size());
+        for (const std::string& to_text : {name, name + ":deg:passive"}) {
+            const auto from = spec("quat:xyzw");
+            const auto to = spec(to_text);
+            auto rows = gentle(from);
+            if (sequence.proper()) { // a radian about a random axis may be near the lock of a proper sequence
+                std::erase_if(rows, [&](const auto& row) {
+                    return accuracy::worst_error(
+                               from, to, by(*rotconv::find_method(from.name, to.name, "bernardes-arccos"), from, to),
+                               {row})
+                               .error > 8;
+                });
+                CHECK(rows.size() > 100);
+            }
+            for (const Method& method : rotconv::methods_of(from.name, to.name)) {
+                INFO(to_text << " by " << method.name);
+                CHECK(accuracy::worst_error(from, to, by(method, from, to), rows).error <= 30);
+            }
+        }
+    }
+    for (const auto& [from_text, to_text] :
+         std::vector<std::pair<std::string, std::string>>{{"dcm:col:passive", "quat:xyzw"},
+                                                          {"rotvec:deg", "dcm:passive"},
+                                                          {"quat:passive", "rotvec:deg"},
+                                                          {"cayley:passive", "dcm"},
+                                                          {"dcm", "cayley:passive"},
+                                                          {"dcm:passive", "rotvec"}}) {
+        const auto from = spec(from_text);
+        const auto to = spec(to_text);
+        for (const Method& method : rotconv::methods_of(from.name, to.name)) {
+            INFO(from_text << " to " << to_text << " by " << method.name);
+            CHECK(accuracy::worst_error(from, to, by(method, from, to), gentle(from)).error <= 1e4);
+        }
+    }
+}
+
+// Would catch: a wrong answer that passes as right.
+TEST_CASE("a method's error is reported with its angle") {
+    const auto report_of = [](const std::string& from_text, const std::string& to_text, std::string_view name,
+                              const std::vector<double>& row) {
+        const auto from = spec(from_text);
+        const auto to = spec(to_text);
+        rotconv::Settings settings;
+        settings.method = rotconv::find_method(from.name, to.name, name);
+        std::vector<double> out(to.size());
+        rotconv::Report report;
+        rotconv::Conversion(from, to, settings).run(row, out, {&report, 1});
+        return report;
+    };
+    const std::vector<double> half_turn{-1, 0, 0, 0, 1, 0, 0, 0, -1};
+    const auto wrong = report_of("dcm", "quat", "baruh", half_turn);
+    CHECK(wrong.notes.has(rotconv::Kind::method_error));
+    CHECK(std::isnan(wrong.method_error));
+    CHECK(report_of("dcm", "quat", "shepperd", half_turn).notes.empty());
+    CHECK(report_of("dcm", "quat", "default", half_turn).notes.empty());
+    // 90 degrees about z, k times too long: the unit formula gives the angle of (1 - k^2, k^2).
+    const double k = 1.0001;
+    const auto off = report_of("quat", "dcm", "unit", {k * std::sqrt(0.5), 0, 0, k * std::sqrt(0.5)});
+    CHECK(off.notes.has(rotconv::Kind::method_error));
+    CHECK(off.method_error == Approx(std::atan2(k * k - 1.0, k * k)).epsilon(1e-9));
+    // Both are infinite at a half-turn, as the vector is.
+    CHECK_FALSE(report_of("dcm", "cayley", "quaternion", half_turn).notes.has(rotconv::Kind::method_error));
+    // A row without an attitude stays a fault.
+    CHECK(report_of("dcm", "quat", "trace", {0, 0, 0, 0, 0, 0, 0, 0, 0}).fault == rotconv::Fault::not_proper);
+}
