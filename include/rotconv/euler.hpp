@@ -61,9 +61,8 @@ struct EulerAngles {
 };
 
 /// Euler angles of every sequence (Stuelpnagel 1964, section 6, for roll-pitch-yaw). Singular at gimbal lock: middle
-/// angle
-/// +-pi/2 (three different axes) or 0 and pi (first = third), where only the sum or difference of the other two is
-/// defined.
+/// angle +-pi/2 (three different axes) or 0 and pi (first = third), where only the sum or difference of the other two
+/// is defined.
 namespace euler {
 
 /// Attitudes nearer to lock than this (radians) are treated as locked unless the caller says otherwise: rounding alone.
@@ -75,10 +74,10 @@ inline constexpr double default_lock_margin = 1e-15;
 /// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi].
 ///
 /// With a, b, c, d of Bernardes and Viollet (2022), where a + ib = C e^(i s) and c + id = S e^(i t) hold half the sum
-/// and difference s, t of the outer angles: these are the arguments of (a + ib)(c +- id), and the middle one that of
-/// (C^2 - S^2, 2 C S). No threshold is needed; accuracy does not depend on the distance from lock.
-/// Where the margin is at most `lock_margin` the third angle is 0, the middle one at its limit, and the first takes up
-/// the rest: this gives up to `lock_margin` radians. With 0 only exact lock is special; from pi/2 on all is
+/// and difference s, t of the outer angles: these are the arguments of (a + ib)(c +- id), and the middle one twice that
+/// of (C, S), less pi/2 for three different axes. No threshold is needed; accuracy does not depend on the distance from
+/// lock. Where the margin is at most `lock_margin` the third angle is 0, the middle one at its limit, and the first
+/// takes up the rest: this gives up to `lock_margin` radians. With 0 only exact lock is special; from pi/2 on all is
 /// locked.
 [[nodiscard]] EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence,
                                         AngleUnit unit = AngleUnit::radians,

@@ -23,8 +23,8 @@ enum class Fault : std::uint8_t {
 /// What numbers describe: the rotation, how far the numbers were from describing one exactly, or a fault.
 struct Reading {
     Rotation rotation;   ///< the identity where `fault` is not none
-    double defect = 0.0; ///< | |q| - 1 |, or the largest singular value of M - (polar factor of M); 0 for others. dcm:
-                         ///< below `reported_defect` an upper bound
+    double defect = 0.0; ///< | |q| - 1 |, or the largest singular value of M - (polar factor of M); 0 for others. Up
+                         ///< to `reported_defect` it may be an upper bound
     Fault fault = Fault::none;
 
     [[nodiscard]] bool ok() const noexcept { return fault == Fault::none; }

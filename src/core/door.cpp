@@ -79,7 +79,6 @@ struct AxisAngleRow {
 };
 
 struct RotvecRow {
-    static constexpr std::size_t size = 3;
     static void read_block(const Spec& spec, const double* numbers, std::size_t rows, Reading* readings) noexcept {
         rotation_vector::read(numbers, rows, spec.unit, readings);
     }
