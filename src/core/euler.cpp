@@ -123,7 +123,7 @@ std::array<double, 3> locked_angles(const Halves& h, EulerSequence sequence, con
     const double imaginary = sum ? h.b : h.d;
     const double sine_of_double = 2.0 * (real * imaginary);
     const double cosine_of_double = (real - imaginary) * (real + imaginary);
-    const double limit = proper ? half_turn(unit) : 0.5 * half_turn(unit);
+    const double limit = (proper ? 1.0 : 0.5) * half_turn_in(unit).hi;
     const double middle = sum ? (proper ? 0.0 : -limit) : limit;
     // Intrinsic turns are the fixed ones in reverse order: there it is the last fixed turn that comes first.
     const double third_sign = proper ? 1.0 : axes.sign;

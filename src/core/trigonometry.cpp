@@ -79,8 +79,6 @@ double angle_of(double y, double x, AngleUnit unit) noexcept {
     return y < 0.0 && angle < 180.0 ? -angle : angle;
 }
 
-double half_turn(AngleUnit unit) noexcept { return unit == AngleUnit::degrees ? 180.0 : std::numbers::pi; }
-
 double radian(AngleUnit unit) noexcept { return unit == AngleUnit::degrees ? degrees_per_radian : 1.0; }
 
 } // namespace rotconv

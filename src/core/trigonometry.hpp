@@ -21,9 +21,6 @@ struct HalfAngle {
 /// The angle of the vector (x, y), in (-pi, pi] or (-180, 180]; multiples of 90 degrees are exact. 0 where both are 0.
 [[nodiscard]] double angle_of(double y, double x, AngleUnit unit) noexcept;
 
-/// pi or 180.
-[[nodiscard]] double half_turn(AngleUnit unit) noexcept;
-
 /// 1 radian in the unit.
 [[nodiscard]] double radian(AngleUnit unit) noexcept;
 
