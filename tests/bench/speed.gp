@@ -34,7 +34,7 @@ along(x, y, j) = ((x - cx[j]) * (hx[j] - cx[j]) + (y - cy[j]) * (hy[j] - cy[j]))
     / ((hx[j] - cx[j])**2 + (hy[j] - cy[j])**2 + 1e-9)
 unit(t) = t < 0 ? 0 : t > 1 ? 1 : t
 on_line(x, y, j) = near(x - cx[j] - unit(along(x, y, j)) * (hx[j] - cx[j]), \
-                        y - cy[j] - unit(along(x, y, j)) * (hy[j] - cy[j]), 7 + (j > 9), 7)
+                        y - cy[j] - unit(along(x, y, j)) * (hy[j] - cy[j]), 7, 7)
 taken(x, y, i) = (x < 6 || x > wide || y < 4 || y > tall + 8) \
     + (sum [j = 1:n] (near(x - cx[j], y - cy[j], 9, 8) + near(x - hx[j], y - hy[j], 9, 8) + on_line(x, y, j))) \
     + (sum [j = 1:i] (j < i && near(x - lx[j], y - ly[j], 13, 10)))
