@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "figures.hpp"
 #include "methods.hpp"
 
 namespace rotconv {
@@ -23,12 +24,25 @@ namespace qe = formula::quat_to_euler;
 namespace rd = formula::rotvec_to_dcm;
 namespace cd = formula::cayley_to_dcm;
 
+/// Each method with its figures.
+template <std::size_t size> constexpr std::array<Method, size> measured(std::array<Method, size> methods) noexcept {
+    for (Method& method : methods) {
+        for (const Measurement& row : figures) {
+            if (row.from == method.from && row.to == method.to && row.name == method.name) {
+                method.clean = row.clean;
+                method.hostile = row.hostile;
+            }
+        }
+    }
+    return methods;
+}
+
 // The rows of a pair stand together, its default first.
-constexpr std::array table{
+constexpr std::array table = measured(std::array{
     own(Name::dcm, Name::quat),
     Method{Name::dcm, Name::quat, "trace", "Baruh 1999, Eqs 1-4", "theta below 180 deg", each_row<9, 4, dq::trace>},
     Method{Name::dcm, Name::quat, "baruh", "Baruh 1999, Eqs 2-8", "theta below 180 deg", each_row<9, 4, dq::baruh>},
-    Method{Name::dcm, Name::quat, "four-roots", "Chiaverini and Siciliano 1999; cited as Klumpp 1976, who protects it",
+    Method{Name::dcm, Name::quat, "four-roots", "Chiaverini and Siciliano 1999; elsewhere called Klumpp's",
            "theta below 180 deg, no component near 0", each_row<9, 4, dq::four_roots>},
     Method{Name::dcm, Name::quat, "shepperd", "Shepperd 1978", "orthogonal matrices", each_row<9, 4, dq::shepperd>},
     Method{Name::dcm, Name::quat, "markley", "Markley 2008", "orthogonal matrices", each_row<9, 4, dq::markley>},
@@ -48,7 +62,7 @@ constexpr std::array table{
     own(Name::dcm, Name::rotvec),
     Method{Name::dcm, Name::rotvec, "acos", "common property; Shuster 1993, Euler axis and angle",
            "theta away from 0 and 180 deg", each_row<9, 3, dr::acos>},
-    Method{Name::dcm, Name::rotvec, "atan2", "common property, the same by atan2", "theta above 0, below 180 deg",
+    Method{Name::dcm, Name::rotvec, "atan2", "common property, the angle by atan2", "theta above 0, below 180 deg",
            each_row<9, 3, dr::atan2>},
     Method{Name::dcm, Name::rotvec, "polynomial", "Stuelpnagel 1964, section 6, corrected",
            "theta away from 0 and 180 deg", each_row<9, 3, dr::polynomial>},
@@ -77,7 +91,7 @@ constexpr std::array table{
     Method{Name::quat, Name::rotvec, "acos", "common property; Shuster 1993", "unit quaternions, theta away from 0",
            each_row<4, 3, qr::acos>},
     Method{Name::quat, Name::rotvec, "atan2", "Sola 2017, logarithmic map", "theta above 0", each_row<4, 3, qr::atan2>},
-    Method{Name::quat, Name::rotvec, "compensated", "the same, products after Dekker 1971",
+    Method{Name::quat, Name::rotvec, "compensated", "logarithm, products after Dekker 1971",
            "norms from 1e-150 to 1e150", each_row<4, 3, qr::compensated>},
 
     own(Name::quat, Name::euler),
@@ -105,7 +119,7 @@ constexpr std::array table{
            each_row<3, 9, cd::inverse>},
     Method{Name::cayley, Name::dcm, "closed", "common property; Shuster 1993, Rodrigues vector", "lengths below 1e150",
            each_row<3, 9, cd::closed>},
-};
+});
 
 constexpr Name set_of(Name name) noexcept { return name == Name::rpy ? Name::euler : name; }
 
