@@ -50,8 +50,8 @@ std::vector<Spec> all_of(const std::string& name, rotconv::AngleUnit unit) {
 const std::vector<Way>& ways() {
     static const std::vector<Way> table{
         {"quat", "quat", 1, 0.84},     {"quat", "dcm", 1, 0.89},          {"quat", "6d", 1.5, 1.21},
-        {"quat", "5d", 4, 2.6},        {"quat", "rotvec", 2, 1.5},        {"quat", "axis-angle", 2, 1.5},
-        {"quat", "cayley", 1, 0.93},   {"quat", "mrp", 1.5, 0.94},        {"quat", "euler", 3.5, 2.8},
+        {"quat", "5d", 4, 2.6},        {"quat", "rotvec", 3, 2.7},        {"quat", "axis-angle", 3.5, 3.01},
+        {"quat", "cayley", 1, 0.93},   {"quat", "mrp", 1.5, 0.94},        {"quat", "euler", 4, 3.44},
         {"dcm", "quat", 2.5, 2.21},    {"6d", "quat", 2.5, 1.61},         {"5d", "quat", 4, 2.01},
         {"cayley", "quat", 1.5, 0.82}, {"mrp", "quat", 2, 1.13},          {"euler", "quat", 2.5, 2.11},
         {"rotvec", "quat", 2.5, 2.13}, {"axis-angle", "quat", 2.5, 2.12}, {"rotvec", "dcm", 2.5, 2.06},
