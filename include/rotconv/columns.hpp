@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
@@ -24,6 +25,14 @@ namespace columns {
 /// Margin infinite, condition sqrt 2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 
+/// The rates: both columns turn, c' = w x c in reference axes, which is linear (Stuelpnagel section 4, of the inverse:
+/// X0dot = Omega X0). In body axes c1' = w3 c2 - w2 c3 and c2' = w1 c3 - w3 c1 with c3 = c1 x c2.
+[[nodiscard]] Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+
+/// The angular velocity whose rate() is nearest to `rates` (least squares).
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates,
+                                               Frame frame = Frame::body) noexcept;
+
 } // namespace columns
 
 /// Hopf's five numbers: the six of `columns`, over sqrt 2, lie on the unit sphere of E6; this is their stereographic
@@ -41,6 +50,15 @@ using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 /// Margin infinite, condition sqrt 2/(sqrt 2 - r11), between 0.59 and 3.41.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+/// The rates: with the columns' h = ((y'y - 1)/2, y), parallel to them, y' = V h' + y h1' with h' as in columns::rate()
+/// and V leaving out the first entry. In reference axes this is ((y'y - 1)/2 I - y y') V A a + V A V' y, of the inverse
+/// (Stuelpnagel section 4).
+[[nodiscard]] Vector5 rate(const Vector5& y, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+
+/// The angular velocity whose rate() is nearest to `rates` (least squares).
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates,
+                                               Frame frame = Frame::body) noexcept;
 
 } // namespace hopf
 } // namespace rotconv
