@@ -190,3 +190,15 @@ TEST_CASE("the angular velocity is that of the tangent part of the rates") {
         CHECK(distance(quaternion::angular_velocity(q, rates), c.w) < rounding);
     }
 }
+
+// Catches an equation whose drift off the set becomes an error of the attitude.
+TEST_CASE("columns that are not orthonormal turn as the attitude that they stand for") {
+    for (const Case& c : cases()) {
+        Eigen::Matrix2d shear;
+        shear << 1.3, 0.2, 0.0, 0.8;
+        const Columns exact = columns::from_rotation(c.rotation);
+        const Columns off = exact * shear;
+        CHECK(distance(columns::rate(off, c.w), columns::rate(exact, c.w) * shear) < rounding);
+        CHECK(distance(columns::angular_velocity(off, columns::rate(off, c.w)), c.w) < rounding);
+    }
+}
