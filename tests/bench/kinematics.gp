@@ -1,4 +1,4 @@
-# The charts of bench_kinematics' figures: gnuplot -e "csv='kinematics.csv'; out='DIRECTORY'" kinematics.gp
+# The charts of bench_kinematics' figures: gnuplot -e "csv='kinematics.csv'" -e "out='DIRECTORY'" kinematics.gp
 
 set datafile separator comma
 set datafile missing NaN
