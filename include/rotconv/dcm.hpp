@@ -38,11 +38,11 @@ namespace dcm {
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 
 /// The rates of the entries: M [w]_x, or [w]_x M in reference axes (Stuelpnagel section 1: Xdot = Omega X). Linear in
-/// any matrix. Error, relative: 1.5 eps.
+/// any matrix.
 [[nodiscard]] Dcm rate(const Dcm& matrix, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
 
 /// The angular velocity whose rate() is nearest to `rates` (least squares): what is not tangent to the rotations is
-/// left out. Error, relative: 4 eps.
+/// left out.
 [[nodiscard]] Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame frame = Frame::body) noexcept;
 
 inline Dcm from_rotation(const Rotation& rotation) noexcept {

@@ -17,9 +17,9 @@ namespace rotconv {
 /// One-step methods for the kinematic equation.
 enum class Integrator : std::uint8_t {
     rk4,     ///< the classical method of Runge and Kutta (Kutta 1901), on the set's own equation
-    magnus4, ///< exponential steps on the quaternion (Iserles, Munthe-Kaas, Norsett and Zanna 2000; Blanes, Casas,
-             ///< Oteo and Ros 2009, Eq. (253))
-    magnus6, ///< the same to order six (Blanes et al. 2009, Eq. (257))
+    magnus4, ///< exponential steps on the quaternion (Iserles, Munthe-Kaas, Norsett and Zanna 2000): the rate at two
+             ///< points of Gauss and Legendre, and their commutator
+    magnus6, ///< the same to order six, with three points and three commutators (Blanes, Casas, Oteo and Ros 2009)
 };
 
 /// One line of the table of integrators.
@@ -72,8 +72,8 @@ public:
 private:
     using Numbers = Eigen::Matrix<double, 9, 1>; // unused ones are 0
 
-    [[nodiscard]] Numbers rate(const Numbers& numbers, const Eigen::Vector3d& w) const noexcept;
     void runge_kutta(double h, std::span<const Eigen::Vector3d> rates) noexcept;
+    template <int Size> void runge_kutta(double h, std::span<const Eigen::Vector3d> rates) noexcept;
     void turn_by(const Eigen::Vector3d& turn) noexcept;
     [[nodiscard]] double distance_to_singularity() const noexcept;
     void change_chart() noexcept;

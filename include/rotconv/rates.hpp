@@ -32,7 +32,8 @@ struct RateReport {
 
 /// The kinematic equation of a representation on rows of numbers written as its Spec says. Numbers that are angles have
 /// rates in their own unit a second. Of a `passive` Spec the numbers, and so the rates, are those of the inverse; the
-/// angular velocity remains that of the body. Thread-safe: running it changes nothing in it.
+/// angular velocity remains that of the body. Relative error, both ways: 2.2 eps while the condition is below 10, and
+/// 1.9 eps times the condition above. Thread-safe: running it changes nothing in it.
 class Rates {
 public:
     /// @pre has_rates(spec.name)

@@ -117,23 +117,32 @@ Fault Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     return fault_ = renormalised_ ? bring_back() : Fault::none;
 }
 
-Stepper::Numbers Stepper::rate(const Numbers& numbers, const Vector3d& w) const noexcept {
-    Numbers rates = Numbers::Zero();
-    const auto equation = rate_door_of(set_.name).rate;
-    if (set_.passive) {
-        equation(set_, numbers.data(), -w, Frame::reference, rates.data());
-    } else {
-        equation(set_, numbers.data(), w, Frame::body, rates.data());
+void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
+    switch (set_.size()) {
+    case 9: return runge_kutta<9>(h, rates);
+    case 6: return runge_kutta<6>(h, rates);
+    case 5: return runge_kutta<5>(h, rates);
+    case 4: return runge_kutta<4>(h, rates);
+    default: return runge_kutta<3>(h, rates);
     }
-    return rates;
 }
 
-void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
-    const Numbers first = rate(numbers_, rates[0]);
-    const Numbers second = rate(numbers_ + (0.5 * h) * first, rates[1]);
-    const Numbers third = rate(numbers_ + (0.5 * h) * second, rates[1]);
-    const Numbers fourth = rate(numbers_ + h * third, rates[2]);
-    numbers_ += (h / 6.0) * ((first + fourth) + 2.0 * (second + third));
+template <int Size> void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
+    using State = Eigen::Matrix<double, Size, 1>;
+    const auto equation = rate_door_of(set_.name).rate;
+    const Frame frame = set_.passive ? Frame::reference : Frame::body;
+    const double sign = set_.passive ? -1.0 : 1.0;
+    const auto rate = [&](const State& state, const Vector3d& w) {
+        State result;
+        equation(set_, state.data(), sign * w, frame, result.data());
+        return result;
+    };
+    const State start = numbers_.head<Size>();
+    const State first = rate(start, rates[0]);
+    const State second = rate(start + (0.5 * h) * first, rates[1]);
+    const State third = rate(start + (0.5 * h) * second, rates[1]);
+    const State fourth = rate(start + h * third, rates[2]);
+    numbers_.head<Size>() = start + (h / 6.0) * ((first + fourth) + 2.0 * (second + third));
 }
 
 void Stepper::turn_by(const Vector3d& turn) noexcept {

@@ -52,18 +52,11 @@ Rotation rotation_of_any(double rx, double ry, double rz, AngleUnit unit) noexce
 /// Lengths, in radians, that the grid knows to full accuracy; nan is none.
 bool is_plain(double length) noexcept { return length < 3.2 && length > least_known_length; }
 
-/// A vector in radians: its length and direction. What underflows is multiplied by 0 wherever it is used.
-struct Polar {
-    explicit Polar(const Eigen::Vector3d& r) noexcept
-        : length(r.norm()), direction(length > 0.0 ? Eigen::Vector3d(r / length) : Eigen::Vector3d::Zero()) {}
-
-    double length;
-    Eigen::Vector3d direction;
-};
-
-/// factor v + (1 - factor) n (n.v)
-Eigen::Vector3d stretched(const Polar& r, double factor, const Eigen::Vector3d& v) noexcept {
-    return factor * v + (1.0 - factor) * r.direction.dot(v) * r.direction;
+/// factor v + (1 - factor) n (n.v) with n = r/|r|. Where |r|^2 underflows the factor is 1.
+Eigen::Vector3d stretched(const Eigen::Vector3d& r, double factor, const Eigen::Vector3d& v) noexcept {
+    const double square = r.squaredNorm();
+    const double along = square > 0.0 ? (1.0 - factor) / square : 0.0;
+    return factor * v + (along * r.dot(v)) * r;
 }
 
 /// sin(x)/x.
@@ -155,21 +148,20 @@ Figures figures(const Rotation& rotation) noexcept {
 Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Frame frame) noexcept {
     const double per_radian = radian(value.unit);
     const Eigen::Vector3d r = value.vector / per_radian;
-    const Polar polar(r);
-    const double half = 0.5 * polar.length;
+    const double half = 0.5 * r.norm();
     const double cotangent = half == 0.0 ? 1.0 : half / std::tan(half);
     const Eigen::Vector3d turn = frame == Frame::body ? r.cross(w) : w.cross(r);
-    return (stretched(polar, cotangent, w) + 0.5 * turn) * per_radian;
+    return (stretched(r, cotangent, w) + 0.5 * turn) * per_radian;
 }
 
 Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vector3d& rates, Frame frame) noexcept {
     const double per_radian = radian(value.unit);
     const Eigen::Vector3d r = value.vector / per_radian;
     const Eigen::Vector3d v = rates / per_radian;
-    const Polar polar(r);
-    const double half_ratio = sine_ratio(0.5 * polar.length);
+    const double length = r.norm();
+    const double half_ratio = sine_ratio(0.5 * length);
     const Eigen::Vector3d turn = frame == Frame::body ? v.cross(r) : r.cross(v);
-    return stretched(polar, sine_ratio(polar.length), v) + (0.5 * half_ratio * half_ratio) * turn;
+    return stretched(r, sine_ratio(length), v) + (0.5 * half_ratio * half_ratio) * turn;
 }
 
 } // namespace rotconv::rotation_vector

@@ -164,9 +164,10 @@ void check(const std::string& text, int size) {
         INFO(text << (frame == Frame::body ? " body" : " reference"));
         UNSCOPED_INFO("forward " << worst.forward << " / condition " << worst.forward_by_condition << ", inverse "
                                  << worst.inverse << " / condition " << worst.inverse_by_condition);
-        CHECK(worst.forward <= 8);
-        CHECK(worst.forward_by_condition <= 8);
-        CHECK(worst.inverse_by_condition <= 8);
+        CHECK(worst.forward <= 3);
+        CHECK(worst.forward_by_condition <= 3);
+        CHECK(worst.inverse <= 3);
+        CHECK(worst.inverse_by_condition <= 3);
     }
 }
 
