@@ -149,7 +149,7 @@ Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Fram
     const double per_radian = radian(value.unit);
     const Eigen::Vector3d r = value.vector / per_radian;
     const double half = 0.5 * r.norm();
-    const double cotangent = half == 0.0 ? 1.0 : half / std::tan(half);
+    const double cotangent = half == 0.0 ? 1.0 : half * std::cos(half) / std::sin(half);
     const Eigen::Vector3d turn = frame == Frame::body ? r.cross(w) : w.cross(r);
     return (stretched(r, cotangent, w) + 0.5 * turn) * per_radian;
 }
