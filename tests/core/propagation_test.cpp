@@ -350,7 +350,6 @@ TEST_CASE("substeps bring a coarse integrator to the interpolated motion") {
         settings.substeps = substeps;
         const Rows rows = propagated(settings, motion, 10, 5);
         const Rotation& p = reference.back().rotation;
-        const Motion end{"", {}};
         const oracle::Quaternion exact(p.w(), p.x(), p.y(), p.z());
         oracle::Quaternion found(rows.back().rotation.w(), rows.back().rotation.x(), rows.back().rotation.y(),
                                  rows.back().rotation.z());
