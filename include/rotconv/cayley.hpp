@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 /// The Gibbs vector, Rodrigues parameters: tan(theta/2) n, with R = (I + [c]_x)(I - [c]_x)^-1 (Stuelpnagel 1964,
@@ -22,5 +23,14 @@ namespace rotconv::cayley {
 
 /// Margin pi - theta, condition (1 + |c|^2)/2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+/// The rate (w + c x w + c (c.w))/2, the cross product negative in reference axes: Stuelpnagel's Riccati equation of
+/// section 6 (of the inverse).
+[[nodiscard]] Eigen::Vector3d rate(const Eigen::Vector3d& c, const Eigen::Vector3d& w,
+                                   Frame frame = Frame::body) noexcept;
+
+/// 2 (c' - c x c')/(1 + |c|^2), the cross product positive in reference axes.
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Eigen::Vector3d& c, const Eigen::Vector3d& rates,
+                                               Frame frame = Frame::body) noexcept;
 
 } // namespace rotconv::cayley

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <rotconv/dcm.hpp>
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
@@ -27,6 +28,16 @@ namespace columns {
 /// Margin infinite, condition sqrt 2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 
+/// The rates: both columns turn as a rigid pair, c' = w x c in reference axes, which is linear (Stuelpnagel section 4,
+/// of the inverse: X0dot = Omega X0). From body axes w comes by the attitude of to_rotation(), so that lengths and
+/// angle of the columns, right or wrong, have no part in the motion; it is not finite where their squares are not, or
+/// 0.
+[[nodiscard]] Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+
+/// The angular velocity whose rate() is nearest to `rates` (least squares).
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates,
+                                               Frame frame = Frame::body) noexcept;
+
 } // namespace columns
 
 /// Hopf's five numbers: the six of `columns`, over sqrt 2, lie on the unit sphere of E6; this is their stereographic
@@ -44,6 +55,15 @@ using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 /// Margin infinite, condition sqrt 2/(sqrt 2 - r11), between 0.59 and 3.41.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+/// The rates: with the columns' h = ((y'y - 1)/2, y), parallel to them, y' = V h' + y h1' with h' as in columns::rate()
+/// and V leaving out the first entry. In reference axes this is ((y'y - 1)/2 I - y y') V A a + V A V' y, of the inverse
+/// (Stuelpnagel section 4).
+[[nodiscard]] Vector5 rate(const Vector5& y, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+
+/// The angular velocity whose rate() is nearest to `rates` (least squares).
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates,
+                                               Frame frame = Frame::body) noexcept;
 
 } // namespace hopf
 } // namespace rotconv

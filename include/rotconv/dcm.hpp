@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
@@ -35,6 +36,14 @@ namespace dcm {
 
 /// Margin infinite, condition sqrt 2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+/// The rates of the entries: M [w]_x, or [w]_x M in reference axes (Stuelpnagel section 1: Xdot = Omega X). Linear in
+/// any matrix.
+[[nodiscard]] Dcm rate(const Dcm& matrix, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+
+/// The angular velocity whose rate() is nearest to `rates` (least squares): what is not tangent to the rotations is
+/// left out.
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame frame = Frame::body) noexcept;
 
 inline Dcm from_rotation(const Rotation& rotation) noexcept {
     const double w = rotation.w();

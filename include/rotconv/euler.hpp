@@ -6,7 +6,10 @@
 #include <optional>
 #include <string_view>
 
+#include <Eigen/Core>
+
 #include <rotconv/angle.hpp>
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
@@ -89,6 +92,16 @@ inline constexpr double default_lock_margin = 1e-15;
 
 /// Margin pi/2 - |middle|, or the smaller of middle and pi - middle; condition 1/(sqrt 2 sin(margin/2)).
 [[nodiscard]] Figures figures(const Rotation& rotation, EulerSequence sequence) noexcept;
+
+/// The rates of the three angles, in the unit of the angles a second. For roll, pitch and yaw they solve the 3x3 system
+/// of Stuelpnagel, section 6; the other sequences differ by names and signs of the axes. Divided by the cosine (first =
+/// third axis: the sine) of the middle angle: at lock not finite.
+[[nodiscard]] std::array<double, 3> rate(const EulerAngles& value, const Eigen::Vector3d& w,
+                                         Frame frame = Frame::body) noexcept;
+
+/// That system's left side: regular everywhere. Rates in the unit of the angles a second, w in rad/s.
+[[nodiscard]] Eigen::Vector3d angular_velocity(const EulerAngles& value, const std::array<double, 3>& rates,
+                                               Frame frame = Frame::body) noexcept;
 
 } // namespace euler
 } // namespace rotconv

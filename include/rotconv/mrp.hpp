@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 /// Modified Rodrigues parameters, tan(theta/4) n: the stereographic projection of the quaternion (Wiener 1962; Schaub
@@ -16,5 +17,14 @@ namespace rotconv::mrp {
 
 /// Margin pi - theta, condition (1 + |m|^2)/4.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+/// The rate B w/4 with B w = (1 - |m|^2) w + 2 m x w + 2 m (m.w), the cross product negative in reference axes (Schaub
+/// and Junkins 1996). B is (1 + |m|^2) times an orthogonal matrix. The same for a set and its shadow.
+[[nodiscard]] Eigen::Vector3d rate(const Eigen::Vector3d& m, const Eigen::Vector3d& w,
+                                   Frame frame = Frame::body) noexcept;
+
+/// 4 B' m'/(1 + |m|^2)^2.
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Eigen::Vector3d& m, const Eigen::Vector3d& rates,
+                                               Frame frame = Frame::body) noexcept;
 
 } // namespace rotconv::mrp

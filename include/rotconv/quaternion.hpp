@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Core>
+
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
@@ -33,6 +36,15 @@ namespace quaternion {
 
 /// Margin infinite, condition 1/2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+/// The rates: q (0, w)/2, or (0, w) q/2 in reference axes (Stuelpnagel section 5, of the conjugate: udot = sigma u).
+/// Linear in a quaternion of any norm, which it keeps.
+[[nodiscard]] Quaternion rate(const Quaternion& q, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+
+/// Vector part of 2 q* qdot/|q|^2, or 2 qdot q*/|q|^2, for any norm: a rate of the norm itself is left out.
+/// @pre q is not 0
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Quaternion& q, const Quaternion& rates,
+                                               Frame frame = Frame::body) noexcept;
 
 // What follows is short and frequent, so that callers should have it inline.
 

@@ -9,7 +9,7 @@
 
 namespace rotconv {
 
-/// Why numbers do not describe a rotation. Data: words are found by whoever talks to people.
+/// Why numbers do not describe a rotation, or cannot be carried on. Data: words are found by whoever talks to people.
 enum class Fault : std::uint8_t {
     none,
     not_finite,      ///< a number is nan or infinite
@@ -18,6 +18,8 @@ enum class Fault : std::uint8_t {
     not_proper,      ///< a matrix with det <= 0: singular, or a reflection
     rank_deficient,  ///< two columns that do not span a plane
     defect,          ///< further from a rotation than the tolerance allows
+    singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
+    time_order,      ///< not later than the sample before
 };
 
 /// What numbers describe: the rotation, how far the numbers were from describing one exactly, or a fault.

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <rotconv/angle.hpp>
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
@@ -27,6 +28,18 @@ namespace rotation_vector {
 
 /// Margin pi - theta, condition (theta/2)/sin(theta/2), between 1 and pi/2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+
+/// The rate of the vector, in its unit a second: g w + r x w/2 + (1 - g) n (n.w), the cross product negative in
+/// reference axes, with g = (theta/2) cot(theta/2), n = r/theta. This is Stuelpnagel's equation of section 6 with the
+/// sign of its second term mended (in print it solves Xdot = X Omega), for the inverse; also Bortz (1971). Regular for
+/// theta < 2 pi; a pole at every full turn.
+[[nodiscard]] Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w,
+                                   Frame frame = Frame::body) noexcept;
+
+/// The inverse of that map, regular everywhere: s r' - c r x r' + (1 - s) n (n.r') with s = sin(theta)/theta and
+/// c = (1 - cos(theta))/theta^2, the cross product positive in reference axes.
+[[nodiscard]] Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vector3d& rates,
+                                               Frame frame = Frame::body) noexcept;
 
 } // namespace rotation_vector
 } // namespace rotconv

@@ -8,7 +8,11 @@
 #include <rotconv/conversion.hpp>
 #include <rotconv/dcm.hpp>
 #include <rotconv/euler.hpp>
+#include <rotconv/frame.hpp>
+#include <rotconv/integration.hpp>
 #include <rotconv/method.hpp>
 #include <rotconv/mrp.hpp>
+#include <rotconv/propagation.hpp>
 #include <rotconv/quaternion.hpp>
+#include <rotconv/rates.hpp>
 #include <rotconv/rotation_vector.hpp>

@@ -227,6 +227,8 @@ std::string explain(const stream::RowFault& fault, const Spec& from, double tole
     case Fault::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
     case Fault::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
     case Fault::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
+    case Fault::singular: return fmt::format("no rates at a singularity: {}", text);
+    case Fault::time_order: return fmt::format("not later than the row before: {}", text);
     case Fault::defect:
         return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", fault.defect, tolerance, text);
     }

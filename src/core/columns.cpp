@@ -10,6 +10,7 @@
 
 #include "davenport.hpp"
 #include "double_double.hpp"
+#include "nearest_velocity.hpp"
 #include "scaling.hpp"
 
 namespace rotconv {
@@ -59,6 +60,20 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
     return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z)};
 }
 
+/// The rates of two columns that turn as a rigid pair.
+Columns turned(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
+    Eigen::Vector3d axis = w;
+    if (frame == Frame::body) {
+        const Eigen::Vector3d normal = m.col(0).cross(m.col(1));
+        const Eigen::Vector3d first = m.col(0) / m.col(0).norm();
+        const Eigen::Vector3d third = normal / normal.norm();
+        axis = w.x() * first + w.y() * third.cross(first) + w.z() * third;
+    }
+    Columns rates;
+    rates << axis.cross(m.col(0)), axis.cross(m.col(1));
+    return rates;
+}
+
 } // namespace
 
 namespace columns {
@@ -75,6 +90,12 @@ Reading to_rotation(const Columns& m) noexcept {
 }
 
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = sqrt2}; }
+
+Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept { return turned(m, w, frame); }
+
+Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates, Frame frame) noexcept {
+    return nearest_velocity([&](const Eigen::Vector3d& w) { return rate(m, w, frame); }, rates);
+}
 
 } // namespace columns
 
@@ -114,6 +135,18 @@ Figures figures(const Rotation& rotation) noexcept {
     const double turning = rotation.w() * rotation.w() + rotation.x() * rotation.x();
     const double tilting = rotation.y() * rotation.y() + rotation.z() * rotation.z();
     return {.condition = sqrt2 * (turning + tilting) / ((sqrt2 - 1.0) * turning + (sqrt2 + 1.0) * tilting)};
+}
+
+Vector5 rate(const Vector5& y, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const double square = y.squaredNorm();
+    Columns h;
+    h << 0.5 * (square - 1.0), y[2], y[0], y[3], y[1], y[4];
+    const auto rates = turned(h, w, frame).reshaped().eval();
+    return rates.tail<5>() + y * rates[0];
+}
+
+Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates, Frame frame) noexcept {
+    return nearest_velocity([&](const Eigen::Vector3d& w) { return rate(y, w, frame); }, rates);
 }
 
 } // namespace hopf

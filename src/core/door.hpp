@@ -19,6 +19,21 @@ struct Door {
     void (*write)(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows, double* numbers,
                   Notes* notes) noexcept;
     Figures (*figures)(const Spec& spec, const Rotation& rotation) noexcept;
+
+    /// One row.
+    [[nodiscard]] Reading read_row(const Spec& spec, const double* numbers) const noexcept {
+        Readings one; // NOLINT(*-member-init)
+        read(spec, numbers, 1, one);
+        return one.reading(0);
+    }
+
+    /// One row, with nothing given up to lock.
+    void write_row(const Spec& spec, const Rotation& rotation, double* numbers) const noexcept {
+        Rotations one; // NOLINT(*-member-init)
+        Notes notes;
+        one.set(0, rotation);
+        write(spec, 0.0, one, 1, numbers, &notes);
+    }
 };
 
 [[nodiscard]] const Door& door_of(Name name) noexcept;

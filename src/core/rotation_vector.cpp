@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "blocks.hpp"
 #include "double_double.hpp"
 #include "finite.hpp"
@@ -49,6 +51,16 @@ Rotation rotation_of_any(double rx, double ry, double rz, AngleUnit unit) noexce
 
 /// Lengths, in radians, that the grid knows to full accuracy; nan is none.
 bool is_plain(double length) noexcept { return length < 3.2 && length > least_known_length; }
+
+/// factor v + (1 - factor) n (n.v) with n = r/|r|. Where |r|^2 underflows the factor is 1.
+Eigen::Vector3d stretched(const Eigen::Vector3d& r, double factor, const Eigen::Vector3d& v) noexcept {
+    const double square = r.squaredNorm();
+    const double along = square > 0.0 ? (1.0 - factor) / square : 0.0;
+    return factor * v + (along * r.dot(v)) * r;
+}
+
+/// sin(x)/x.
+double sine_ratio(double x) noexcept { return x == 0.0 ? 1.0 : std::sin(x) / x; }
 
 } // namespace
 
@@ -131,6 +143,25 @@ Figures figures(const Rotation& rotation) noexcept {
     const double sine = length / std::sqrt(rotation.squared_norm());
     const double condition = sine <= linear_half_angle ? 1.0 : 0.5 * angle_of(rotation) / sine;
     return {.margin = angle_to_half_turn(rotation), .condition = std::max(1.0, condition)};
+}
+
+Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const double per_radian = radian(value.unit);
+    const Eigen::Vector3d r = value.vector / per_radian;
+    const double half = 0.5 * r.norm();
+    const double cotangent = half == 0.0 ? 1.0 : half * std::cos(half) / std::sin(half);
+    const Eigen::Vector3d turn = frame == Frame::body ? r.cross(w) : w.cross(r);
+    return (stretched(r, cotangent, w) + 0.5 * turn) * per_radian;
+}
+
+Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vector3d& rates, Frame frame) noexcept {
+    const double per_radian = radian(value.unit);
+    const Eigen::Vector3d r = value.vector / per_radian;
+    const Eigen::Vector3d v = rates / per_radian;
+    const double length = r.norm();
+    const double half_ratio = sine_ratio(0.5 * length);
+    const Eigen::Vector3d turn = frame == Frame::body ? v.cross(r) : r.cross(v);
+    return stretched(r, sine_ratio(length), v) + (0.5 * half_ratio * half_ratio) * turn;
 }
 
 } // namespace rotconv::rotation_vector
