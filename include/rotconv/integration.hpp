@@ -70,25 +70,25 @@ public:
     [[nodiscard]] std::span<const double> numbers() const noexcept { return {numbers_.data(), set_.size()}; }
 
 private:
-    using Numbers = std::array<double, 9>;
+    using Numbers = Eigen::Matrix<double, 9, 1>; // unused ones are 0
 
     [[nodiscard]] Numbers rate(const Numbers& numbers, const Eigen::Vector3d& w) const noexcept;
     void runge_kutta(double h, std::span<const Eigen::Vector3d> rates) noexcept;
-    void exponential(const Eigen::Vector3d& turn) noexcept;
+    void turn_by(const Eigen::Vector3d& turn) noexcept;
     [[nodiscard]] double distance_to_singularity() const noexcept;
     void change_chart() noexcept;
-    void renormalise() noexcept;
+    Fault bring_back() noexcept;
 
     Spec set_;
     Integrator integrator_;
     bool renormalised_;
-    Numbers numbers_{};
+    Numbers numbers_ = Numbers::Zero();
     Fault fault_ = Fault::none;
 };
 
 /// Carries the stepper over `count` steps of `h` seconds from `start`; omega(t) is the body's angular velocity.
 template <class Omega>
-Fault integrate(Stepper& stepper, const Omega& omega, double start, double h, std::size_t count) noexcept {
+Fault integrate(Stepper& stepper, const Omega& omega, double start, double h, std::size_t count) {
     std::array<Eigen::Vector3d, 3> rates;
     const auto nodes = stepper.nodes();
     for (std::size_t i = 0; i < count; ++i) {

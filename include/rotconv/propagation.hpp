@@ -63,7 +63,7 @@ private:
 
     /// Integrates from the sample `from` to the next. Others shape the interpolation: at most one on each side.
     void advance(std::size_t from) noexcept;
-    [[nodiscard]] Propagated answer(double time) const noexcept;
+    [[nodiscard]] Propagated answer_at(double time) const noexcept;
 
     PropagationSettings settings_;
     Stepper stepper_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "finite.hpp"
 #include "half_turn.hpp"
 
@@ -36,6 +38,16 @@ Notes notes(const Rotation& rotation) noexcept {
 Figures figures(const Rotation& rotation) noexcept {
     const double length = rotation.vector_length() / rotation.w();
     return {.margin = angle_to_half_turn(rotation), .condition = 0.5 * (1.0 + length * length)};
+}
+
+Eigen::Vector3d rate(const Eigen::Vector3d& c, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const Eigen::Vector3d turn = frame == Frame::body ? c.cross(w) : w.cross(c);
+    return 0.5 * (w + turn + c.dot(w) * c);
+}
+
+Eigen::Vector3d angular_velocity(const Eigen::Vector3d& c, const Eigen::Vector3d& rates, Frame frame) noexcept {
+    const Eigen::Vector3d turn = frame == Frame::body ? rates.cross(c) : c.cross(rates);
+    return (2.0 / (1.0 + c.squaredNorm())) * (rates + turn);
 }
 
 } // namespace rotconv::cayley

@@ -10,6 +10,7 @@
 
 #include "davenport.hpp"
 #include "double_double.hpp"
+#include "nearest_velocity.hpp"
 #include "scaling.hpp"
 
 namespace rotconv {
@@ -59,6 +60,17 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
     return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z)};
 }
 
+/// The rates of two columns of some length whose common normal of that length is `third`.
+Columns turned(const Columns& m, const Eigen::Vector3d& third, const Eigen::Vector3d& w, Frame frame) noexcept {
+    Columns rates;
+    if (frame == Frame::body) {
+        rates << w.z() * m.col(1) - w.y() * third, w.x() * third - w.z() * m.col(0);
+    } else {
+        rates << w.cross(m.col(0)), w.cross(m.col(1));
+    }
+    return rates;
+}
+
 } // namespace
 
 namespace columns {
@@ -77,6 +89,14 @@ Reading to_rotation(const Columns& m) noexcept {
 Columns from_rotation(const Rotation& rotation) noexcept { return dcm::from_rotation(rotation).leftCols<2>(); }
 
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = sqrt2}; }
+
+Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
+    return turned(m, m.col(0).cross(m.col(1)), w, frame);
+}
+
+Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates, Frame frame) noexcept {
+    return nearest_velocity([&](const Eigen::Vector3d& w) { return rate(m, w, frame); }, rates);
+}
 
 } // namespace columns
 
@@ -116,6 +136,19 @@ Figures figures(const Rotation& rotation) noexcept {
     const double turning = rotation.w() * rotation.w() + rotation.x() * rotation.x();
     const double tilting = rotation.y() * rotation.y() + rotation.z() * rotation.z();
     return {.condition = sqrt2 * (turning + tilting) / ((sqrt2 - 1.0) * turning + (sqrt2 + 1.0) * tilting)};
+}
+
+Vector5 rate(const Vector5& y, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const double square = y.squaredNorm();
+    Columns h;
+    h << 0.5 * (square - 1.0), y[2], y[0], y[3], y[1], y[4];
+    const Eigen::Vector3d third = (2.0 * sqrt2 / (square + 1.0)) * h.col(0).cross(h.col(1));
+    const auto rates = turned(h, third, w, frame).reshaped().eval();
+    return rates.tail<5>() + y * rates[0];
+}
+
+Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates, Frame frame) noexcept {
+    return nearest_velocity([&](const Eigen::Vector3d& w) { return rate(y, w, frame); }, rates);
 }
 
 } // namespace hopf

@@ -7,12 +7,14 @@
 #include <numbers>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include "angles.hpp"
 #include "blocks.hpp"
 #include "davenport.hpp"
 #include "double_double.hpp"
+#include "nearest_velocity.hpp"
 #include "scaling.hpp"
 
 namespace rotconv::dcm {
@@ -195,5 +197,21 @@ double defect(const Dcm& matrix) noexcept {
 }
 
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
+
+Dcm rate(const Dcm& matrix, const Eigen::Vector3d& w, Frame frame) noexcept {
+    Dcm rates;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        if (frame == Frame::body) {
+            rates.row(i) = matrix.row(i).cross(w);
+        } else {
+            rates.col(i) = w.cross(matrix.col(i));
+        }
+    }
+    return rates;
+}
+
+Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame frame) noexcept {
+    return nearest_velocity([&](const Eigen::Vector3d& w) { return rate(matrix, w, frame); }, rates);
+}
 
 } // namespace rotconv::dcm

@@ -156,6 +156,28 @@ DoubleDouble sum_of_products(Split a, Split b, double sign, Split c, Split d) no
     return exact_sum(a.high * b.high + sign * (c.high * d.high), rest_of_product(a, b) + sign * rest_of_product(c, d));
 }
 
+/// The axis of one outer turn, `near`, is fixed in the frame. Then w = near' e_n + R_n (middle' e_m + R_m far' e_f)
+/// with R_n and R_m turns about the axes n and m, inverse in body axes, and e_f = e_k, or e_n for a proper sequence.
+struct RateSystem {
+    RateSystem(const EulerAngles& value, Frame frame) noexcept
+        : near(value.sequence.intrinsic() == (frame == Frame::body) ? 2 : 0), far(2 - near),
+          n(value.sequence.axis(near)), m(value.sequence.axis(1)), k(3 - n - m) {
+        const double order = (m - n + 3) % 3 == 1 ? 1.0 : -1.0; // e_n x e_m = order e_k
+        const double sense = frame == Frame::body ? -order : order;
+        const Direction outer = direction_of(value.angles[near], value.unit);
+        const Direction middle = direction_of(value.angles[1], value.unit);
+        cosine = outer.cosine;
+        sine = sense * outer.sine;
+        far_along = value.sequence.proper() ? middle.cosine : sense * middle.sine;
+        far_across = value.sequence.proper() ? -sense * middle.sine : middle.cosine;
+    }
+
+    std::size_t near, far;        // places of the outer turns
+    int n, m, k;                  // axes
+    double cosine, sine;          // of R_n in the plane from m to k
+    double far_along, far_across; // components of R_m e_f along n and k
+};
+
 } // namespace
 
 Reading to_rotation(const EulerAngles& value) noexcept {
@@ -256,6 +278,29 @@ Figures figures(const Rotation& rotation, EulerSequence sequence) noexcept {
     const Halves h(rotation, FixedAxes(sequence), sequence.proper());
     return {.margin = 2.0 * std::atan2(std::min(h.cosine, h.sine), std::max(h.cosine, h.sine)),
             .condition = 1.0 / (std::numbers::sqrt2 * h.sine_of_half_margin())};
+}
+
+std::array<double, 3> rate(const EulerAngles& value, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const RateSystem s(value, frame);
+    const double across = s.cosine * w[s.k] - s.sine * w[s.m];
+    std::array<double, 3> rates{};
+    rates[s.far] = across / s.far_across;
+    rates[1] = s.cosine * w[s.m] + s.sine * w[s.k];
+    rates[s.near] = w[s.n] - s.far_along * rates[s.far];
+    for (double& angle_rate : rates) {
+        angle_rate *= radian(value.unit);
+    }
+    return rates;
+}
+
+Eigen::Vector3d angular_velocity(const EulerAngles& value, const std::array<double, 3>& rates, Frame frame) noexcept {
+    const RateSystem s(value, frame);
+    const double across = s.far_across * rates[s.far];
+    Eigen::Vector3d w;
+    w[s.n] = rates[s.near] + s.far_along * rates[s.far];
+    w[s.m] = s.cosine * rates[1] - s.sine * across;
+    w[s.k] = s.cosine * across + s.sine * rates[1];
+    return w / radian(value.unit);
 }
 
 } // namespace euler

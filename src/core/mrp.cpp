@@ -3,12 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "double_double.hpp"
 #include "finite.hpp"
 #include "half_turn.hpp"
 #include "scaling.hpp"
 
 namespace rotconv::mrp {
+namespace {
+
+/// B v, or B' v.
+Eigen::Vector3d turned(const Eigen::Vector3d& m, const Eigen::Vector3d& v, bool transposed) noexcept {
+    const Eigen::Vector3d turn = transposed ? v.cross(m) : m.cross(v);
+    return (1.0 - m.squaredNorm()) * v + 2.0 * (turn + m.dot(v) * m);
+}
+
+} // namespace
 
 Reading to_rotation(const Eigen::Vector3d& m) noexcept {
     if (!all_finite(m.x(), m.y(), m.z())) {
@@ -44,6 +55,15 @@ Notes notes(const Rotation& rotation) noexcept { return note_half_turn(rotation.
 Figures figures(const Rotation& rotation) noexcept {
     const double norm = std::sqrt(rotation.squared_norm());
     return {.margin = angle_to_half_turn(rotation), .condition = 0.5 * norm / (norm + std::fabs(rotation.w()))};
+}
+
+Eigen::Vector3d rate(const Eigen::Vector3d& m, const Eigen::Vector3d& w, Frame frame) noexcept {
+    return 0.25 * turned(m, w, frame == Frame::reference);
+}
+
+Eigen::Vector3d angular_velocity(const Eigen::Vector3d& m, const Eigen::Vector3d& rates, Frame frame) noexcept {
+    const double stretch = 0.25 * (1.0 + m.squaredNorm());
+    return turned(m, rates, frame == Frame::body) / (4.0 * stretch * stretch);
 }
 
 } // namespace rotconv::mrp

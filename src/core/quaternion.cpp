@@ -1,5 +1,7 @@
 #include <rotconv/quaternion.hpp>
 
+#include <Eigen/Geometry>
+
 #include "finite.hpp"
 #include "scaling.hpp"
 
@@ -22,5 +24,22 @@ double defect(const Quaternion& q) noexcept {
 }
 
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = 0.5}; }
+
+Quaternion rate(const Quaternion& q, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const Eigen::Vector3d v{q.x, q.y, q.z};
+    const Eigen::Vector3d turn = frame == Frame::body ? v.cross(w) : w.cross(v);
+    const Eigen::Vector3d rates = 0.5 * (q.w * w + turn);
+    return {-0.5 * v.dot(w), rates.x(), rates.y(), rates.z()};
+}
+
+Eigen::Vector3d angular_velocity(const Quaternion& q, const Quaternion& rates, Frame frame) noexcept {
+    // Both times one power of two, so that |q|^2 is near 1.
+    const auto scale = PowerOfTwo::to_unit(largest_magnitude(q.w, q.x, q.y, q.z));
+    const Eigen::Vector3d v{scale(q.x), scale(q.y), scale(q.z)};
+    const Eigen::Vector3d v_rate{scale(rates.x), scale(rates.y), scale(rates.z)};
+    const double w = scale(q.w);
+    const Eigen::Vector3d turn = frame == Frame::body ? v_rate.cross(v) : v.cross(v_rate);
+    return (2.0 / (w * w + v.squaredNorm())) * (w * v_rate - scale(rates.w) * v + turn);
+}
 
 } // namespace rotconv::quaternion

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "blocks.hpp"
 #include "double_double.hpp"
 #include "finite.hpp"
@@ -49,6 +51,23 @@ Rotation rotation_of_any(double rx, double ry, double rz, AngleUnit unit) noexce
 
 /// Lengths, in radians, that the grid knows to full accuracy; nan is none.
 bool is_plain(double length) noexcept { return length < 3.2 && length > least_known_length; }
+
+/// A vector in radians: its length and direction. What underflows is multiplied by 0 wherever it is used.
+struct Polar {
+    explicit Polar(const Eigen::Vector3d& r) noexcept
+        : length(r.norm()), direction(length > 0.0 ? Eigen::Vector3d(r / length) : Eigen::Vector3d::Zero()) {}
+
+    double length;
+    Eigen::Vector3d direction;
+};
+
+/// factor v + (1 - factor) n (n.v)
+Eigen::Vector3d stretched(const Polar& r, double factor, const Eigen::Vector3d& v) noexcept {
+    return factor * v + (1.0 - factor) * r.direction.dot(v) * r.direction;
+}
+
+/// sin(x)/x.
+double sine_ratio(double x) noexcept { return x == 0.0 ? 1.0 : std::sin(x) / x; }
 
 } // namespace
 
@@ -130,6 +149,26 @@ Figures figures(const Rotation& rotation) noexcept {
     const double sine = length / std::sqrt(rotation.squared_norm());
     const double condition = sine <= linear_half_angle ? 1.0 : 0.5 * angle_of(rotation) / sine;
     return {.margin = angle_to_half_turn(rotation), .condition = std::max(1.0, condition)};
+}
+
+Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const double per_radian = radian(value.unit);
+    const Eigen::Vector3d r = value.vector / per_radian;
+    const Polar polar(r);
+    const double half = 0.5 * polar.length;
+    const double cotangent = half == 0.0 ? 1.0 : half / std::tan(half);
+    const Eigen::Vector3d turn = frame == Frame::body ? r.cross(w) : w.cross(r);
+    return (stretched(polar, cotangent, w) + 0.5 * turn) * per_radian;
+}
+
+Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vector3d& rates, Frame frame) noexcept {
+    const double per_radian = radian(value.unit);
+    const Eigen::Vector3d r = value.vector / per_radian;
+    const Eigen::Vector3d v = rates / per_radian;
+    const Polar polar(r);
+    const double half_ratio = sine_ratio(0.5 * polar.length);
+    const Eigen::Vector3d turn = frame == Frame::body ? v.cross(r) : r.cross(v);
+    return stretched(polar, sine_ratio(polar.length), v) + (0.5 * half_ratio * half_ratio) * turn;
 }
 
 } // namespace rotconv::rotation_vector

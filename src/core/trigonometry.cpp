@@ -79,6 +79,16 @@ double angle_of(double y, double x, AngleUnit unit) noexcept {
     return y < 0.0 && angle < 180.0 ? -angle : angle;
 }
 
+Direction direction_of(double angle, AngleUnit unit) noexcept {
+    if (unit == AngleUnit::radians) {
+        return {std::cos(angle), std::sin(angle)};
+    }
+    int quadrants = 0;
+    const double rest = std::remquo(angle, 90.0, &quadrants) / degrees_per_radian;
+    const HalfAngle whole = turned({std::cos(rest), std::sin(rest)}, quadrants);
+    return {whole.cosine, whole.sine};
+}
+
 double radian(AngleUnit unit) noexcept { return unit == AngleUnit::degrees ? degrees_per_radian : 1.0; }
 
 } // namespace rotconv

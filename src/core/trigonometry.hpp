@@ -21,6 +21,15 @@ struct HalfAngle {
 /// The angle of the vector (x, y), in (-pi, pi] or (-180, 180]; multiples of 90 degrees are exact. 0 where both are 0.
 [[nodiscard]] double angle_of(double y, double x, AngleUnit unit) noexcept;
 
+/// cos and sin of an angle.
+struct Direction {
+    double cosine;
+    double sine;
+};
+
+/// Of a finite angle of any size. In degrees it is reduced exactly, and multiples of 90 give 0, 1 and -1.
+[[nodiscard]] Direction direction_of(double angle, AngleUnit unit) noexcept;
+
 /// 1 radian in the unit.
 [[nodiscard]] double radian(AngleUnit unit) noexcept;
 

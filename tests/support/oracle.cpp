@@ -11,7 +11,7 @@ using rotconv::Name;
 using rotconv::Spec;
 using Matrix32 = Eigen::Matrix<Real, 3, 2>;
 
-std::vector<Real> own_order(const Spec& spec, std::span<const double> written) {
+template <class Number> std::vector<Real> own_order(const Spec& spec, std::span<const Number> written) {
     std::vector<Real> own(spec.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
         // stated here anew, so that a slip in Spec::order() shows
@@ -120,6 +120,11 @@ Quaternion about(const Vector3& axis, const Real& angle) {
 }
 
 Quaternion attitude(const Spec& spec, std::span<const double> written) {
+    const std::vector<Real> exact(written.begin(), written.end());
+    return attitude(spec, std::span<const Real>(exact));
+}
+
+Quaternion attitude(const Spec& spec, std::span<const Real> written) {
     const auto v = own_order(spec, written);
     const Real per_unit = spec.unit == AngleUnit::degrees ? Real(pi() / 180) : Real(1);
     Quaternion q = Quaternion::Identity();
@@ -169,6 +174,14 @@ Quaternion attitude(const Spec& spec, std::span<const double> written) {
 }
 
 std::vector<double> numbers(const Spec& spec, const Quaternion& given) {
+    std::vector<double> rounded;
+    for (const Real& number : exact_numbers(spec, given)) {
+        rounded.push_back(static_cast<double>(number));
+    }
+    return rounded;
+}
+
+std::vector<Real> exact_numbers(const Spec& spec, const Quaternion& given) {
     const Quaternion q = spec.passive ? given.conjugate() : given;
     const Matrix3 r = q.toRotationMatrix();
     const Real sign = q.w() < 0 ? -1 : 1;
@@ -194,9 +207,9 @@ std::vector<double> numbers(const Spec& spec, const Quaternion& given) {
     case Name::rpy: break;
     }
     const auto order = spec.order();
-    std::vector<double> written;
+    std::vector<Real> written;
     for (std::size_t i = 0; i < own.size(); ++i) {
-        written.push_back(static_cast<double>(own[order[i]]));
+        written.push_back(own[order[i]]);
     }
     return written;
 }

@@ -26,10 +26,13 @@ Real pi();
 
 /// The exact attitude of doubles written as the spec says, as a unit quaternion of either sign.
 Quaternion attitude(const rotconv::Spec& spec, std::span<const double> numbers);
+Quaternion attitude(const rotconv::Spec& spec, std::span<const Real> numbers);
 
 /// The numbers of an attitude, rounded once to double: input for tests. Not for euler and rpy, where the angles are
 /// chosen.
 std::vector<double> numbers(const rotconv::Spec& spec, const Quaternion& attitude);
+/// The same before rounding.
+std::vector<Real> exact_numbers(const rotconv::Spec& spec, const Quaternion& attitude);
 
 /// The unit quaternion of an axis (any length) and an angle.
 Quaternion about(const Vector3& axis, const Real& angle);

@@ -1,0 +1,208 @@
+#include <rotconv/integration.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include <rotconv/rates.hpp>
+
+#include "door.hpp"
+#include "rate_door.hpp"
+
+namespace rotconv {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr double root3 = std::numbers::sqrt3;
+constexpr double root15 = 3.872983346207417;
+
+constexpr std::array<IntegratorEntry, 3> table{{
+    {Integrator::rk4, "rk4", 4, 4, 3, {0.0, 0.5, 1.0}, false},
+    {Integrator::magnus4, "magnus4", 4, 2, 2, {0.5 - root3 / 6.0, 0.5 + root3 / 6.0, 0.0}, true},
+    {Integrator::magnus6, "magnus6", 6, 3, 3, {0.5 - root15 / 10.0, 0.5, 0.5 + root15 / 10.0}, true},
+}};
+
+/// The commutator of [a]_x and [b]_x as a vector, reversed: the published series are for Ydot = A Y, and here
+/// Rdot = R [w]_x.
+Vector3d commutator(const Vector3d& a, const Vector3d& b) noexcept { return b.cross(a); }
+
+Vector3d magnus4(double h, std::span<const Vector3d> w) noexcept {
+    return (0.5 * h) * (w[0] + w[1]) - (root3 / 12.0 * h * h) * commutator(w[0], w[1]);
+}
+
+Vector3d magnus6(double h, std::span<const Vector3d> w) noexcept {
+    const Vector3d a1 = h * w[1];
+    const Vector3d a2 = (root15 / 3.0 * h) * (w[2] - w[0]);
+    const Vector3d a3 = (10.0 / 3.0 * h) * ((w[2] - w[1]) - (w[1] - w[0]));
+    const Vector3d c1 = commutator(a1, a2);
+    const Vector3d c2 = commutator(a1, 2.0 * a3 + c1) / -60.0;
+    return a1 + a3 / 12.0 + commutator(-20.0 * a1 - a3 + c1, a2 + c2) / 240.0;
+}
+
+/// 2 pi and what that double lacks.
+constexpr double turn_high = 2.0 * pi;
+constexpr double turn_low = 2.4492935982947064e-16;
+
+/// An angle less its whole turns.
+double without_turns(double angle) noexcept {
+    const double turns = std::round(angle / turn_high);
+    return (angle - turns * turn_high) - turns * turn_low;
+}
+
+} // namespace
+
+std::span<const IntegratorEntry> integrators() noexcept { return table; }
+
+const IntegratorEntry& entry_of(Integrator integrator) noexcept { return table[static_cast<std::size_t>(integrator)]; }
+
+std::optional<Integrator> find_integrator(std::string_view text) noexcept {
+    const auto* const found = std::ranges::find(table, text, &IntegratorEntry::text);
+    return found == table.end() ? std::nullopt : std::optional(found->integrator);
+}
+
+bool can_integrate(Name set, Integrator integrator) noexcept {
+    return entry_of(integrator).exponential ? set == Name::quat : has_rates(set);
+}
+
+Stepper::Stepper(const Spec& set, Integrator integrator, bool renormalise) noexcept
+    : set_(set), integrator_(integrator), renormalised_(renormalise && set.size() > 3) {
+    set_.unit = AngleUnit::radians;
+    if (entry_of(integrator).exponential) {
+        set_.passive = false; // the conjugate would be carried on by the same exponential
+    }
+}
+
+Fault Stepper::start(const Rotation& rotation) noexcept {
+    const Rotation kept = set_.passive ? rotation.inverse() : rotation;
+    Notes notes;
+    numbers_.setZero();
+    door_of(set_.name).write(set_, euler::default_lock_margin, &kept, 1, numbers_.data(), &notes);
+    fault_ = numbers_.allFinite() ? Fault::none : Fault::singular;
+    return fault_;
+}
+
+std::span<const double> Stepper::nodes() const noexcept {
+    const IntegratorEntry& entry = entry_of(integrator_);
+    return {entry.nodes.data(), entry.node_count};
+}
+
+Fault Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
+    if (fault_ != Fault::none) {
+        return fault_;
+    }
+    double fastest = 0.0;
+    for (const Vector3d& w : rates) {
+        fastest = std::max(fastest, w.squaredNorm());
+    }
+    if (!(distance_to_singularity() > h * std::sqrt(fastest))) {
+        return fault_ = Fault::singular;
+    }
+    switch (integrator_) {
+    case Integrator::rk4: runge_kutta(h, rates); break;
+    case Integrator::magnus4: turn_by(magnus4(h, rates)); break;
+    case Integrator::magnus6: turn_by(magnus6(h, rates)); break;
+    }
+    change_chart();
+    if (!numbers_.allFinite()) {
+        return fault_ = Fault::not_finite;
+    }
+    if (!(distance_to_singularity() > 0.0)) {
+        return fault_ = Fault::singular;
+    }
+    return fault_ = renormalised_ ? bring_back() : Fault::none;
+}
+
+Stepper::Numbers Stepper::rate(const Numbers& numbers, const Vector3d& w) const noexcept {
+    Numbers rates = Numbers::Zero();
+    const auto equation = rate_door_of(set_.name).rate;
+    if (set_.passive) {
+        equation(set_, numbers.data(), -w, Frame::reference, rates.data());
+    } else {
+        equation(set_, numbers.data(), w, Frame::body, rates.data());
+    }
+    return rates;
+}
+
+void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
+    const Numbers first = rate(numbers_, rates[0]);
+    const Numbers second = rate(numbers_ + (0.5 * h) * first, rates[1]);
+    const Numbers third = rate(numbers_ + (0.5 * h) * second, rates[1]);
+    const Numbers fourth = rate(numbers_ + h * third, rates[2]);
+    numbers_ += (h / 6.0) * ((first + fourth) + 2.0 * (second + third));
+}
+
+void Stepper::turn_by(const Vector3d& turn) noexcept {
+    const double half = 0.5 * turn.norm();
+    const double w = std::cos(half);
+    const Vector3d v = (half == 0.0 ? 0.5 : 0.5 * (std::sin(half) / half)) * turn;
+    const Vector3d kept = numbers_.segment<3>(1);
+    const double kept_w = numbers_[0];
+    numbers_[0] = kept_w * w - kept.dot(v);
+    numbers_.segment<3>(1) = kept_w * v + w * kept + kept.cross(v);
+}
+
+double Stepper::distance_to_singularity() const noexcept {
+    switch (set_.name) {
+    case Name::euler:
+    case Name::rpy:
+        return set_.sequence.proper() ? std::min(numbers_[1], pi - numbers_[1]) : 0.5 * pi - std::fabs(numbers_[1]);
+    case Name::cayley: return 2.0 * std::atan2(1.0, numbers_.head<3>().norm());
+    case Name::rotvec:
+    case Name::mrp: return pi; // at least: they are singular at a full turn, and change their chart at half of one
+    default: return std::numeric_limits<double>::infinity();
+    }
+}
+
+void Stepper::change_chart() noexcept {
+    auto vector = numbers_.head<3>();
+    switch (set_.name) {
+    case Name::euler:
+    case Name::rpy:
+        numbers_[0] = without_turns(numbers_[0]);
+        numbers_[2] = without_turns(numbers_[2]);
+        break;
+    case Name::rotvec:
+        if (const double length = vector.norm(); length > pi) {
+            vector *= without_turns(length) / length;
+        }
+        break;
+    case Name::mrp:
+        if (const double square = vector.squaredNorm(); square > 1.0) {
+            vector /= -square;
+        }
+        break;
+    default: break;
+    }
+}
+
+Fault Stepper::bring_back() noexcept {
+    const Door& door = door_of(set_.name);
+    Reading reading;
+    Notes notes;
+    door.read(set_, numbers_.data(), 1, &reading);
+    door.write(set_, 0.0, &reading.rotation, 1, numbers_.data(), &notes);
+    return reading.fault;
+}
+
+Reading Stepper::attitude() const noexcept {
+    if (fault_ != Fault::none) {
+        return Reading::failed(fault_);
+    }
+    const Door& door = door_of(set_.name);
+    Reading reading;
+    door.read(set_, numbers_.data(), 1, &reading);
+    if (reading.ok() && door.exact_defect != nullptr) {
+        reading.defect = door.exact_defect(numbers_.data());
+    }
+    if (set_.passive) {
+        reading.rotation = reading.rotation.inverse();
+    }
+    return reading;
+}
+
+} // namespace rotconv

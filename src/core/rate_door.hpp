@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <rotconv/frame.hpp>
+#include <rotconv/spec.hpp>
+
+namespace rotconv {
+
+/// A room's kinematic equation on plain numbers in the representation's own order. Of the Spec the sequence and the
+/// unit count.
+struct RateDoor {
+    void (*rate)(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame,
+                 double* rates) noexcept;
+    Eigen::Vector3d (*angular_velocity)(const Spec& spec, const double* numbers, const double* rates,
+                                        Frame frame) noexcept;
+};
+
+/// @pre has_rates(name)
+[[nodiscard]] const RateDoor& rate_door_of(Name name) noexcept;
+
+/// The axes of the inverse rotation's angular velocity where those of the rotation's are `frame`; its components are
+/// the negative ones.
+constexpr Frame inverse_of(Frame frame) noexcept { return frame == Frame::body ? Frame::reference : Frame::body; }
+
+} // namespace rotconv

@@ -1,0 +1,104 @@
+#include <rotconv/rates.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "door.hpp"
+#include "rate_door.hpp"
+
+namespace rotconv {
+namespace {
+
+using Numbers = std::array<double, 9>;
+using Eigen::Vector3d;
+
+constexpr double per_degree = std::numbers::pi / 180.0;
+
+bool all_finite(const double* numbers, std::size_t count) noexcept {
+    return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
+}
+
+/// A rotation vector at a full turn or several: its own figures are those of the identity.
+bool at_full_turn(const Spec& spec, const Numbers& numbers) noexcept {
+    const double per_unit = spec.unit == AngleUnit::degrees ? per_degree : 1.0;
+    const double half = 0.5 * per_unit * Vector3d(numbers[0], numbers[1], numbers[2]).norm();
+    return spec.name == Name::rotvec && half > 1.0 && 2.0 * std::fabs(std::sin(half)) <= singular_margin;
+}
+
+} // namespace
+
+Rates::Rates(const Spec& spec, const RateSettings& settings) noexcept : spec_(spec), settings_(settings) {}
+
+void Rates::run(std::span<const double> in, std::span<double> out, std::span<RateReport> reports) const noexcept {
+    const double* from = in.data();
+    double* to = out.data();
+    for (RateReport& report : reports) {
+        report = run_row(from, to);
+        if (report.fault == Fault::none && !all_finite(to, out_size())) {
+            report.fault = Fault::not_finite;
+        }
+        if (report.fault != Fault::none) {
+            std::fill_n(to, out_size(), std::numeric_limits<double>::quiet_NaN());
+        }
+        from += in_size();
+        to += out_size();
+    }
+}
+
+RateReport Rates::run_row(const double* in, double* out) const noexcept {
+    if (!all_finite(in, in_size())) {
+        return {.fault = Fault::not_finite};
+    }
+    const auto order = spec_.order();
+    const std::size_t size = spec_.size();
+    Numbers numbers{};
+    Numbers rates{};
+    for (std::size_t i = 0; i < size; ++i) {
+        numbers[order[i]] = in[i];
+        rates[order[i]] = settings_.inverse ? in[size + i] : 0.0;
+    }
+
+    const Door& door = door_of(spec_.name);
+    Reading reading;
+    door.read(spec_, numbers.data(), 1, &reading);
+    RateReport report{.fault = reading.fault, .defect = reading.defect};
+    if (!reading.ok()) {
+        return report;
+    }
+    if (door.exact_defect != nullptr && settings_.tolerance < reading.defect) {
+        report.defect = door.exact_defect(numbers.data());
+    }
+    report.figures = door.figures(spec_, reading.rotation);
+    if (report.defect > settings_.tolerance) {
+        report.fault = Fault::defect;
+    } else if (report.figures.margin <= singular_margin || at_full_turn(spec_, numbers)) {
+        report.fault = Fault::singular;
+    }
+    if (report.fault != Fault::none) {
+        return report;
+    }
+
+    const RateDoor& equation = rate_door_of(spec_.name);
+    const Frame frame = spec_.passive ? inverse_of(settings_.frame) : settings_.frame;
+    const double sign = spec_.passive ? -1.0 : 1.0;
+
+    const double radians = settings_.degrees ? per_degree : 1.0;
+    if (settings_.inverse) {
+        const Vector3d w = equation.angular_velocity(spec_, numbers.data(), rates.data(), frame);
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            out[i] = sign * w[i] / radians + 0.0; // -0 becomes 0
+        }
+        return report;
+    }
+    const Vector3d w = (sign * radians) * Vector3d(in[size], in[size + 1], in[size + 2]);
+    equation.rate(spec_, numbers.data(), w, frame, rates.data());
+    for (std::size_t i = 0; i < size; ++i) {
+        out[i] = rates[order[i]] + 0.0;
+    }
+    return report;
+}
+
+} // namespace rotconv

@@ -1,0 +1,208 @@
+// Rates of every set, both ways, against differences of the oracle in 36 digits.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include <rotconv/rotconv.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
+
+using namespace rotconv;
+using accuracy::spec;
+using oracle::Real;
+using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+namespace {
+
+const Real step("1e-12"); // differences are then exact to 24 digits
+
+/// The small rotation from p to q, as a vector in the frame's axes.
+oracle::Vector3 small_turn(const oracle::Quaternion& p, const oracle::Quaternion& q, Frame frame) {
+    const oracle::Quaternion d = frame == Frame::body ? p.conjugate() * q : q * p.conjugate();
+    return (d.w() < 0 ? -2 : 2) * d.vec();
+}
+
+/// The matrix that takes the rates of the numbers to the angular velocity.
+Matrix velocity_map(const Spec& s, const std::vector<double>& numbers, Frame frame) {
+    const auto here = oracle::attitude(s, numbers);
+    Matrix map(3, static_cast<Eigen::Index>(numbers.size()));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        std::vector<Real> moved(numbers.begin(), numbers.end());
+        moved[i] += step;
+        const auto after = oracle::attitude(s, std::span<const Real>(moved));
+        moved[i] -= 2 * step;
+        const auto before = oracle::attitude(s, std::span<const Real>(moved));
+        map.col(static_cast<Eigen::Index>(i)) =
+            (small_turn(here, after, frame) - small_turn(here, before, frame)) / (2 * step);
+    }
+    return map;
+}
+
+/// The rates of the numbers of an attitude: those of sets without a singularity, whose numbers are not independent.
+Vector rates_by_motion(const Spec& s, const oracle::Quaternion& here, const oracle::Vector3& w, Frame frame) {
+    const auto numbers_at = [&](const Real& t) {
+        const auto turn = oracle::about(w, w.norm() * t);
+        auto moved = frame == Frame::body ? here * turn : turn * here;
+        moved.normalize();
+        return oracle::exact_numbers(s, moved);
+    };
+    const auto after = numbers_at(step);
+    const auto before = numbers_at(-step);
+    Vector rates(static_cast<Eigen::Index>(after.size()));
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        rates[static_cast<Eigen::Index>(i)] = (after[i] - before[i]) / (2 * step);
+    }
+    return rates;
+}
+
+Vector exact_rates(const Spec& s, const std::vector<double>& numbers, const oracle::Vector3& w, Frame frame) {
+    if (numbers.size() > 3) {
+        return rates_by_motion(s, oracle::attitude(s, numbers), w, frame);
+    }
+    return velocity_map(s, numbers, frame).fullPivLu().solve(Vector(w));
+}
+
+double relative_error(const std::vector<double>& found, const Vector& exact) {
+    Vector difference = exact;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!std::isfinite(found[i])) {
+            return INFINITY;
+        }
+        difference[static_cast<Eigen::Index>(i)] -= found[i];
+    }
+    return static_cast<double>(difference.norm() / exact.norm()) / oracle::eps;
+}
+
+struct Row {
+    std::vector<double> numbers;
+    std::vector<double> rates;
+    RateReport report;
+};
+
+std::vector<double> run(const Rates& way, const std::vector<double>& in, RateReport& report) {
+    std::vector<double> out(way.out_size());
+    way.run(in, out, {&report, 1});
+    return out;
+}
+
+std::vector<double> joined(std::vector<double> first, const std::vector<double>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+std::vector<std::vector<double>> rows_of(const Spec& s, int size) {
+    std::vector<std::vector<double>> rows;
+    if (s.name == Name::euler) {
+        rows = strata::euler_angles(s, size);
+        // Of larger angles the differences have too few digits.
+        std::erase_if(rows, [](const auto& row) { return Eigen::Map<const Eigen::Vector3d>(row.data()).norm() > 1e7; });
+        return rows;
+    }
+    for (const auto& stratum : strata::attitudes(size)) {
+        for (const auto& attitude : stratum.attitudes) {
+            auto row = oracle::numbers(s, attitude);
+            bool usable = true;
+            for (const double v : row) {
+                usable = usable && std::isfinite(v) && std::fabs(v) < 1e12; // past that cayley is at a half-turn
+            }
+            if (usable) {
+                rows.push_back(std::move(row));
+            }
+        }
+    }
+    return rows;
+}
+
+/// Worst errors in eps, of rows with a condition up to 10 and, divided by the condition, of all.
+struct Worst {
+    double forward = 0.0;
+    double forward_by_condition = 0.0;
+    double inverse = 0.0;
+    double inverse_by_condition = 0.0;
+};
+
+Worst worst_of(const Spec& s, Frame frame, int size) {
+    strata::Source source(21);
+    const Rates forward(s, {.frame = frame});
+    const Rates inverse(s, {.inverse = true, .frame = frame});
+    Worst worst;
+    for (const auto& numbers : rows_of(s, size)) {
+        const double scale = std::pow(10.0, source.uniform(-3, 3));
+        const std::vector<double> w{scale * source.normal(), scale * source.normal(), scale * source.normal()};
+        const oracle::Vector3 exact_w(w[0], w[1], w[2]);
+        RateReport report;
+        const auto rates = run(forward, joined(numbers, w), report);
+        if (report.fault == Fault::singular) {
+            CHECK(report.figures.margin <= 1e-15);
+            CHECK(std::isnan(rates[0]));
+            continue;
+        }
+        REQUIRE(report.fault == Fault::none);
+        const double condition = std::max(1.0, report.figures.condition);
+        const double error = relative_error(rates, exact_rates(s, numbers, exact_w, frame));
+        const auto back = run(inverse, joined(numbers, rates), report);
+        Vector exact_rate(static_cast<Eigen::Index>(rates.size()));
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+            exact_rate[static_cast<Eigen::Index>(i)] = rates[i];
+        }
+        const double back_error = relative_error(back, velocity_map(s, numbers, frame) * exact_rate);
+        if (condition <= 10) {
+            worst.forward = std::max(worst.forward, error);
+            worst.inverse = std::max(worst.inverse, back_error);
+        }
+        worst.forward_by_condition = std::max(worst.forward_by_condition, error / condition);
+        worst.inverse_by_condition = std::max(worst.inverse_by_condition, back_error / condition);
+    }
+    return worst;
+}
+
+void check(const std::string& text, int size) {
+    for (const Frame frame : {Frame::body, Frame::reference}) {
+        const Worst worst = worst_of(spec(text), frame, size);
+        INFO(text << (frame == Frame::body ? " body" : " reference"));
+        UNSCOPED_INFO("forward " << worst.forward << " / condition " << worst.forward_by_condition << ", inverse "
+                                 << worst.inverse << " / condition " << worst.inverse_by_condition);
+        CHECK(worst.forward <= 8);
+        CHECK(worst.forward_by_condition <= 8);
+        CHECK(worst.inverse_by_condition <= 8);
+    }
+}
+
+} // namespace
+
+// Catches a wrong sign, frame, transposition, order of numbers or unit, and a formula that loses digits anywhere.
+TEST_CASE("rates of the sets without a singularity are those of the oracle") {
+    for (const char* text : {"dcm", "6d", "5d", "quat"}) {
+        check(text, 40);
+    }
+    for (const char* text : {"dcm:col:passive", "6d:passive", "5d:passive", "quat:passive:xyzw"}) {
+        check(text, 8);
+    }
+}
+
+TEST_CASE("rates of the vectors are those of the oracle") {
+    for (const char* text : {"rotvec", "cayley", "mrp"}) {
+        check(text, 60);
+    }
+    for (const char* text : {"rotvec:passive", "rotvec:deg", "cayley:passive", "mrp:passive"}) {
+        check(text, 12);
+    }
+}
+
+TEST_CASE("rates of all Euler angles are those of the oracle") {
+    for (const EulerSequence sequence : EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        const std::string text = "euler:" + std::string(letters.data(), 3);
+        check(text, 60);
+        check(text + ":deg", 24);
+        check(text + ":passive", 12);
+    }
+}
