@@ -27,7 +27,9 @@ std::string in_table(const Survey& survey, double limit) {
 }
 
 /// A number, or a string where it is not finite.
-std::string json_number(double value) { return fmt::format(std::isfinite(value) ? "{}" : "\"{}\"", value); }
+std::string json_number(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : fmt::format("\"{}\"", value);
+}
 
 std::string in_json(const Survey& survey, double limit) {
     std::string text;
