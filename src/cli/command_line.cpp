@@ -135,7 +135,8 @@ Command read_command_line(int argc, const char* const* argv) {
     try {
         app.parse(arguments.options);
         const CLI::App& command = arguments.command.empty() ? app : *app.get_subcommand(arguments.command);
-        return command_of(arguments.command, texts, {arguments.values, command.count("--input") > 0});
+        const CLI::Option* input = command.get_option_no_throw("--input");
+        return command_of(arguments.command, texts, {arguments.values, input != nullptr && input->count() > 0});
     } catch (const CLI::CallForHelp&) {
         return PrintCommand{app.help()};
     } catch (const CLI::CallForVersion& version) {
