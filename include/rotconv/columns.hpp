@@ -25,8 +25,10 @@ namespace columns {
 /// Margin infinite, condition sqrt 2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 
-/// The rates: both columns turn, c' = w x c in reference axes, which is linear (Stuelpnagel section 4, of the inverse:
-/// X0dot = Omega X0). In body axes c1' = w3 c2 - w2 c3 and c2' = w1 c3 - w3 c1 with c3 = c1 x c2.
+/// The rates: both columns turn as a rigid pair, c' = w x c in reference axes, which is linear (Stuelpnagel section 4,
+/// of the inverse: X0dot = Omega X0). From body axes w comes by the attitude of to_rotation(), so that lengths and
+/// angle of the columns, right or wrong, have no part in the motion; it is not finite where their squares are not, or
+/// 0.
 [[nodiscard]] Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
 
 /// The angular velocity whose rate() is nearest to `rates` (least squares).

@@ -43,6 +43,11 @@ struct Pushed {
 };
 
 /// Integrates a stream of samples of the body's angular velocity to attitudes, in constant memory.
+///
+/// The error of sampled rates is that of the interpolation, whatever the integrator: over 20 s of coning (0.1 rad, 5
+/// rad/s) it is 2.1e-4 rad with linear and 1.0e-7 with cubic at 100 Hz, 2.1e-6 and 1.0e-11 at 1000 Hz; of a tumbling
+/// motion of up to 3 rad/s 2.9e-4 and 1.6e-8, 2.9e-6 and 1.6e-12. It falls with the second power of the interval
+/// (linear), or the fourth (cubic).
 class Propagator {
 public:
     /// @pre can_integrate(settings.set.name, settings.integrator) and settings.substeps > 0

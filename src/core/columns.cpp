@@ -60,14 +60,17 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
     return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z)};
 }
 
-/// The rates of two columns of some length whose common normal of that length is `third`.
-Columns turned(const Columns& m, const Eigen::Vector3d& third, const Eigen::Vector3d& w, Frame frame) noexcept {
-    Columns rates;
+/// The rates of two columns that turn as a rigid pair.
+Columns turned(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
+    Eigen::Vector3d axis = w;
     if (frame == Frame::body) {
-        rates << w.z() * m.col(1) - w.y() * third, w.x() * third - w.z() * m.col(0);
-    } else {
-        rates << w.cross(m.col(0)), w.cross(m.col(1));
+        const Eigen::Vector3d normal = m.col(0).cross(m.col(1));
+        const Eigen::Vector3d first = m.col(0) / m.col(0).norm();
+        const Eigen::Vector3d third = normal / normal.norm();
+        axis = w.x() * first + w.y() * third.cross(first) + w.z() * third;
     }
+    Columns rates;
+    rates << axis.cross(m.col(0)), axis.cross(m.col(1));
     return rates;
 }
 
@@ -90,9 +93,7 @@ Columns from_rotation(const Rotation& rotation) noexcept { return dcm::from_rota
 
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = sqrt2}; }
 
-Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
-    return turned(m, m.col(0).cross(m.col(1)), w, frame);
-}
+Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept { return turned(m, w, frame); }
 
 Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates, Frame frame) noexcept {
     return nearest_velocity([&](const Eigen::Vector3d& w) { return rate(m, w, frame); }, rates);
@@ -142,8 +143,7 @@ Vector5 rate(const Vector5& y, const Eigen::Vector3d& w, Frame frame) noexcept {
     const double square = y.squaredNorm();
     Columns h;
     h << 0.5 * (square - 1.0), y[2], y[0], y[3], y[1], y[4];
-    const Eigen::Vector3d third = (2.0 * sqrt2 / (square + 1.0)) * h.col(0).cross(h.col(1));
-    const auto rates = turned(h, third, w, frame).reshaped().eval();
+    const auto rates = turned(h, w, frame).reshaped().eval();
     return rates.tail<5>() + y * rates[0];
 }
 

@@ -99,7 +99,8 @@ Fault Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     for (const Vector3d& w : rates) {
         fastest = std::max(fastest, w.squaredNorm());
     }
-    if (!(distance_to_singularity() > h * std::sqrt(fastest))) {
+    const double distance = distance_to_singularity();
+    if (std::isfinite(distance) && distance <= h * std::sqrt(fastest)) {
         return fault_ = Fault::singular;
     }
     switch (integrator_) {

@@ -1,6 +1,5 @@
-// Small losses in the place of rotconv's own answers: the checks that hold rotconv must reject each of them. What they say
-// of published methods stands in methods_test.cpp.
-
+// Small losses in the place of rotconv's own answers: the checks that hold rotconv must reject each of them. What they
+// say of published methods stands in methods_test.cpp.
 
 #include <rotconv/conversion.hpp>
 

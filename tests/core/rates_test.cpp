@@ -81,12 +81,6 @@ double relative_error(const std::vector<double>& found, const Vector& exact) {
     return static_cast<double>(difference.norm() / exact.norm()) / oracle::eps;
 }
 
-struct Row {
-    std::vector<double> numbers;
-    std::vector<double> rates;
-    RateReport report;
-};
-
 std::vector<double> run(const Rates& way, const std::vector<double>& in, RateReport& report) {
     std::vector<double> out(way.out_size());
     way.run(in, out, {&report, 1});
@@ -205,4 +199,64 @@ TEST_CASE("rates of all Euler angles are those of the oracle") {
         check(text + ":deg", 24);
         check(text + ":passive", 12);
     }
+}
+
+TEST_CASE("at a singularity there are no rates, and the report says so") {
+    const auto fault = [](const char* text, const std::vector<double>& numbers, const RateSettings& settings = {}) {
+        const Spec s = spec(text);
+        const Rates way(s, settings);
+        RateReport report;
+        std::vector<double> row = numbers;
+        row.resize(way.in_size(), 0.5);
+        const auto out = run(way, row, report);
+        for (const double v : out) {
+            CHECK(std::isnan(v) == (report.fault != Fault::none));
+        }
+        return report.fault;
+    };
+    constexpr double half_turn = std::numbers::pi;
+    for (const bool inverse : {false, true}) {
+        const RateSettings settings{.inverse = inverse};
+        CHECK(fault("euler:ZYX", {1, half_turn / 2, 2}, settings) == Fault::singular);
+        CHECK(fault("euler:ZYX:deg", {10, -90, 20}, settings) == Fault::singular);
+        CHECK(fault("euler:zxz:deg", {10, 180, 20}, settings) == Fault::singular);
+        CHECK(fault("euler:ZYX:deg", {10, 90 - 1e-12, 20}, settings) == Fault::none);
+        CHECK(fault("rotvec", {half_turn, 0, 0}, settings) == Fault::singular);
+        CHECK(fault("rotvec:deg", {0, 360, 0}, settings) == Fault::singular);
+        CHECK(fault("mrp", {0, 1, 0}, settings) == Fault::singular);
+        CHECK(fault("cayley", {0, 1e16, 0}, settings) == Fault::singular);
+        CHECK(fault("cayley", {0, 1e14, 0}, settings) == Fault::none);
+        CHECK(fault("quat", {0, 0, 0, 0}, settings) == Fault::zero_quaternion);
+        CHECK(fault("quat", {1.1, 0, 0, 0}, settings) == Fault::defect);
+        CHECK(fault("dcm", {1, 0, 0, 0, 1, 0, 0, 0, -1}, settings) == Fault::not_proper);
+        CHECK(fault("rotvec", {NAN, 0, 0}, settings) == Fault::not_finite);
+        CHECK(fault("rotvec", {0, 0, 0, INFINITY}, settings) == Fault::not_finite);
+        // too fast for a double
+        CHECK(fault("mrp", {0.5, 0.5, 0.4, 1.5e308, 1.5e308, 1.5e308}, settings) == Fault::not_finite);
+    }
+    CHECK(fault("quat", {1.1, 0, 0, 0}, {.tolerance = 0.2}) == Fault::none);
+    CHECK_FALSE(has_rates(Name::axis_angle));
+}
+
+// By hand: a yaw of 90 degrees, then the body turns about its own x, which is the reference's y.
+TEST_CASE("units, frames and orders of rates are those of the numbers") {
+    using List = std::vector<double>;
+    const auto rates = [](const char* text, const List& row, const RateSettings& settings = {}) {
+        RateReport report;
+        return run(Rates(spec(text), settings), row, report);
+    };
+    CHECK(rates("euler:ZYX:deg", {90, 0, 0, 1, 0, 0})[2] == Approx(180 / std::numbers::pi).epsilon(1e-15));
+    CHECK(rates("euler:ZYX:deg", {90, 0, 0, 30, 0, 0}, {.degrees = true})[2] == Approx(30).epsilon(1e-15));
+    CHECK(rates("euler:ZYX:deg", {90, 0, 0, 0, 30, 0}, {.degrees = true, .frame = Frame::reference})[2] ==
+          Approx(30).epsilon(1e-15));
+    CHECK(rates("euler:ZYX", {0, 0, 0, 90, 0, 0}, {.degrees = true})[2] == Approx(std::numbers::pi / 2).epsilon(1e-15));
+    CHECK(rates("rpy", {0, 0, 0, 1, 2, 3}) == List{1, 2, 3});
+    CHECK(rates("quat", {1, 0, 0, 0, 2, 4, 6}) == List{0, 1, 2, 3});
+    CHECK(rates("quat:xyzw", {0, 0, 0, 1, 2, 4, 6}) == List{1, 2, 3, 0});
+    CHECK(rates("quat:passive", {1, 0, 0, 0, 2, 4, 6}) == List{0, -1, -2, -3});
+    CHECK(rates("dcm", {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 2, 3}) == List{0, -3, 2, 3, 0, -1, -2, 1, 0});
+    CHECK(rates("dcm:col", {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 2, 3}) == List{0, 3, -2, -3, 0, 1, 2, -1, 0});
+    const List w = rates("quat:xyzw", {0, 0, 0, 1, 1, 2, 3, 0}, {.inverse = true, .degrees = true});
+    CHECK(w[2] == Approx(6 * 180 / std::numbers::pi).epsilon(1e-15));
+    CHECK_FALSE(std::signbit(rates("cayley", {0, 0, 0, -0.0, 1, 1})[0]));
 }

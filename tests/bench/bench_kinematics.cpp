@@ -1,0 +1,188 @@
+// Every set and integrator on motions in closed form: error, cost and drift. bench_kinematics OUT.csv
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <rotconv/integration.hpp>
+
+#include "motions.hpp"
+
+namespace {
+
+using namespace rotconv;
+using Eigen::Vector3d;
+using motions::Motion;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+struct Way {
+    std::string set;
+    Integrator integrator;
+    bool renormalised;
+
+    [[nodiscard]] Stepper stepper() const { return {std::get<Spec>(parse_spec(set)), integrator, renormalised}; }
+};
+
+std::vector<Way> ways() {
+    std::vector<Way> made;
+    for (const char* set : {"dcm", "6d", "6d:passive", "5d", "5d:passive", "quat"}) {
+        made.push_back({set, Integrator::rk4, false});
+        made.push_back({set, Integrator::rk4, true});
+    }
+    for (const char* set : {"rotvec", "mrp", "cayley", "euler:ZYX"}) {
+        made.push_back({set, Integrator::rk4, false});
+    }
+    for (const Integrator integrator : {Integrator::magnus4, Integrator::magnus6}) {
+        made.push_back({"quat", integrator, false});
+        made.push_back({"quat", integrator, true});
+    }
+    return made;
+}
+
+Rotation rotation_of(const oracle::Quaternion& q) {
+    return Rotation::from_components(static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
+                                     static_cast<double>(q.z()));
+}
+
+double error_of(const oracle::Quaternion& exact, const Rotation& rotation) {
+    oracle::Quaternion q(rotation.w(), rotation.x(), rotation.y(), rotation.z());
+    q.normalize();
+    return oracle::eps * oracle::error_in_eps(exact, q);
+}
+
+std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{:.4g}", value); }
+
+/// One row of the file. `time`: how far the figures reach.
+void write(std::ostream& csv, const char* kind, const Motion& motion, const Way& way, double h, double time,
+           double error, double defect, double nanoseconds, Fault fault) {
+    csv << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", kind, motion.name, way.set,
+                       entry_of(way.integrator).text, h, way.renormalised ? 1 : 0, field(time), field(error),
+                       field(nanoseconds / h), field(entry_of(way.integrator).evaluations / h), field(defect),
+                       fault == Fault::none ? "ok" : "singular");
+}
+
+// --- Work and precision: 20 s at several steps -----------------------------------------------------------------------
+
+constexpr double seconds = 20.0;
+constexpr double look = 0.08; // a multiple of every step
+constexpr int looks = 250;
+
+/// Least time of a step in nanoseconds, without the evaluation of the motion.
+double time_of_step(const Way& way, const Rotation& start, double h, const std::vector<Vector3d>& rates) {
+    Stepper stepper = way.stepper();
+    const std::size_t nodes = stepper.nodes().size();
+    const std::size_t steps = rates.size() / nodes;
+    double least = std::numeric_limits<double>::infinity();
+    const std::size_t repeats = std::max<std::size_t>(7, 20000 / steps);
+    for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
+        stepper.start(start);
+        const auto begin = std::chrono::steady_clock::now();
+        for (std::size_t i = 0; i < steps; ++i) {
+            stepper.step(h, {&rates[i * nodes], nodes});
+        }
+        const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - begin;
+        least = std::min(least, passed.count() / static_cast<double>(steps));
+    }
+    return least;
+}
+
+void work(std::ostream& csv, const Motion& motion) {
+    std::vector<oracle::Quaternion> exact;
+    for (int i = 0; i <= looks; ++i) {
+        exact.push_back(motion.attitude(oracle::Real(look) * i));
+    }
+    const Rotation start = rotation_of(exact.front());
+    const auto omega = [&](double t) { return motion.omega(t); };
+    for (const Way& way : ways()) {
+        for (std::size_t per_look = 1; per_look <= 128; per_look *= 2) {
+            const double h = look / static_cast<double>(per_look);
+            Stepper stepper = way.stepper();
+            Fault fault = stepper.start(start);
+            double error = 0.0;
+            double defect = 0.0;
+            double until = 0.0;
+            for (int i = 0; i < looks && fault == Fault::none; ++i) {
+                fault = integrate(stepper, omega, i * look, h, per_look);
+                if (fault == Fault::none) {
+                    const Reading reading = stepper.attitude();
+                    error = std::max(error, error_of(exact[static_cast<std::size_t>(i) + 1], reading.rotation));
+                    defect = std::max(defect, reading.defect);
+                    until = (i + 1) * look;
+                }
+            }
+            if (fault != Fault::none) {
+                write(csv, "work", motion, way, h, until, none, none, none, fault);
+                continue;
+            }
+            std::vector<Vector3d> rates;
+            for (std::size_t i = 0; i < per_look * looks; ++i) {
+                for (const double node : stepper.nodes()) {
+                    rates.push_back(motion.omega((static_cast<double>(i) + node) * h));
+                }
+            }
+            write(csv, "work", motion, way, h, seconds, error, defect, time_of_step(way, start, h, rates), fault);
+        }
+    }
+}
+
+// --- Error and drift against time: a million steps -------------------------------------------------------------------
+
+void drift(std::ostream& csv, const Motion& motion) {
+    constexpr double h = 0.01;
+    const auto omega = [&](double t) { return motion.omega(t); };
+    for (const Way& way : ways()) {
+        Stepper stepper = way.stepper();
+        Fault fault = stepper.start(rotation_of(motion.attitude(0)));
+        std::size_t done = 0;
+        double worst = 0.0;
+        for (int point = 0; point <= 60; ++point) { // fifteen a decade, from 1 s on
+            const auto goal = static_cast<std::size_t>(std::lround(std::pow(10.0, 2.0 + point / 15.0)));
+            fault = integrate(stepper, omega, static_cast<double>(done) * h, h, goal - done);
+            done = goal;
+            const double time = static_cast<double>(done) * h;
+            if (fault != Fault::none) {
+                write(csv, "drift", motion, way, h, time, none, none, none, fault);
+                break;
+            }
+            const Reading reading = stepper.attitude();
+            const auto exact = motion.attitude(oracle::Real(h) * static_cast<double>(done));
+            worst = std::max(worst, error_of(exact, reading.rotation));
+            write(csv, "drift", motion, way, h, time, worst, reading.defect, none, fault);
+        }
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("usage: bench_kinematics OUT.csv\n", stderr);
+        return 2;
+    }
+    std::ofstream csv(argv[1]);
+    if (!csv) {
+        std::perror(argv[1]);
+        return 1;
+    }
+    csv << "kind,motion,set,integrator,step,renormalised,time,error,ns_per_second,evaluations_per_second,defect,"
+           "outcome\n";
+    for (const Motion& motion : {motions::spin(), motions::coning(), motions::symmetric_body(), motions::gentle(),
+                                 motions::through_lock(), motions::tumbling()}) {
+        work(csv, motion);
+    }
+    for (const Motion& motion : {motions::gentle(), motions::tumbling()}) {
+        drift(csv, motion);
+    }
+    csv.close();
+    return csv ? 0 : 1;
+}

@@ -1,0 +1,401 @@
+// Integration against motions whose attitude is known in closed form, to 36 digits.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <rotconv/rotconv.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "motions.hpp"
+
+using namespace rotconv;
+using accuracy::spec;
+using Eigen::Vector3d;
+using motions::Motion;
+
+namespace {
+
+Rotation rotation_of(const oracle::Quaternion& q) {
+    return Rotation::from_components(static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
+                                     static_cast<double>(q.z()));
+}
+
+double error_of(const Motion& motion, const oracle::Real& time, const Rotation& rotation) {
+    oracle::Quaternion q(rotation.w(), rotation.x(), rotation.y(), rotation.z());
+    q.normalize();
+    return oracle::eps * oracle::error_in_eps(motion.attitude(time), q);
+}
+
+struct Result {
+    double error = 0.0; ///< largest, radians
+    double defect = 0.0;
+    double norm = 0.0; ///< largest of the numbers
+    Fault fault = Fault::none;
+    double until = 0.0; ///< time of the last step that held
+};
+
+/// 20 s, looked at twenty times a second.
+Result integrated(const Motion& motion, const std::string& set, Integrator integrator, double h,
+                  bool renormalise = false) {
+    Stepper stepper(spec(set), integrator, renormalise);
+    Result result;
+    result.fault = stepper.start(rotation_of(motion.attitude(0)));
+    const auto steps = static_cast<std::size_t>(std::lround(20.0 / h));
+    const auto look = std::max<std::size_t>(1, steps / 400);
+    for (std::size_t i = 0; i < steps && result.fault == Fault::none; i += look) {
+        const double start = static_cast<double>(i) * h;
+        const auto omega = [&](double t) { return motion.omega(t); };
+        result.fault = integrate(stepper, omega, start, h, look);
+        const Reading reading = stepper.attitude();
+        CHECK(reading.fault == result.fault);
+        if (result.fault == Fault::none) {
+            result.until = static_cast<double>(i + look) * h;
+            result.error = std::max(
+                result.error, error_of(motion, oracle::Real(h) * static_cast<double>(i + look), reading.rotation));
+            result.defect = std::max(result.defect, reading.defect);
+            double square = 0.0;
+            for (const double v : stepper.numbers()) {
+                square += v * v;
+            }
+            result.norm = std::max(result.norm, std::sqrt(square));
+        }
+    }
+    return result;
+}
+
+void check_order(const Motion& motion, const std::string& set, Integrator integrator, double h) {
+    const double coarse = integrated(motion, set, integrator, h).error;
+    const double fine = integrated(motion, set, integrator, 0.5 * h).error;
+    INFO(set << " " << entry_of(integrator).text << ": " << coarse << ", " << fine);
+    CHECK(std::log2(coarse / fine) == Approx(entry_of(integrator).order).margin(0.15));
+}
+
+using Rows = std::vector<Propagated>;
+
+/// A stream of samples at a steady rate.
+Rows propagated(const PropagationSettings& settings, const Motion& motion, double frequency, double seconds) {
+    Propagator propagator(settings);
+    Rows rows;
+    const auto count = static_cast<int>(std::lround(seconds * frequency));
+    for (int i = 0; i <= count; ++i) {
+        const double time = i / frequency;
+        const Pushed pushed = propagator.push(time, motion.omega(time));
+        REQUIRE(pushed.refused == Fault::none);
+        if (pushed.answer) {
+            rows.push_back(*pushed.answer);
+        }
+    }
+    if (const auto last = propagator.finish()) {
+        rows.push_back(*last);
+    }
+    REQUIRE(rows.size() == static_cast<std::size_t>(count) + 1);
+    return rows;
+}
+
+double worst_error(const Rows& rows, const Motion& motion) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < rows.size(); i += std::max<std::size_t>(1, rows.size() / 200)) {
+        REQUIRE(rows[i].fault == Fault::none);
+        worst = std::max(worst, error_of(motion, rows[i].time, rows[i].rotation));
+    }
+    return worst;
+}
+
+double sampled_error(const Motion& motion, double frequency, Interpolation interpolation,
+                     Integrator integrator = PropagationSettings{}.integrator) {
+    PropagationSettings settings;
+    settings.integrator = integrator;
+    settings.interpolation = interpolation;
+    settings.initial = rotation_of(motion.attitude(0));
+    return worst_error(propagated(settings, motion, frequency, 20.0), motion);
+}
+
+} // namespace
+
+// Catches a wrong coefficient, node or sign of a commutator: each costs an order at least.
+TEST_CASE("every integrator has its order") {
+    const Motion motion = motions::tumbling();
+    for (const char* set : {"dcm", "6d:passive", "5d", "5d:passive", "quat", "quat:passive", "mrp", "rotvec"}) {
+        check_order(motion, set, Integrator::rk4, 0.01);
+    }
+    check_order(motion, "6d", Integrator::rk4, 0.005);
+    check_order(motion, "euler:ZYX", Integrator::rk4, 0.001);
+    check_order(motion, "euler:zxz", Integrator::rk4, 0.0025);
+    check_order(motions::gentle(), "cayley", Integrator::rk4, 0.01);
+    check_order(motion, "quat", Integrator::magnus4, 0.02);
+    check_order(motion, "quat", Integrator::magnus6, 0.04);
+}
+
+// The figures are those of 20 s of the tumbling motion at h = 0.01, measured, with a margin of a fifth.
+TEST_CASE("the sets and integrators rank as measured") {
+    const Motion motion = motions::tumbling();
+    const auto error = [&](const char* set, Integrator integrator) {
+        return integrated(motion, set, integrator, 0.01).error;
+    };
+    const double euler = error("euler:ZYX", Integrator::rk4);
+    const double five = error("5d", Integrator::rk4);
+    const double dcm = error("dcm", Integrator::rk4);
+    const double quat = error("quat", Integrator::rk4);
+    const double mrp = error("mrp", Integrator::rk4);
+    const double rotvec = error("rotvec", Integrator::rk4);
+    const double magnus4 = error("quat", Integrator::magnus4);
+    const double magnus6 = error("quat", Integrator::magnus6);
+    INFO(euler << " " << five << " " << dcm << " " << quat << " " << mrp << " " << rotvec << " " << magnus4 << " "
+               << magnus6);
+    CHECK(euler > 100 * five);
+    CHECK(five > 5 * quat);
+    CHECK(five < 1e-7);
+    CHECK(dcm > 10 * quat);
+    CHECK(quat > 2 * mrp);
+    CHECK(mrp > magnus4);
+    CHECK(magnus4 > rotvec);
+    CHECK(rotvec > 1000 * magnus6);
+    CHECK(dcm < 1.4e-7);
+    CHECK(quat < 8e-9);
+    CHECK(magnus4 < 2.2e-9);
+    CHECK(magnus6 < 1e-13);
+    // In reference axes the columns of a matrix move each by itself, so that two of them are as good as three.
+    CHECK(error("6d:passive", Integrator::rk4) == Approx(dcm).epsilon(0.02));
+    CHECK(error("6d", Integrator::rk4) < 1.5 * dcm);
+}
+
+TEST_CASE("charts that have another one change to it, and keep their bounds") {
+    for (const Motion& motion : {motions::tumbling(), motions::spin()}) {
+        const Result mrp = integrated(motion, "mrp", Integrator::rk4, 0.01);
+        CHECK(mrp.fault == Fault::none);
+        CHECK(mrp.norm <= 1.0);
+        CHECK(mrp.norm > 0.9);
+        const Result rotvec = integrated(motion, "rotvec", Integrator::rk4, 0.01);
+        CHECK(rotvec.fault == Fault::none);
+        CHECK(rotvec.norm <= std::numbers::pi);
+        CHECK(rotvec.norm > 3.0);
+    }
+    // Angles stay small, so that a long spin keeps its digits.
+    const Motion spin{"spin", {{2, 0.0, 40.0}}};
+    const Result euler = integrated(spin, "euler:ZYX", Integrator::rk4, 0.01);
+    CHECK(euler.norm <= std::numbers::pi);
+    CHECK(euler.error < 1e-12);
+}
+
+// Catches a chart that is left without a word, at any step and whichever side of the lock the step would have ended.
+TEST_CASE("charts that have no other fail, before the singularity is reached") {
+    for (const double h : {0.1, 0.01, 0.001}) {
+        const Result lock = integrated(motions::through_lock(), "euler:ZYX", Integrator::rk4, h);
+        CHECK(lock.fault == Fault::singular);
+        CHECK(lock.until < std::numbers::pi / 2);
+        CHECK(lock.until > std::numbers::pi / 2 - 0.06 - 2 * h);
+        const Result half_turn = integrated(motions::spin(), "cayley", Integrator::rk4, h);
+        CHECK(half_turn.fault == Fault::singular);
+        CHECK(half_turn.until < std::numbers::pi / 1.5);
+        CHECK(half_turn.until > std::numbers::pi / 1.5 - 0.06 - 2 * h);
+    }
+    // too fast for the step, and an attitude that the set has no numbers for
+    CHECK(integrated(motions::tumbling(), "euler:ZYX", Integrator::rk4, 0.05).fault == Fault::singular);
+    Stepper cayley(spec("cayley"), Integrator::rk4);
+    CHECK(cayley.start(Rotation::from_components(0, 1, 0, 0)) == Fault::singular);
+    CHECK(cayley.attitude().fault == Fault::singular);
+    // any set whose numbers overflow
+    Stepper dcm(spec("dcm"), Integrator::rk4);
+    dcm.start({});
+    const std::vector<Vector3d> rates(3, Vector3d::Constant(1e200));
+    CHECK(dcm.step(1.0, rates) == Fault::not_finite);
+}
+
+TEST_CASE("renormalising takes the defect away, and changes the attitude little") {
+    const Motion motion = motions::tumbling();
+    for (const char* set : {"dcm", "6d", "5d", "quat"}) {
+        const Result plain = integrated(motion, set, Integrator::rk4, 0.01);
+        const Result renormalised = integrated(motion, set, Integrator::rk4, 0.01, true);
+        INFO(set << " " << plain.defect << " " << renormalised.defect << " " << plain.error << " "
+                 << renormalised.error);
+        CHECK(plain.defect > 1e-11);
+        CHECK(renormalised.defect < 1e-15);
+        CHECK(renormalised.error < 1.1 * plain.error);
+    }
+    CHECK(integrated(motion, "quat", Integrator::magnus4, 0.01).defect < 1e-13);
+}
+
+// The propagator is the stepper: with a rate that the interpolation knows exactly the error is that of rounding.
+TEST_CASE("a rate that is a polynomial is interpolated exactly") {
+    const auto attitude_error = [](Interpolation interpolation, int degree) {
+        PropagationSettings settings;
+        settings.interpolation = interpolation;
+        Propagator propagator(settings);
+        double worst = 0.0;
+        const auto look = [&](const std::optional<Propagated>& row) {
+            if (row) {
+                const double angle = std::pow(row->time, degree + 1) / (degree + 1);
+                const Motion motion{"", {{0, angle}}};
+                worst = std::max(worst, error_of(motion, 0, row->rotation));
+            }
+        };
+        for (const double t : {0.0, 0.1, 0.15, 0.3, 0.35, 0.6, 0.7, 0.95}) { // not evenly
+            look(propagator.push(t, {std::pow(t, degree), 0, 0}).answer);
+        }
+        look(propagator.finish());
+        return worst;
+    };
+    for (int degree = 0; degree <= 2; ++degree) {
+        CHECK((attitude_error(Interpolation::linear, degree) < 1e-15) == (degree <= 1));
+        CHECK(attitude_error(Interpolation::cubic, degree) < 2e-15);
+    }
+    // of the third degree all but the ends
+    CHECK(attitude_error(Interpolation::cubic, 3) < 0.1 * attitude_error(Interpolation::linear, 3));
+}
+
+TEST_CASE("linear answers each sample at once, cubic one late") {
+    PropagationSettings settings;
+    Propagator linear(settings);
+    settings.interpolation = Interpolation::cubic;
+    Propagator cubic(settings);
+    CHECK_FALSE(Propagator(settings).finish());
+    for (int i = 0; i < 6; ++i) {
+        const auto now = linear.push(i, {0.1 * i, 0, 0.2}).answer;
+        REQUIRE(now);
+        CHECK(now->time == i);
+        const auto late = cubic.push(i, {0.1 * i, 0, 0.2}).answer;
+        REQUIRE(late.has_value() == (i > 0));
+        if (late) {
+            CHECK(late->time == i - 1);
+        }
+    }
+    CHECK_FALSE(linear.finish());
+    const auto last = cubic.finish();
+    REQUIRE(last);
+    CHECK(last->time == 5);
+    // one sample alone
+    Propagator one(settings);
+    CHECK_FALSE(one.push(7, {1, 2, 3}).answer);
+    CHECK(one.finish()->time == 7);
+}
+
+TEST_CASE("a sample that is not later, or not finite, is refused and changes nothing") {
+    for (const auto interpolation : {Interpolation::linear, Interpolation::cubic}) {
+        PropagationSettings settings;
+        settings.interpolation = interpolation;
+        Propagator clean(settings);
+        Propagator disturbed(settings);
+        for (int i = 0; i < 6; ++i) {
+            const Vector3d omega{0.1 * i, 0.3, -0.2 * i * i};
+            const auto expected = clean.push(i, omega);
+            const auto found = disturbed.push(i, omega);
+            REQUIRE(expected.answer.has_value() == found.answer.has_value());
+            if (expected.answer) {
+                CHECK(expected.answer->rotation.w() == found.answer->rotation.w());
+                CHECK(expected.answer->rotation.z() == found.answer->rotation.z());
+            }
+            CHECK(disturbed.push(i, omega).refused == Fault::time_order);
+            CHECK(disturbed.push(i - 0.5, omega).refused == Fault::time_order);
+            CHECK(disturbed.push(NAN, omega).refused == Fault::not_finite);
+            CHECK(disturbed.push(i + 0.5, {0, INFINITY, 0}).refused == Fault::not_finite);
+            CHECK_FALSE(disturbed.push(NAN, omega).answer);
+        }
+    }
+}
+
+TEST_CASE("a propagator whose chart is left says so from there on") {
+    PropagationSettings settings;
+    settings.set = spec("euler:ZYX");
+    settings.integrator = Integrator::rk4;
+    settings.initial = rotation_of(motions::through_lock().attitude(0));
+    const Rows rows = propagated(settings, motions::through_lock(), 100, 3);
+    for (const Propagated& row : rows) {
+        CHECK((row.fault == Fault::singular) == (row.time > 1.565));
+        CHECK((row.fault == Fault::none) == (row.time < 1.565));
+    }
+}
+
+// The bounds are the measured errors with a margin of a fifth; the man page gives them.
+TEST_CASE("the error of sampled rates is that of the interpolation") {
+    struct Bound {
+        Motion motion;
+        double frequency;
+        double linear;
+        double cubic;
+    };
+    for (const Bound& bound :
+         {Bound{motions::coning(), 100, 2.5e-4, 1.2e-7}, Bound{motions::tumbling(), 100, 3.5e-4, 2e-8}}) {
+        const double linear = sampled_error(bound.motion, bound.frequency, Interpolation::linear);
+        const double cubic = sampled_error(bound.motion, bound.frequency, Interpolation::cubic);
+        INFO(bound.motion.name << " " << linear << " " << cubic);
+        CHECK(linear < bound.linear);
+        CHECK(cubic < bound.cubic);
+        // four times the samples: linear gains 16, cubic 256
+        CHECK(linear / sampled_error(bound.motion, 4 * bound.frequency, Interpolation::linear) ==
+              Approx(16).epsilon(0.05));
+        CHECK(cubic / sampled_error(bound.motion, 4 * bound.frequency, Interpolation::cubic) ==
+              Approx(256).epsilon(0.2));
+        // no integrator does much better
+        for (const IntegratorEntry& entry : integrators()) {
+            const double other = sampled_error(bound.motion, bound.frequency, Interpolation::linear, entry.integrator);
+            CHECK(other == Approx(linear).epsilon(0.01));
+        }
+    }
+}
+
+// Substeps: of the interpolated rate, each as good as a step of its own.
+TEST_CASE("substeps bring a coarse integrator to the interpolated motion") {
+    const Motion motion = motions::tumbling();
+    PropagationSettings settings;
+    settings.initial = rotation_of(motion.attitude(0));
+    settings.interpolation = Interpolation::cubic;
+    const auto distance = [&](Integrator integrator, std::size_t substeps) {
+        settings.integrator = Integrator::magnus6;
+        settings.substeps = 8;
+        const Rows reference = propagated(settings, motion, 10, 5);
+        settings.integrator = integrator;
+        settings.substeps = substeps;
+        const Rows rows = propagated(settings, motion, 10, 5);
+        const Rotation& p = reference.back().rotation;
+        const Motion end{"", {}};
+        const oracle::Quaternion exact(p.w(), p.x(), p.y(), p.z());
+        oracle::Quaternion found(rows.back().rotation.w(), rows.back().rotation.x(), rows.back().rotation.y(),
+                                 rows.back().rotation.z());
+        found.normalize();
+        return oracle::eps * oracle::error_in_eps(exact.normalized(), found);
+    };
+    CHECK(distance(Integrator::magnus4, 1) / distance(Integrator::magnus4, 4) == Approx(256).epsilon(0.2));
+    CHECK(distance(Integrator::rk4, 1) / distance(Integrator::rk4, 4) == Approx(256).epsilon(0.3));
+}
+
+// The way back: differences of the attitudes are the rates that went in.
+TEST_CASE("rates by differences of the propagated attitudes are the ones that were propagated") {
+    const Motion motion = motions::tumbling();
+    PropagationSettings settings;
+    settings.initial = rotation_of(motion.attitude(0));
+    settings.interpolation = Interpolation::cubic;
+    constexpr double frequency = 1000;
+    const Rows rows = propagated(settings, motion, frequency, 3);
+    double worst = 0.0;
+    for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
+        const Quaternion before = quaternion::from_rotation(rows[i - 1].rotation);
+        const Quaternion here = quaternion::from_rotation(rows[i].rotation);
+        Quaternion after = quaternion::from_rotation(rows[i + 1].rotation);
+        Eigen::Vector4d a(after.w, after.x, after.y, after.z);
+        Eigen::Vector4d b(before.w, before.x, before.y, before.z);
+        const Eigen::Vector4d q(here.w, here.x, here.y, here.z);
+        a *= a.dot(q) < 0 ? -1 : 1;
+        b *= b.dot(q) < 0 ? -1 : 1;
+        const Eigen::Vector4d rate = 0.5 * frequency * (a - b);
+        const Vector3d w = quaternion::angular_velocity(here, {rate[0], rate[1], rate[2], rate[3]});
+        worst = std::max(worst, (w - motion.omega(rows[i].time)).norm());
+    }
+    CHECK(worst < 1e-5); // of second order: h^2/6 times the third derivative
+}
+
+TEST_CASE("what can be integrated with what") {
+    for (const IntegratorEntry& entry : integrators()) {
+        CHECK(find_integrator(entry.text) == entry.integrator);
+        CHECK(&entry_of(entry.integrator) == &entry);
+        for (const Representation& representation : representations()) {
+            const bool expected =
+                entry.exponential ? representation.name == Name::quat : representation.name != Name::axis_angle;
+            CHECK(can_integrate(representation.name, entry.integrator) == expected);
+        }
+    }
+    CHECK_FALSE(find_integrator("euler"));
+    CHECK(can_integrate(PropagationSettings{}.set.name, PropagationSettings{}.integrator));
+}
