@@ -24,9 +24,6 @@ namespace axis_angle {
 /// n = v/|v|, angle = 2 atan2(|v|, w) in [0, pi]; axis (1, 0, 0) where v is exactly 0.
 [[nodiscard]] AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
 
-/// half_turn, identity_axis.
-[[nodiscard]] Notes notes(const Rotation& rotation) noexcept;
-
 /// Margin min(theta, pi - theta), condition max(1, 1/(2 sin(theta/2))).
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 

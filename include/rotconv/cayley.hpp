@@ -16,9 +16,6 @@ namespace rotconv::cayley {
 /// elsewhere.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
-/// infinite.
-[[nodiscard]] Notes notes(const Rotation& rotation) noexcept;
-
 /// Margin pi - theta, condition (1 + |c|^2)/2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <rotconv/dcm.hpp>
 #include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
@@ -20,7 +21,9 @@ namespace columns {
 [[nodiscard]] Reading to_rotation(const Columns& m) noexcept;
 
 /// The first two columns of the matrix.
-[[nodiscard]] Columns from_rotation(const Rotation& rotation) noexcept;
+[[nodiscard]] inline Columns from_rotation(const Rotation& rotation) noexcept {
+    return dcm::from_rotation(rotation).leftCols<2>();
+}
 
 /// Margin infinite, condition sqrt 2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;

@@ -28,6 +28,7 @@ struct Report {
 };
 
 struct Door;
+struct Rotations;
 
 /// A way from one representation to another, resolved once and then run over blocks of rows.
 /// Thread-safe: running it changes nothing in it.
@@ -45,11 +46,10 @@ public:
 
 private:
     void run_block(const double* in, double* out, std::span<Report> reports) const noexcept;
-    [[nodiscard]] Report report(const Reading& reading, Notes notes, const Rotation& written,
-                                const double* numbers) const noexcept;
+    [[nodiscard]] Report report(const Reading& reading, Notes notes, const double* numbers) const noexcept;
 
     /// The method's numbers in the place of rotconv's own, still in the representation's own order.
-    void run_method(const double* in, const Rotation* rotations, std::size_t rows, double* out, Notes* notes,
+    void run_method(const double* in, const Rotations& rotations, std::size_t rows, double* out, Notes* notes,
                     double* errors) const noexcept;
 
     Spec from_;

@@ -15,9 +15,6 @@ namespace rotconv::mrp {
 /// m = v/(|q| + w), w >= 0, norm at most 1; each component rounded once, 0.94 eps.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
-/// half_turn.
-[[nodiscard]] Notes notes(const Rotation& rotation) noexcept;
-
 /// Margin pi - theta, condition (1 + |m|^2)/4.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
 

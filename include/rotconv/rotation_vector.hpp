@@ -22,13 +22,9 @@ namespace rotation_vector {
 /// that the error grows with |r| 2^-104 (none for a vector along a coordinate axis). Fault: not_finite.
 [[nodiscard]] Reading to_rotation(const RotationVector& value) noexcept;
 
-/// r = v 2 arg(w, |v|)/|v|, norm at most pi, with |v|, the angle and the quotient to twice the working precision but
-/// for the rounding of one arc sine: 1.5 eps, where rounding r alone takes up to 1.4. Tiny angles keep their relative
-/// accuracy.
+/// r = v 2 arg(w, |v|)/|v|, norm at most pi, with |v| and the quotient to twice the working precision: 2.7 eps, where
+/// rounding r alone takes up to 1.4. Tiny angles keep their relative accuracy.
 [[nodiscard]] RotationVector from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
-
-/// half_turn.
-[[nodiscard]] Notes notes(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (theta/2)/sin(theta/2), between 1 and pi/2.
 [[nodiscard]] Figures figures(const Rotation& rotation) noexcept;

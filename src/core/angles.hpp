@@ -1,23 +1,21 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include <rotconv/angle.hpp>
 
 #include "double_double.hpp"
+#include "lanes.hpp"
 
 namespace rotconv {
 
-/// Rows that are worked on together, so that loops over them vectorise and stay in the first cache.
-inline constexpr std::size_t block = 128;
-
-/// One number of each row of a block.
-using Lane = std::array<double, block>;
-
-/// Plane vectors (x, y), one a row, with what x and y were rounded by; lengths between 2^-3 and 2^2.
+/// Plane vectors (x, y), one a row, not set at first. For `angles_of` both may be squared where they are not negative.
 struct PlaneVectors {
-    Lane x, x_low, y, y_low; // written before they are read
+    Lane x, y;
+    Lane sine; ///< of the acute angle to the nearer axis: the smaller of |x| and |y| over the vector's length
+
+    /// From x and y, for lengths between 2^-460 and 2^500.
+    void set_sines(std::size_t rows) noexcept;
 };
 
 /// Angles as unevaluated sums.
@@ -28,11 +26,10 @@ struct Angles {
 /// pi or 180, as hi + lo.
 [[nodiscard]] DoubleDouble half_turn_in(AngleUnit unit) noexcept;
 
-/// The angles of the vectors (x, |y|) from the x axis, in [0, pi] or [0, 180], to 2^-54 of the true angle and the
-/// rounding of the arc sine. Multiples of 45 degrees are exact.
+/// The angles of the vectors (x, |y|) from the x axis, in [0, pi] or [0, 180]. Multiples of 45 degrees are exact.
 ///
-/// With m the smaller of |x| and |y|, it is the arc sine of m/|(x, y)| that is taken (at half the price of std::atan2),
-/// corrected by what the quotient was rounded by, and counted from the nearer axis.
+/// The arc sine, at half the price of std::atan2, multiplies the rounding of the acute angle's sine by at most 1; the
+/// angle is counted from the nearer axis.
 void angles_of(const PlaneVectors& vectors, std::size_t rows, AngleUnit unit, Angles& angles) noexcept;
 
 } // namespace rotconv

@@ -33,14 +33,17 @@ Reading to_rotation(const AxisAngle& value) noexcept {
 AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     std::array<double, 4> numbers{};
     Notes notes;
-    write(&rotation, 1, unit, numbers.data(), &notes);
+    Rotations one; // NOLINT(*-member-init): written before it is read
+    one.set(0, rotation);
+    write(one, 1, unit, numbers.data(), &notes);
     return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
 }
 
-void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
+void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
     VectorParts parts; // NOLINT(*-member-init): written before it is read
     take_apart(rotations, rows, parts);
     Angles angles; // NOLINT(*-member-init)
+    parts.half.set_sines(rows);
     angles_of(parts.half, rows, unit, angles);
     for (std::size_t i = 0; i < rows; ++i) {
         const DoubleDouble inverse = quotient(1.0, 0.0, parts.length(i));
@@ -54,20 +57,13 @@ void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* 
         if (parts.half.y[i] > least_known_length) {
             continue;
         }
-        const double length = rotations[i].vector_length();
+        const double length = rotations.at(i).vector_length();
         notes[i] |= {Kind::identity_axis, length == 0.0};
         numbers[4 * i] = length == 0.0 ? 1.0 : parts.x[i] / length;
         numbers[4 * i + 1] = length == 0.0 ? 0.0 : parts.y[i] / length;
         numbers[4 * i + 2] = length == 0.0 ? 0.0 : parts.z[i] / length;
         numbers[4 * i + 3] = length / parts.half.x[i] * (2.0 * radian(unit));
     }
-}
-
-Notes notes(const Rotation& rotation) noexcept {
-    const double length = rotation.vector_length();
-    Notes found = note_half_turn(rotation.w(), length);
-    found |= {Kind::identity_axis, length == 0.0};
-    return found;
 }
 
 Figures figures(const Rotation& rotation) noexcept {

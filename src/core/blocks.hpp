@@ -6,26 +6,36 @@
 #include <rotconv/euler.hpp>
 #include <rotconv/reading.hpp>
 
-// Doors that work on a block of rows at a time, at most `block` of them: where an angle is taken, the arithmetic before
-// and after it vectorises. Numbers are in the representation's own order.
+#include "lanes.hpp"
+
+// Doors that work on a block of rows at a time, at most `block` of them, so that arithmetic vectorises. Numbers are in
+// the representation's own order.
 
 namespace rotconv {
 
 namespace dcm {
-void read(const double* numbers, std::size_t rows, Reading* readings) noexcept;
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept;
 }
 
 namespace axis_angle {
-void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept;
+void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept;
 }
 
 namespace rotation_vector {
-void read(const double* numbers, std::size_t rows, AngleUnit unit, Reading* readings) noexcept;
-void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept;
+void read(const double* numbers, std::size_t rows, AngleUnit unit, Readings& readings) noexcept;
+void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept;
 } // namespace rotation_vector
 
+namespace cayley {
+void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept;
+}
+
+namespace mrp {
+void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept;
+}
+
 namespace euler {
-void write(const Rotation* rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit, double lock_margin,
+void write(const Rotations& rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit, double lock_margin,
            double* numbers, Notes* notes) noexcept;
 }
 

@@ -5,10 +5,18 @@
 
 #include <Eigen/Geometry>
 
+#include "blocks.hpp"
 #include "finite.hpp"
 #include "half_turn.hpp"
 
 namespace rotconv::cayley {
+namespace {
+
+double infinite_along(double component) noexcept {
+    return component == 0.0 ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), component);
+}
+
+} // namespace
 
 Reading to_rotation(const Eigen::Vector3d& c) noexcept {
     if (!all_finite(c.x(), c.y(), c.z())) {
@@ -18,21 +26,31 @@ Reading to_rotation(const Eigen::Vector3d& c) noexcept {
 }
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
-    const Rotation q = rotation.canonical();
-    const Eigen::Vector3d v{q.x(), q.y(), q.z()};
-    Eigen::Vector3d c = v / q.w();
-    if (c.allFinite()) {
-        return c;
-    }
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return v.unaryExpr([](double component) { return component == 0.0 ? 0.0 : std::copysign(infinity, component); });
+    Rotations one; // NOLINT(*-member-init): written before it is read
+    one.set(0, rotation);
+    Eigen::Vector3d c;
+    Notes notes;
+    write(one, 1, c.data(), &notes);
+    return c;
 }
 
-Notes notes(const Rotation& rotation) noexcept {
-    const double length_bound = (std::fabs(rotation.x()) + std::fabs(rotation.y())) + std::fabs(rotation.z());
-    // Only a quotient above the largest double is infinite; the cheap bound decides nearly always.
-    const bool suspect = length_bound >= std::fabs(rotation.w()) * 0x1p1023;
-    return {Kind::infinite, suspect && !from_rotation(rotation).allFinite()};
+void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        numbers[3 * i] = rotations.x[i] / rotations.w[i];
+        numbers[3 * i + 1] = rotations.y[i] / rotations.w[i];
+        numbers[3 * i + 2] = rotations.z[i] / rotations.w[i];
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        double* const c = numbers + 3 * i;
+        const bool finite = all_finite(c[0], c[1], c[2]);
+        notes[i] = {Kind::infinite, !finite};
+        if (!finite) {
+            const Rotation q = rotations.at(i).canonical();
+            c[0] = infinite_along(q.x());
+            c[1] = infinite_along(q.y());
+            c[2] = infinite_along(q.z());
+        }
+    }
 }
 
 Figures figures(const Rotation& rotation) noexcept {

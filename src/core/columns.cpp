@@ -89,8 +89,6 @@ Reading to_rotation(const Columns& m) noexcept {
     return reading;
 }
 
-Columns from_rotation(const Rotation& rotation) noexcept { return dcm::from_rotation(rotation).leftCols<2>(); }
-
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = sqrt2}; }
 
 Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept { return turned(m, w, frame); }

@@ -101,19 +101,19 @@ void Conversion::run_block(const double* in, double* out, std::span<Report> repo
         to_own_order(from_, in, rows, own_order.data());
         in = own_order.data();
     }
-    std::array<Reading, block> readings; // NOLINT(*-member-init)
-    in_door_->read(from_, in, rows, readings.data());
-    std::array<Rotation, block> rotations; // NOLINT(*-member-init)
-    const bool inverted = from_.passive != to_.passive;
-    for (std::size_t i = 0; i < rows; ++i) {
-        rotations[i] = inverted ? readings[i].rotation.inverse() : readings[i].rotation;
+    Readings readings; // NOLINT(*-member-init)
+    in_door_->read(from_, in, rows, readings);
+    if (from_.passive != to_.passive) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            readings.w[i] = -readings.w[i];
+        }
     }
     std::array<Notes, block> notes; // NOLINT(*-member-init)
-    out_door_->write(to_, settings_.lock_margin, rotations.data(), rows, out, notes.data());
+    out_door_->write(to_, settings_.lock_margin, readings, rows, out, notes.data());
     std::array<double, block> method_errors; // NOLINT(*-member-init)
     const bool by_method = settings_.method != nullptr && settings_.method->run != nullptr;
     if (by_method) {
-        run_method(in, rotations.data(), rows, out, notes.data(), method_errors.data());
+        run_method(in, readings, rows, out, notes.data(), method_errors.data());
     }
     const std::size_t width = to_.size();
     for (std::size_t i = 0; i < rows * width; ++i) {
@@ -124,13 +124,11 @@ void Conversion::run_block(const double* in, double* out, std::span<Report> repo
     }
     const double unremarkable = settings_.figures ? -1.0 : std::min(settings_.tolerance, reported_defect);
     for (std::size_t i = 0; i < rows; ++i) {
-        const Reading& reading = readings[i];
-        if (reading.ok() && notes[i].empty() && reading.defect <= unremarkable) {
-            reports[i] = {
-                .fault = Fault::none, .notes = {}, .defect = reading.defect, .figures = {}, .method_error = 0.0};
+        reports[i] = {.fault = readings.fault[i], .notes = {}, .defect = readings.defect[i], .figures = {}};
+        if (readings.defect[i] <= unremarkable && readings.fault[i] == Fault::none && notes[i].empty()) {
             continue;
         }
-        reports[i] = report(reading, notes[i], rotations[i], in + i * from_.size());
+        reports[i] = report(readings.reading(i), notes[i], in + i * from_.size());
         reports[i].method_error = by_method ? method_errors[i] : 0.0;
         if (reports[i].fault != Fault::none) {
             std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
@@ -138,7 +136,7 @@ void Conversion::run_block(const double* in, double* out, std::span<Report> repo
     }
 }
 
-void Conversion::run_method(const double* in, const Rotation* rotations, std::size_t rows, double* out, Notes* notes,
+void Conversion::run_method(const double* in, const Rotations& rotations, std::size_t rows, double* out, Notes* notes,
                             double* errors) const noexcept {
     // What the methods do not know of is done to the numbers: the inverse, and degrees.
     std::array<double, block * widest> active; // NOLINT(*-member-init): written before it is read
@@ -157,8 +155,8 @@ void Conversion::run_method(const double* in, const Rotation* rotations, std::si
     if (to_.unit == AngleUnit::degrees) {
         std::for_each_n(out, rows * out_size, [](double& v) { v *= 180.0 / std::numbers::pi; });
     }
-    std::array<Reading, block> answers; // NOLINT(*-member-init)
-    out_door_->read(to_, out, rows, answers.data());
+    Readings answers; // NOLINT(*-member-init)
+    out_door_->read(to_, out, rows, answers);
     for (std::size_t i = 0; i < rows; ++i) {
         if (to_.name == Name::quat) {
             make_sign_canonical(out + i * out_size);
@@ -167,14 +165,13 @@ void Conversion::run_method(const double* in, const Rotation* rotations, std::si
             errors[i] = 0.0; // no finite number is nearer
             continue;
         }
-        errors[i] = answers[i].ok() ? angle_between(answers[i].rotation, rotations[i])
-                                    : std::numeric_limits<double>::quiet_NaN();
+        errors[i] = answers.fault[i] == Fault::none ? angle_between(answers.at(i), rotations.at(i))
+                                                    : std::numeric_limits<double>::quiet_NaN();
         notes[i] |= {Kind::method_error, !(errors[i] <= reported_method_error)};
     }
 }
 
-Report Conversion::report(const Reading& reading, Notes notes, const Rotation& written,
-                          const double* numbers) const noexcept {
+Report Conversion::report(const Reading& reading, Notes notes, const double* numbers) const noexcept {
     Report report{.fault = reading.fault, .notes = {}, .defect = reading.defect, .figures = {}, .method_error = 0.0};
     if (!reading.ok()) {
         return report;
@@ -189,7 +186,7 @@ Report Conversion::report(const Reading& reading, Notes notes, const Rotation& w
     report.notes = notes;
     report.notes |= {Kind::normalized, report.defect > reported_defect};
     if (settings_.figures || !report.notes.empty()) {
-        report.figures = out_door_->figures(to_, written);
+        report.figures = out_door_->figures(to_, reading.rotation);
     }
     return report;
 }

@@ -33,7 +33,7 @@ template <class Numbers, auto ToRotation, auto FromRotation, auto FiguresOf> str
 };
 
 struct DcmRow : PlainRow<RowMajor, &dcm::to_rotation, &dcm::from_rotation, &dcm::figures> {
-    static void read_block(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading* readings) noexcept {
+    static void read_block(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
         dcm::read(numbers, rows, readings);
     }
     static double exact_defect(const double* v) noexcept { return dcm::defect(Map<const RowMajor>(v)); }
@@ -43,11 +43,17 @@ using SixDRow = PlainRow<Columns, &columns::to_rotation, &columns::from_rotation
 using FiveDRow = PlainRow<hopf::Vector5, &hopf::to_rotation, &hopf::from_rotation, &hopf::figures>;
 
 struct CayleyRow : PlainRow<Vector3d, &cayley::to_rotation, &cayley::from_rotation, &cayley::figures> {
-    static Notes notes(const Rotation& r) noexcept { return cayley::notes(r); }
+    static void write_block(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
+                            double* numbers, Notes* notes) noexcept {
+        cayley::write(rotations, rows, numbers, notes);
+    }
 };
 
 struct MrpRow : PlainRow<Vector3d, &mrp::to_rotation, &mrp::from_rotation, &mrp::figures> {
-    static Notes notes(const Rotation& r) noexcept { return mrp::notes(r); }
+    static void write_block(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
+                            double* numbers, Notes* notes) noexcept {
+        mrp::write(rotations, rows, numbers, notes);
+    }
 };
 
 struct QuatRow {
@@ -71,7 +77,7 @@ struct AxisAngleRow {
     static Reading read(const Spec& spec, const double* v) noexcept {
         return axis_angle::to_rotation({{v[0], v[1], v[2]}, v[3], spec.unit});
     }
-    static void write_block(const Spec& spec, double /*lock_margin*/, const Rotation* rotations, std::size_t rows,
+    static void write_block(const Spec& spec, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
                             double* numbers, Notes* notes) noexcept {
         axis_angle::write(rotations, rows, spec.unit, numbers, notes);
     }
@@ -79,10 +85,10 @@ struct AxisAngleRow {
 };
 
 struct RotvecRow {
-    static void read_block(const Spec& spec, const double* numbers, std::size_t rows, Reading* readings) noexcept {
+    static void read_block(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
         rotation_vector::read(numbers, rows, spec.unit, readings);
     }
-    static void write_block(const Spec& spec, double /*lock_margin*/, const Rotation* rotations, std::size_t rows,
+    static void write_block(const Spec& spec, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
                             double* numbers, Notes* notes) noexcept {
         rotation_vector::write(rotations, rows, spec.unit, numbers, notes);
     }
@@ -94,7 +100,7 @@ struct EulerRow {
     static Reading read(const Spec& spec, const double* v) noexcept {
         return euler::to_rotation({{v[0], v[1], v[2]}, spec.sequence, spec.unit});
     }
-    static void write_block(const Spec& spec, double lock_margin, const Rotation* rotations, std::size_t rows,
+    static void write_block(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows,
                             double* numbers, Notes* notes) noexcept {
         euler::write(rotations, rows, spec.sequence, spec.unit, lock_margin, numbers, notes);
     }
@@ -106,24 +112,20 @@ template <class Row> constexpr Door door_for() noexcept {
     if constexpr (requires { &Row::read_block; }) {
         door.read = &Row::read_block;
     } else {
-        door.read = [](const Spec& spec, const double* numbers, std::size_t rows, Reading* readings) noexcept {
+        door.read = [](const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
             for (std::size_t i = 0; i < rows; ++i) {
-                readings[i] = Row::read(spec, numbers + i * Row::size);
+                readings.set(i, Row::read(spec, numbers + i * Row::size));
             }
         };
     }
     if constexpr (requires { &Row::write_block; }) {
         door.write = &Row::write_block;
     } else {
-        door.write = [](const Spec& /*spec*/, double /*lock_margin*/, const Rotation* rotations, std::size_t rows,
+        door.write = [](const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
                         double* numbers, Notes* notes) noexcept {
             for (std::size_t i = 0; i < rows; ++i) {
-                Row::write(rotations[i], numbers + i * Row::size);
-                if constexpr (requires { &Row::notes; }) {
-                    notes[i] = Row::notes(rotations[i]);
-                } else {
-                    notes[i] = {};
-                }
+                Row::write(rotations.at(i), numbers + i * Row::size);
+                notes[i] = {};
             }
         };
     }

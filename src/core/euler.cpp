@@ -111,7 +111,11 @@ Notes notes_of(const Halves& h, bool locked) noexcept {
     if (locked) {
         return {Kind::gimbal_lock, true};
     }
-    return {Kind::near_gimbal_lock, near_lock_condition * std::numbers::sqrt2 * h.sine_of_half_margin() < 1.0};
+    // condition = 1/(sqrt 2 sin(margin/2)), with sin(margin/2) = smaller/hypot
+    const double smaller = std::min(h.cosine, h.sine);
+    const double square = h.cosine * h.cosine + h.sine * h.sine;
+    constexpr double factor = 2.0 * near_lock_condition * near_lock_condition;
+    return {Kind::near_gimbal_lock, factor * (smaller * smaller) < square};
 }
 
 /// Only s (where S = 0) or t (where C = 0) is defined; the angle that is not set to 0 is twice that.
@@ -136,11 +140,9 @@ struct Turns {
     PlaneVectors vectors;
     Angles angles;
 
-    void set(std::size_t row, DoubleDouble x, DoubleDouble y) noexcept {
-        vectors.x[row] = x.hi;
-        vectors.x_low[row] = x.lo;
-        vectors.y[row] = y.hi;
-        vectors.y_low[row] = y.lo;
+    void set(std::size_t row, double x, double y) noexcept {
+        vectors.x[row] = x;
+        vectors.y[row] = y;
     }
 
     /// In (-pi, pi] or (-180, 180].
@@ -150,11 +152,6 @@ struct Turns {
         return with_sign <= -limit ? limit : with_sign;
     }
 };
-
-/// a b + sign c d.
-DoubleDouble sum_of_products(Split a, Split b, double sign, Split c, Split d) noexcept {
-    return exact_sum(a.high * b.high + sign * (c.high * d.high), rest_of_product(a, b) + sign * rest_of_product(c, d));
-}
 
 /// The axis of one outer turn, `near`, is fixed in the frame. Then w = near' e_n + R_n (middle' e_m + R_m far' e_f)
 /// with R_n and R_m turns about the axes n and m, inverse in body axes, and e_f = e_k, or e_n for a proper sequence.
@@ -218,11 +215,13 @@ EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, Angl
                           double lock_margin) noexcept {
     EulerAngles result{.sequence = sequence, .unit = unit};
     Notes notes;
-    write(&rotation, 1, sequence, unit, lock_margin, result.angles.data(), &notes);
+    Rotations one; // NOLINT(*-member-init): written before it is read
+    one.set(0, rotation);
+    write(one, 1, sequence, unit, lock_margin, result.angles.data(), &notes);
     return result;
 }
 
-void write(const Rotation* rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit, double lock_margin,
+void write(const Rotations& rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit, double lock_margin,
            double* numbers, Notes* notes) noexcept {
     if (rows == 0) {
         return;
@@ -231,23 +230,50 @@ void write(const Rotation* rotations, std::size_t rows, EulerSequence sequence, 
     const bool proper = sequence.proper();
     const double third_sign = proper ? 1.0 : axes.sign;
     const double lock_tangent = tangent_of_half(lock_margin);
-    Turns first;                    // NOLINT(*-member-init): written before they are read
-    Turns middle;                   // NOLINT(*-member-init)
-    Turns third;                    // NOLINT(*-member-init)
-    std::array<bool, block> locked; // NOLINT(*-member-init)
-    for (std::size_t i = 0; i < rows; ++i) {
-        const Halves h(rotations[i], axes, proper);
-        const Split a = split(h.a);
-        const Split b = split(h.b);
-        const Split c = split(h.c);
-        const Split d = split(h.d);
-        first.set(i, sum_of_products(a, c, 1.0, b, d), sum_of_products(b, c, -1.0, a, d));
-        const DoubleDouble rise = sum_of_products(a, d, 1.0, b, c);
-        third.set(i, sum_of_products(a, c, -1.0, b, d), {third_sign * rise.hi, third_sign * rise.lo});
-        middle.set(i, {h.cosine, 0.0}, {h.sine, 0.0});
-        locked[i] = h.locked(lock_tangent);
-        notes[i] = notes_of(h, locked[i]);
+    Turns first;  // NOLINT(*-member-init): written before they are read
+    Turns middle; // NOLINT(*-member-init)
+    Turns third;  // NOLINT(*-member-init)
+    // Squared lengths below this (of up to 8) are looked at one by one: locked, nearly so, or too small for plain
+    // products.
+    const double suspect_square =
+        8.0 * std::max(lock_tangent * lock_tangent, 1.0 / (near_lock_condition * near_lock_condition));
+    const std::array<const double*, 3> along{rotations.x.data(), rotations.y.data(), rotations.z.data()};
+    const double* const w = rotations.w.data();
+    const double* const qi = along[static_cast<std::size_t>(axes.i)];
+    const double* const qj = along[static_cast<std::size_t>(axes.j)];
+    const double* const qk = along[static_cast<std::size_t>(axes.k)];
+    for (std::size_t i = 0; i < rows; ++i) { // a, b, c, d as in Halves
+        const double d_part = axes.sign * qk[i];
+        const double a = proper ? w[i] : w[i] - qj[i];
+        const double b = proper ? qi[i] : qi[i] + d_part;
+        const double c = proper ? qj[i] : qj[i] + w[i];
+        const double d = proper ? d_part : d_part - qi[i];
+        first.vectors.x[i] = a * c + b * d;
+        first.vectors.y[i] = b * c - a * d;
+        third.vectors.x[i] = a * c - b * d;
+        third.vectors.y[i] = third_sign * (a * d + b * c);
+        const double cosine_square = a * a + b * b;
+        const double sine_square = c * c + d * d;
+        middle.vectors.x[i] = cosine_square;
+        middle.vectors.y[i] = sine_square;
+        middle.vectors.sine[i] = std::sqrt(std::min(cosine_square, sine_square) / (cosine_square + sine_square));
     }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double smaller = std::min(middle.vectors.x[i], middle.vectors.y[i]);
+        notes[i] = {};
+        if (smaller <= suspect_square) [[unlikely]] {
+            const Halves h(rotations.at(i), axes, proper);
+            const bool locked = h.locked(lock_tangent);
+            notes[i] = notes_of(h, locked);
+            if (!locked) { // again, with (a, b) and (c, d) near 1
+                first.set(i, h.a * h.c + h.b * h.d, h.b * h.c - h.a * h.d);
+                third.set(i, h.a * h.c - h.b * h.d, third_sign * (h.a * h.d + h.b * h.c));
+                middle.vectors.sine[i] = h.sine_of_half_margin();
+            }
+        }
+    }
+    first.vectors.set_sines(rows);
+    third.vectors.set_sines(rows);
     angles_of(first.vectors, rows, unit, first.angles);
     angles_of(middle.vectors, rows, unit, middle.angles);
     angles_of(third.vectors, rows, unit, third.angles);
@@ -262,8 +288,8 @@ void write(const Rotation* rotations, std::size_t rows, EulerSequence sequence, 
         numbers[3 * i + 2 - first_place] = third.outer_angle(i, limit);
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        if (locked[i]) {
-            const auto angles = locked_angles(Halves(rotations[i], axes, proper), sequence, axes, unit);
+        if (notes[i].has(Kind::gimbal_lock)) {
+            const auto angles = locked_angles(Halves(rotations.at(i), axes, proper), sequence, axes, unit);
             std::ranges::copy(angles, numbers + 3 * i);
         }
     }

@@ -21,4 +21,10 @@ inline Notes note_half_turn(double w, double vector_length) noexcept {
     return {Kind::half_turn, std::fabs(w) <= (0.5 * half_turn_margin) * vector_length};
 }
 
+inline Notes note_half_turn(const Rotation& q) noexcept {
+    // |w| <= length/2e15, whose square may underflow where w is not 0
+    const double size = std::fabs(q.x()) + std::fabs(q.y()) + std::fabs(q.z());
+    return std::fabs(q.w()) <= half_turn_margin * size ? note_half_turn(q.w(), q.vector_length()) : Notes{};
+}
+
 } // namespace rotconv

@@ -79,9 +79,8 @@ Stepper::Stepper(const Spec& set, Integrator integrator, bool renormalise) noexc
 
 Fault Stepper::start(const Rotation& rotation) noexcept {
     const Rotation kept = set_.passive ? rotation.inverse() : rotation;
-    Notes notes;
     numbers_.setZero();
-    door_of(set_.name).write(set_, euler::default_lock_margin, &kept, 1, numbers_.data(), &notes);
+    door_of(set_.name).write_row(set_, kept, numbers_.data());
     fault_ = numbers_.allFinite() ? Fault::none : Fault::singular;
     return fault_;
 }
@@ -183,10 +182,8 @@ void Stepper::change_chart() noexcept {
 
 Fault Stepper::bring_back() noexcept {
     const Door& door = door_of(set_.name);
-    Reading reading;
-    Notes notes;
-    door.read(set_, numbers_.data(), 1, &reading);
-    door.write(set_, 0.0, &reading.rotation, 1, numbers_.data(), &notes);
+    const Reading reading = door.read_row(set_, numbers_.data());
+    door.write_row(set_, reading.rotation, numbers_.data());
     return reading.fault;
 }
 
@@ -195,9 +192,11 @@ Reading Stepper::attitude() const noexcept {
         return Reading::failed(fault_);
     }
     const Door& door = door_of(set_.name);
-    Reading reading;
-    door.read(set_, numbers_.data(), 1, &reading);
-    if (reading.ok() && door.exact_defect != nullptr) {
+    Reading reading = door.read_row(set_, numbers_.data());
+    if (!reading.ok()) {
+        return Reading::failed(reading.fault);
+    }
+    if (door.exact_defect != nullptr) {
         reading.defect = door.exact_defect(numbers_.data());
     }
     if (set_.passive) {

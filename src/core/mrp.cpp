@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "blocks.hpp"
 #include "double_double.hpp"
 #include "finite.hpp"
 #include "half_turn.hpp"
@@ -38,19 +39,33 @@ Reading to_rotation(const Eigen::Vector3d& m) noexcept {
 }
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
-    const Rotation q = rotation.canonical();
-    const Split w = split(q.w());
-    const Split x = split(q.x());
-    const Split y = split(q.y());
-    const Split z = split(q.z());
-    const Root norm = root_of((w.high * w.high + x.high * x.high) + (y.high * y.high + z.high * z.high),
-                              (rest_of_square(w) + rest_of_square(x)) + (rest_of_square(y) + rest_of_square(z)));
-    const DoubleDouble divisor = exact_sum(norm.hi, w.value);
-    const DoubleDouble inverse = quotient(1.0, 0.0, {divisor.hi, divisor.lo + norm.lo, 1.0 / divisor.hi});
-    return {product(x, inverse), product(y, inverse), product(z, inverse)};
+    Rotations one; // NOLINT(*-member-init): written before it is read
+    one.set(0, rotation);
+    Eigen::Vector3d m;
+    Notes notes;
+    write(one, 1, m.data(), &notes);
+    return m;
 }
 
-Notes notes(const Rotation& rotation) noexcept { return note_half_turn(rotation.w(), rotation.vector_length()); }
+void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double sign = rotations.at(i).sign();
+        const Split w = split(rotations.w[i] * sign);
+        const Split x = split(rotations.x[i] * sign);
+        const Split y = split(rotations.y[i] * sign);
+        const Split z = split(rotations.z[i] * sign);
+        const Root norm = root_of((w.high * w.high + x.high * x.high) + (y.high * y.high + z.high * z.high),
+                                  (rest_of_square(w) + rest_of_square(x)) + (rest_of_square(y) + rest_of_square(z)));
+        const DoubleDouble divisor = exact_sum(norm.hi, w.value);
+        const DoubleDouble inverse = quotient(1.0, 0.0, {divisor.hi, divisor.lo + norm.lo, 1.0 / divisor.hi});
+        numbers[3 * i] = product(x, inverse);
+        numbers[3 * i + 1] = product(y, inverse);
+        numbers[3 * i + 2] = product(z, inverse);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        notes[i] = note_half_turn(rotations.at(i));
+    }
+}
 
 Figures figures(const Rotation& rotation) noexcept {
     const double norm = std::sqrt(rotation.squared_norm());

@@ -62,8 +62,7 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
     }
 
     const Door& door = door_of(spec_.name);
-    Reading reading;
-    door.read(spec_, numbers.data(), 1, &reading);
+    const Reading reading = door.read_row(spec_, numbers.data());
     RateReport report{.fault = reading.fault, .defect = reading.defect};
     if (!reading.ok()) {
         return report;

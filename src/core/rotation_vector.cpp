@@ -72,12 +72,12 @@ double sine_ratio(double x) noexcept { return x == 0.0 ? 1.0 : std::sin(x) / x; 
 } // namespace
 
 Reading to_rotation(const RotationVector& value) noexcept {
-    Reading reading;
-    read(value.vector.data(), 1, value.unit, &reading);
-    return reading;
+    Readings readings; // NOLINT(*-member-init): written before it is read
+    read(value.vector.data(), 1, value.unit, readings);
+    return readings.reading(0);
 }
 
-void read(const double* numbers, std::size_t rows, AngleUnit unit, Reading* readings) noexcept {
+void read(const double* numbers, std::size_t rows, AngleUnit unit, Readings& readings) noexcept {
     Lane length, length_low, inverse, cosine, sine; // NOLINT(*-member-init): written before they are read
     for (std::size_t i = 0; i < rows; ++i) {
         const Root root = length_of(split(numbers[3 * i]), split(numbers[3 * i + 1]), split(numbers[3 * i + 2]));
@@ -89,21 +89,21 @@ void read(const double* numbers, std::size_t rows, AngleUnit unit, Reading* read
         cosine[i] = std::cos(0.5 * length[i]);
         sine[i] = std::sin(0.5 * length[i]);
     }
-    Lane w, x, y, z;
     for (std::size_t i = 0; i < rows; ++i) {
         const double half_low = 0.5 * length_low[i];
         const DoubleDouble ratio = quotient(sine[i], cosine[i] * half_low, {length[i], length_low[i], inverse[i]});
-        w[i] = cosine[i] - sine[i] * half_low;
-        x[i] = product(split(numbers[3 * i]), ratio);
-        y[i] = product(split(numbers[3 * i + 1]), ratio);
-        z[i] = product(split(numbers[3 * i + 2]), ratio);
+        readings.w[i] = cosine[i] - sine[i] * half_low;
+        readings.x[i] = product(split(numbers[3 * i]), ratio);
+        readings.y[i] = product(split(numbers[3 * i + 1]), ratio);
+        readings.z[i] = product(split(numbers[3 * i + 2]), ratio);
     }
     for (std::size_t i = 0; i < rows; ++i) {
         const double* r = numbers + 3 * i;
-        readings[i] = {.rotation = Rotation::near_unit(w[i], x[i], y[i], z[i])};
+        readings.defect[i] = 0.0;
+        readings.fault[i] = Fault::none;
         if (unit != AngleUnit::radians || !is_plain(length[i])) {
-            readings[i] = all_finite(r[0], r[1], r[2]) ? Reading{.rotation = rotation_of_any(r[0], r[1], r[2], unit)}
-                                                       : Reading::failed(Fault::not_finite);
+            readings.set(i, all_finite(r[0], r[1], r[2]) ? Reading{.rotation = rotation_of_any(r[0], r[1], r[2], unit)}
+                                                         : Reading::failed(Fault::not_finite));
         }
     }
 }
@@ -111,16 +111,19 @@ void read(const double* numbers, std::size_t rows, AngleUnit unit, Reading* read
 RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     RotationVector result{.unit = unit};
     Notes notes;
-    write(&rotation, 1, unit, result.vector.data(), &notes);
+    Rotations one; // NOLINT(*-member-init)
+    one.set(0, rotation);
+    write(one, 1, unit, result.vector.data(), &notes);
     return result;
 }
 
-void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
+void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
     // The length counts twice, in the angle and in the direction: near pi its rounding would be the largest part of the
     // error.
     VectorParts parts; // NOLINT(*-member-init): written before it is read
     take_apart(rotations, rows, parts);
     Angles angles; // NOLINT(*-member-init)
+    parts.half.set_sines(rows);
     angles_of(parts.half, rows, unit, angles);
     // Degrees are brought to the size of radians by a power of two.
     const double scale = unit == AngleUnit::degrees ? 64.0 : 1.0;
@@ -141,8 +144,6 @@ void write(const Rotation* rotations, std::size_t rows, AngleUnit unit, double* 
         }
     }
 }
-
-Notes notes(const Rotation& rotation) noexcept { return note_half_turn(rotation.w(), rotation.vector_length()); }
 
 Figures figures(const Rotation& rotation) noexcept {
     const double length = rotation.vector_length();

@@ -2,10 +2,9 @@
 
 #include <cstddef>
 
-#include <rotconv/rotation.hpp>
-
 #include "angles.hpp"
 #include "double_double.hpp"
+#include "lanes.hpp"
 
 namespace rotconv {
 
@@ -14,9 +13,10 @@ namespace rotconv {
 struct VectorParts {
     Lane x, y, z;
     PlaneVectors half;
-    Lane inverse; ///< 1/length, rounded
+    Lane length_low; ///< what the length was rounded by
+    Lane inverse;    ///< 1/length, rounded
 
-    [[nodiscard]] Root length(std::size_t row) const noexcept { return {half.y[row], half.y_low[row], inverse[row]}; }
+    [[nodiscard]] Root length(std::size_t row) const noexcept { return {half.y[row], length_low[row], inverse[row]}; }
 };
 
 /// Lengths below this are not known: the squares have lost digits.
@@ -28,6 +28,6 @@ inline Root length_of(Split x, Split y, Split z) noexcept {
                    (rest_of_square(x) + rest_of_square(y)) + rest_of_square(z));
 }
 
-void take_apart(const Rotation* rotations, std::size_t rows, VectorParts& parts) noexcept;
+void take_apart(const Rotations& rotations, std::size_t rows, VectorParts& parts) noexcept;
 
 } // namespace rotconv

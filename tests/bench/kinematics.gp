@@ -1,4 +1,4 @@
-# The charts of bench_kinematics' figures: gnuplot -e "csv='kinematics.csv'; out='DIRECTORY'" kinematics.gp
+# The charts of bench_kinematics' figures: gnuplot -e "csv='kinematics.csv'" -e "out='DIRECTORY'" kinematics.gp
 
 set datafile separator comma
 set datafile missing NaN
@@ -18,6 +18,10 @@ named(i) = set_of[i] . " " . by[i]
 
 of_way(i, kind, motion, renormalised) = stringcolumn(1) eq kind && stringcolumn(2) eq motion && \
     stringcolumn(3) eq set_of[i] && stringcolumn(4) eq by[i] && column(6) == renormalised
+
+# Those that no step brings to the end of the motion; `finest` is the least step of the kind.
+fails(kind, motion, finest) = stringcolumn(1) eq kind && stringcolumn(2) eq motion && column(5) == finest && \
+    stringcolumn(12) eq "singular"
 
 set dashtype 2 (5,3)
 set logscale xy
@@ -63,6 +67,11 @@ do for [terminal in "svg pngcairo"] {
             set ytics ("" 1e-15, "" 1e-12, "" 1e-9, "" 1e-6, "" 1e-3, "" 1)
         }
         set title motion font ",11" tc rgb ink offset 0,-0.6
+        names = ""
+        stats csv using (fails("work", motion, 0.000625) ? (names = names . "  " . stringcolumn(3), 1e-3) : 1e-3) nooutput
+        if (names ne "") {
+            set label 50 "singular:" . names at graph 0.98,0.95 right tc rgb "#8a8f98"
+        }
         plot for [i = 1:n] csv using (of_way(i, "work", motion, 0) ? column(9) : NaN):8 with linespoints \
             lc rgb colour[i] lw 1.6 dt dash[i] pt symbol[i] ps 0.55
         unset arrow
@@ -99,6 +108,11 @@ do for [terminal in "svg pngcairo"] {
             set ytics ("10^{-16}" 1e-16, "10^{-12}" 1e-12, "10^{-8}" 1e-8, "10^{-4}" 1e-4)
             set title (p == 1 ? "gentle: error, rad" : "tumbling: error, rad") font ",11" tc rgb ink offset 0,-0.6
             motion = p == 1 ? "gentle" : "tumbling"
+            names = ""
+            stats csv using (fails("drift", motion, 0.01) ? (names = names . "  " . stringcolumn(3), 1e-3) : 1e-3) nooutput
+            if (names ne "") {
+                set label 50 "singular:" . names at graph 0.98,0.95 right tc rgb "#8a8f98"
+            }
             plot for [i = 1:n] csv using (of_way(i, "drift", motion, 0) ? column(7) : NaN):8 with lines \
                 lc rgb colour[i] lw 1.8 dt dash[i]
         } else {

@@ -33,18 +33,22 @@ TEST_CASE("a wrong method is answered with the legal ones and where they hold") 
     CHECK(run("-f mrp -t 6d --method default 0 0 0").exit_code == 0);
 }
 
-TEST_CASE("methods are listed with their domain and reference") {
-    // Catches a table that lacks a pair.
+TEST_CASE("methods are listed with their worst error and its place, domain and reference") {
+    // Catches a table that lacks a pair, or the figures.
     const auto listed = run("list methods");
     CHECK(listed.exit_code == 0);
-    CHECK(count_rows(listed.out) == 42);
+    CHECK(count_rows(listed.out) == 48);
     CHECK(missing(listed.out, {"sarabandi-thomas", "Stuelpnagel 1964", "any proper matrix", "rodrigues",
-                               "bernardes-arccos"}) == "");
+                               "bernardes-arccos", "worst at", "in eps"}) == "");
+    const auto row = listed.out.substr(listed.out.find("quat    euler   matrix-threshold"));
+    CHECK(missing(row.substr(0, row.find('\n')), {"e+", "near lock", "Shoemake 1994"}) == "");
+    const auto trace = listed.out.substr(listed.out.find("dcm     quat    trace"));
+    CHECK(missing(trace.substr(0, trace.find('\n')), {"nan", "half-turns", "Baruh 1999"}) == "");
 }
 
 TEST_CASE("methods outside their domain end well") {
     // Catches a crash, a trap, an endless iteration.
-    for (const char* method : {"trace", "baruh", "klumpp", "shepperd", "markley", "cayley", "sarabandi-thomas",
+    for (const char* method : {"trace", "baruh", "four-roots", "shepperd", "markley", "cayley", "sarabandi-thomas",
                                "bar-itzhack", "svd", "polar", "compensated"}) {
         INFO(method);
         const auto result = run(std::string("--tolerance inf --on-error nan -f dcm -t quat --method ") + method,

@@ -1,7 +1,9 @@
 #include "strata.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace strata {
@@ -86,6 +88,16 @@ Stratum cube() {
     return stratum;
 }
 
+void scale(std::span<double> row, double factor) {
+    for (double& v : row) {
+        v *= factor;
+    }
+}
+
+bool finite(const std::vector<double>& row) {
+    return std::ranges::all_of(row, [](double v) { return std::isfinite(v); });
+}
+
 } // namespace
 
 Vector3 Source::axis() {
@@ -101,6 +113,70 @@ Quaternion Source::attitude() {
 
 std::vector<Stratum> attitudes(int size) {
     return {uniform(size), small(size), half_turns(size), borders(size), cube()};
+}
+
+bool make_hostile(const rotconv::Spec& spec, std::span<double> row, Source& source) {
+    using rotconv::Name;
+    const auto ten_to = [&](double low, double high) { return std::pow(10.0, source.uniform(low, high)); };
+    const auto either_sign = [&] { return source.integer(0, 1) == 0 ? -1.0 : 1.0; };
+    switch (spec.name) {
+    case Name::quat: {
+        const double size = ten_to(-150, 150);
+        scale(row, size * either_sign());
+        return true;
+    }
+    case Name::dcm:
+    case Name::six_d:
+    case Name::five_d: {
+        const double noise = ten_to(-17, -3.3);
+        for (double& v : row) {
+            v += noise * source.uniform(-1, 1);
+        }
+        return true;
+    }
+    case Name::axis_angle: {
+        scale(row.first(3), ten_to(-150, 150));
+        const double turns = ten_to(0, 15);
+        row[3] *= turns * either_sign();
+        return true;
+    }
+    case Name::rotvec: scale(row, ten_to(0, 14.4)); return true;
+    case Name::cayley: scale(row, ten_to(-150, 150)); return true;
+    case Name::mrp: {
+        const double square = row[0] * row[0] + row[1] * row[1] + row[2] * row[2];
+        for (double& v : row) {
+            v /= -std::max(square, 1e-200); // the shadow, of any length
+        }
+        return true;
+    }
+    default: return false;
+    }
+}
+
+std::vector<Rows> rows_of(const rotconv::Spec& from, const rotconv::Spec& to, int size) {
+    auto strata = attitudes(size);
+    if (to.name == rotconv::Name::euler || to.name == rotconv::Name::rpy) {
+        strata.push_back(near_lock(to.sequence, 2 * size));
+    }
+    std::vector<Rows> all;
+    for (const Stratum& stratum : strata) {
+        Rows& made = all.emplace_back(Rows{stratum.name, false, {}});
+        for (const auto& attitude : stratum.attitudes) {
+            made.rows.push_back(oracle::numbers(from, attitude));
+        }
+        std::erase_if(made.rows, std::not_fn(finite));
+    }
+    Source source(11);
+    for (std::size_t i = 0; i < strata.size(); ++i) {
+        Rows changed{all[i].name, true, {}};
+        for (auto row : all[i].rows) {
+            if (make_hostile(from, row, source) && finite(row)) {
+                changed.rows.push_back(std::move(row));
+            }
+        }
+        all.push_back(std::move(changed));
+    }
+    return all;
 }
 
 std::vector<std::vector<double>> euler_angles(const rotconv::Spec& spec, int size) {

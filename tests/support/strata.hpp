@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,21 @@ private:
 /// Uniform; angles 10^-k to 1e-300; pi - 10^-k; equal and vanishing quaternion components; the 24 cube rotations;
 /// half-turns. About `size` attitudes in each.
 std::vector<Stratum> attitudes(int size);
+
+/// The same attitude in other numbers, or numbers that are harder to read: scaled, noisy by up to 5e-4, long, by more
+/// than a turn. False where the representation has no such numbers; then the row stays.
+bool make_hostile(const rotconv::Spec& spec, std::span<double> row, Source& source);
+
+/// Rows of numbers on one stratum.
+struct Rows {
+    std::string name;
+    bool hostile = false;
+    std::vector<std::vector<double>> rows;
+};
+
+/// The input of a conversion: every stratum, with lock where `to` has one, then each of them made hostile. Rows that
+/// have no finite form in `from` are left out. `from` is neither euler nor rpy, whose angles are chosen.
+std::vector<Rows> rows_of(const rotconv::Spec& from, const rotconv::Spec& to, int size);
 
 /// Angles of a sequence, radians or degrees: uniform, at 10^-k from lock, at lock, multiples of 90 degrees, many turns.
 std::vector<std::vector<double>> euler_angles(const rotconv::Spec& spec, int size);

@@ -15,7 +15,8 @@ void lu(const double* m, double* c) noexcept {
     c[2] = cross(1, 0);
 }
 
-/// Shuster 1993, the Rodrigues vector of a matrix: (r32 - r23, r13 - r31, r21 - r12)/(1 + tr).
+/// The Rodrigues vector of a matrix, common property (in Shuster's survey of 1993 among others): (r32 - r23, r13 - r31,
+/// r21 - r12)/(1 + tr).
 void polynomial(const double* m, double* c) noexcept {
     const double divisor = 1.0 + (m[0] + m[4] + m[8]);
     c[0] = (m[7] - m[5]) / divisor;
@@ -43,7 +44,8 @@ void inverse(const double* c, double* m) noexcept {
     Eigen::Map<RowMajor>{m} = (identity - cross).partialPivLu().solve(identity + cross);
 }
 
-/// Shuster 1993, the matrix of a Rodrigues vector: ((1 - c'c) I + 2 c c' + 2 [c]_x)/(1 + c'c).
+/// The matrix of a Rodrigues vector, common property (in Shuster's survey of 1993 among others): ((1 - c'c) I + 2 c c'
+/// + 2 [c]_x)/(1 + c'c).
 void closed(const double* c, double* m) noexcept {
     const Eigen::Map<const Eigen::Vector3d> vector(c);
     const double square = vector.squaredNorm();

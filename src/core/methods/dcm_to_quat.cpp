@@ -71,9 +71,9 @@ void baruh(const double* m, double* q) noexcept {
     }
 }
 
-/// Klumpp 1976 in short form: four square roots of sums of the diagonal, signs from the differences. His abstract also
-/// names a protection of the roots and a care for the largest vector element, which are not here.
-void klumpp(const double* m, double* q) noexcept {
+/// Chiaverini and Siciliano 1999: four square roots of sums of the diagonal, signs from the differences. Software also
+/// cites Klumpp 1976 for it, whose abstract however protects the roots and takes care of the largest vector element.
+void four_roots(const double* m, double* q) noexcept {
     const Parts p(m);
     const Squares s(m);
     set(q, 0.5 * std::sqrt(s.w), with_sign_of(p.wx, 0.5 * std::sqrt(s.x)), with_sign_of(p.wy, 0.5 * std::sqrt(s.y)),
@@ -122,8 +122,8 @@ void markley(const double* m, double* q) noexcept {
     set(q, q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm);
 }
 
-/// Sarabandi, Perez-Gracia and Thomas 2018, Cayley's factorisation: the norms of the four rows of 4 q q', signs from
-/// the differences.
+/// Cayley's factorisation, which the survey of Sarabandi and Thomas 2019 recommends: the norms of the four rows of
+/// 4 q q', signs from the differences.
 void cayley(const double* m, double* q) noexcept {
     const Parts p(m);
     const Squares s(m);
@@ -135,7 +135,7 @@ void cayley(const double* m, double* q) noexcept {
         with_sign_of(p.wz, quarter_norm(p.wz, p.zx, p.yz, s.z)));
 }
 
-/// Sarabandi and Thomas 2019, with their threshold eta = 0: each component from the diagonal where that sum is large,
+/// Sarabandi and Thomas 2018, with their threshold eta = 0: each component from the diagonal where that sum is large,
 /// else from its row's other three entries; signs from the differences.
 void sarabandi_thomas(const double* m, double* q) noexcept {
     const Parts p(m);
@@ -149,7 +149,7 @@ void sarabandi_thomas(const double* m, double* q) noexcept {
         with_sign_of(p.wz, component(m[8] - m[0] - m[4], p.wz, p.zx, p.yz)));
 }
 
-/// Bar-Itzhack 2000, version 3: the eigenvector of K to its largest eigenvalue. The paper's factor 1/3 changes no
+/// Bar-Itzhack 2000, version 3: the eigenvector of his K3 to its largest eigenvalue. The paper's factor 1/3 changes no
 /// eigenvector.
 void bar_itzhack(const double* m, double* q) noexcept {
     const Parts p(m);
@@ -181,7 +181,7 @@ void svd(const double* m, double* q) noexcept {
     shepperd(rotation.data(), q);
 }
 
-/// Higham 1986: X <- (X + X^-T)/2 tends to the polar factor, quadratically; then Shepperd 1978.
+/// Higham 1986, without his scaling: X <- (X + X^-T)/2 tends to the polar factor, quadratically; then Shepperd 1978.
 void polar(const double* m, double* q) noexcept {
     constexpr int most_steps = 30;
     constexpr double last_change = 1e-8; // the step after it would change less than rounding
@@ -205,8 +205,8 @@ void polar(const double* m, double* q) noexcept {
 /// Davenport 1968 (the matrix K), products after Dekker 1971: the largest column of K + I and two power steps, the
 /// second with exact products. Without more steps a defect d leaves an error of the order of d^3.
 void compensated(const double* m, double* q) noexcept {
-    const Davenport k(m);
-    const Quaternion p = k.exact_power_step(k.power_step(k.pivot_column()));
+    const Davenport<double> k(m);
+    const auto p = k.exact_power_step(k.power_step(k.pivot_column()));
     const double norm = std::sqrt((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
     set(q, p.w / norm, p.x / norm, p.y / norm, p.z / norm);
 }

@@ -12,13 +12,14 @@ double cosine(const double* m) noexcept { return 0.5 * (m[0] + m[4] + m[8] - 1.0
 
 } // namespace
 
-/// Euler's axis and angle (Shuster 1993): angle = acos((tr - 1)/2), axis = differences/(2 sin angle).
+/// Euler's axis and angle, common property (in Shuster's survey of 1993 among others): angle = acos((tr - 1)/2), axis =
+/// differences/(2 sin angle).
 void acos(const double* m, double* r) noexcept {
     const double angle = std::acos(cosine(m));
     Eigen::Map<Eigen::Vector3d>{r} = differences(m) / (2.0 * std::sin(angle)) * angle;
 }
 
-/// Euler's axis and angle (Shuster 1993): angle = atan2(|d|/2, (tr - 1)/2), axis = d/|d| of the differences d.
+/// The same with angle = atan2(|d|/2, (tr - 1)/2), axis = d/|d| of the differences d.
 void atan2(const double* m, double* r) noexcept {
     const Eigen::Vector3d d = differences(m);
     const double length = d.norm();
@@ -49,6 +50,13 @@ void quaternion(const double* m, double* r) noexcept {
         }
     }
     quat_to_rotvec::atan2(q, r);
+}
+
+/// Davenport 1968 to the quaternion, then its logarithm, both with products after Dekker 1971.
+void compensated(const double* m, double* r) noexcept {
+    double q[4];
+    dcm_to_quat::compensated(m, q);
+    quat_to_rotvec::compensated(q, r);
 }
 
 } // namespace rotconv::formula::dcm_to_rotvec

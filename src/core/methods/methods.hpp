@@ -8,7 +8,8 @@
 #include <rotconv/euler.hpp>
 
 // Published formulas, each for one row of numbers in the representations' own order: `m` row by row, active; `q` as
-// w x y z; angles in radians. They add no guards of their own, so that a comparison shows what was published.
+// w x y z; angles in radians. They add no guards of their own, so that a comparison shows what was published; those
+// named `compensated` are nobody's: the same with products of twice the precision.
 
 namespace rotconv::formula {
 
@@ -39,7 +40,7 @@ inline RowMajor cross_matrix(const double* v) noexcept {
 namespace dcm_to_quat {
 void trace(const double* m, double* q) noexcept;
 void baruh(const double* m, double* q) noexcept;
-void klumpp(const double* m, double* q) noexcept;
+void four_roots(const double* m, double* q) noexcept;
 void shepperd(const double* m, double* q) noexcept;
 void markley(const double* m, double* q) noexcept;
 void cayley(const double* m, double* q) noexcept;
@@ -55,6 +56,7 @@ void acos(const double* m, double* r) noexcept;
 void atan2(const double* m, double* r) noexcept;
 void polynomial(const double* m, double* r) noexcept;
 void quaternion(const double* m, double* r) noexcept;
+void compensated(const double* m, double* r) noexcept;
 } // namespace dcm_to_rotvec
 
 namespace dcm_to_cayley {
@@ -73,6 +75,7 @@ void normalise_first(const double* q, double* m) noexcept;
 namespace quat_to_rotvec {
 void acos(const double* q, double* r) noexcept;
 void atan2(const double* q, double* r) noexcept;
+void compensated(const double* q, double* r) noexcept;
 } // namespace quat_to_rotvec
 
 namespace quat_to_euler {
@@ -86,6 +89,7 @@ namespace rotvec_to_dcm {
 void rodrigues(const double* r, double* m) noexcept;
 void half_angle(const double* r, double* m) noexcept;
 void quaternion(const double* r, double* m) noexcept;
+void compensated(const double* r, double* m) noexcept;
 } // namespace rotvec_to_dcm
 
 namespace cayley_to_dcm {

@@ -29,7 +29,7 @@ double squared_norm(const double* q) noexcept { return (q[0] * q[0] + q[1] * q[1
 /// Stuelpnagel 1964, section 5, gamma(u) with |u| = 1 put into the diagonal.
 void unit(const double* q, double* m) noexcept { with_scale(2.0, q, m); }
 
-/// Shoemake 1994, Graphics Gems IV: the same with s = 2/|q|^2.
+/// Shoemake 1994, Graphics Gems IV, Eul_FromQuat: the same with s = 2/|q|^2.
 void two_over_norm(const double* q, double* m) noexcept { with_scale(2.0 / squared_norm(q), q, m); }
 
 /// Baruh 1999, [R] in Euler parameters, over |q|^2.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -24,9 +25,9 @@ double parity(int i, int j) noexcept { return (j - i + 3) % 3 == 1 ? 1.0 : -1.0;
 /// The entries of the rotation matrix by the axes of the sequence read as turns about moving axes, i first: fixed axes
 /// are the same turns in reverse order. For a proper sequence k is the axis that does not occur.
 struct MovingAxes {
-    MovingAxes(EulerSequence sequence, const double* q) noexcept
+    MovingAxes(EulerSequence sequence, const double* q, void (*to_matrix)(const double*, double*) noexcept) noexcept
         : i(sequence.axis(sequence.intrinsic() ? 0 : 2)), j(sequence.axis(1)), k(3 - i - j), sign(parity(i, j)) {
-        quat_to_dcm::unit(q, m);
+        to_matrix(q, m);
     }
 
     [[nodiscard]] double operator()(int row, int column) const noexcept {
@@ -103,20 +104,19 @@ void set_fixed(EulerSequence sequence, const Halves& h, Angles fixed, double* an
 
 } // namespace
 
-/// Diebel 2006 (the twelve sequences): atan2 for the outer angles, asin or acos of one entry for the middle
-/// one.
+/// Diebel 2006, the twelve sequences: atan2 for the outer angles, asin or acos of one entry for the middle one.
 void classic(EulerSequence sequence, const double* q, double* angles) noexcept {
-    const MovingAxes r(sequence, q);
+    const MovingAxes r(sequence, q, quat_to_dcm::unit);
     Angles moving = outer_angles(r, sequence.proper());
     moving.middle = sequence.proper() ? std::acos(r(r.i, r.i)) : std::asin(r.sign * r(r.i, r.k));
     set(sequence, moving, angles);
 }
 
-/// Shoemake 1994, Graphics Gems IV, Euler angle conversion: the middle angle by atan2 with the hypotenuse of two
-/// entries; where this is small the third angle is 0. Threshold here 1e-6.
+/// Shoemake 1994, Graphics Gems IV, Eul_FromQuat: through the matrix, the middle angle by atan2 with the hypotenuse of
+/// two entries; where this is small an outer angle is 0, here the third of the sequence.
 void matrix_threshold(EulerSequence sequence, const double* q, double* angles) noexcept {
-    constexpr double lock = 1e-6;
-    const MovingAxes r(sequence, q);
+    constexpr double lock = 16.0 * std::numeric_limits<float>::epsilon(); // 1.9e-6, as in his program
+    const MovingAxes r(sequence, q, quat_to_dcm::two_over_norm);
     const int i = r.i;
     const int j = r.j;
     const int k = r.k;
@@ -135,8 +135,8 @@ void matrix_threshold(EulerSequence sequence, const double* q, double* angles) n
     set(sequence, moving, angles);
 }
 
-/// Bernardes and Viollet 2022: middle angle by arccos; within 1e-7 of lock one outer angle is free, and
-/// the third of the sequence set to 0.
+/// Bernardes and Viollet 2022: middle angle by arccos; within 1e-7 of lock, SciPy's threshold, one outer angle is free,
+/// and the third of the sequence set to 0.
 void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) noexcept {
     constexpr double lock = 1e-7;
     const Halves h(sequence, q);
@@ -160,7 +160,7 @@ void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) n
     set_fixed(sequence, h, fixed, angles);
 }
 
-/// Bernardes and Viollet 2022, with the middle angle by atan2 of hypotenuses and without a threshold.
+/// The same half angles, with the middle angle by atan2 of hypotenuses and without a threshold.
 void bernardes_atan2(EulerSequence sequence, const double* q, double* angles) noexcept {
     const Halves h(sequence, q);
     const double middle = 2.0 * std::atan2(std::hypot(h.c, h.d), std::hypot(h.a, h.b));

@@ -2,6 +2,10 @@
 
 #include <cmath>
 
+#include "../double_double.hpp"
+#include "../scaling.hpp"
+#include "../trigonometry.hpp"
+
 namespace rotconv::formula::rotvec_to_dcm {
 namespace {
 
@@ -44,6 +48,22 @@ void quaternion(const double* r, double* m) noexcept {
     const double scale = std::sin(0.5 * t) / t;
     const double q[4] = {std::cos(0.5 * t), scale * r[0], scale * r[1], scale * r[2]};
     quat_to_dcm::unit(q, m);
+}
+
+/// Euler-Rodrigues parameters times t, t (cos t/2, sin t/2 n), over their squared norm; t by Dekker's products of 1971:
+/// its rounding times t would be an error of the attitude.
+void compensated(const double* r, double* m) noexcept {
+    const double size = largest_magnitude(r[0], r[1], r[2]);
+    if (size == 0.0) { // no axis
+        second_degree(r, 1.0, 0.5, m);
+        return;
+    }
+    const auto scale = PowerOfTwo::to_unit(size);
+    const double v[3] = {scale(r[0]), scale(r[1]), scale(r[2])};
+    const DoubleDouble t = rotconv::length(v[0], v[1], v[2]);
+    const HalfAngle half = half_of({scale.undone(t.hi), scale.undone(t.lo)}, AngleUnit::radians);
+    const double q[4] = {t.hi * half.cosine + t.lo * half.cosine, half.sine * v[0], half.sine * v[1], half.sine * v[2]};
+    quat_to_dcm::homogeneous(q, m);
 }
 
 } // namespace rotconv::formula::rotvec_to_dcm

@@ -1,0 +1,130 @@
+// Conversions as a C++ program writes them, inline and one row at a time.
+
+#include "ways.hpp"
+
+#include <map>
+#include <utility>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <rotconv/dcm.hpp>
+#include <rotconv/quaternion.hpp>
+
+namespace bench {
+namespace {
+
+using rotconv::EulerSequence;
+using rotconv::Name;
+
+using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using In = Eigen::Map<const Matrix>;
+using Out = Eigen::Map<Matrix>;
+using Vector = Eigen::Vector3d;
+
+Eigen::Quaterniond quaternion(const double* q) { return {q[0], q[1], q[2], q[3]}; }
+Vector vector(const double* v) { return {v[0], v[1], v[2]}; }
+void store(const Vector& v, double* out) { Eigen::Map<Vector>{out} = v; }
+
+template <std::size_t Inputs, std::size_t Outputs, class OneRow>
+void each(const double* in, std::size_t rows, double* out, OneRow one_row) noexcept {
+    for (std::size_t i = 0; i < rows; ++i, in += Inputs, out += Outputs) {
+        one_row(in, out);
+    }
+}
+
+void eigen_dcm_quat(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<9, 4>(in, rows, out, [](const double* m, double* to) {
+        const Eigen::Quaterniond q(In{m});
+        to[0] = q.w();
+        store(q.vec(), to + 1);
+    });
+}
+
+void eigen_dcm_rotvec(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<9, 3>(in, rows, out, [](const double* m, double* to) {
+        const Eigen::AngleAxisd a(In{m});
+        store(a.angle() * a.axis(), to);
+    });
+}
+
+void eigen_dcm_cayley(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<9, 3>(in, rows, out, [](const double* m, double* to) {
+        const Eigen::Quaterniond q(In{m});
+        store(q.vec() / q.w(), to);
+    });
+}
+
+void eigen_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<4, 9>(in, rows, out, [](const double* q, double* to) { Out{to} = quaternion(q).toRotationMatrix(); });
+}
+
+void eigen_quat_rotvec(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<4, 3>(in, rows, out, [](const double* q, double* to) {
+        const Eigen::AngleAxisd a(quaternion(q));
+        store(a.angle() * a.axis(), to);
+    });
+}
+
+void eigen_quat_euler(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
+    // constant axes, as in a program that knows its sequence
+    if (sequence.proper()) {
+        each<4, 3>(in, rows, out, [](const double* q, double* to) {
+            store(quaternion(q).toRotationMatrix().eulerAngles(2, 0, 2), to);
+        });
+    } else {
+        each<4, 3>(in, rows, out, [](const double* q, double* to) {
+            store(quaternion(q).toRotationMatrix().eulerAngles(2, 1, 0), to);
+        });
+    }
+}
+
+void eigen_rotvec_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<3, 9>(in, rows, out, [](const double* v, double* to) {
+        const Vector r = vector(v);
+        Out{to} = Eigen::AngleAxisd(r.norm(), r.normalized()).toRotationMatrix();
+    });
+}
+
+void eigen_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<3, 9>(in, rows, out, [](const double* c, double* to) {
+        Out{to} = Eigen::Quaterniond(1.0, c[0], c[1], c[2]).normalized().toRotationMatrix();
+    });
+}
+
+void typed_dcm_quat(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<9, 4>(in, rows, out, [](const double* m, double* to) {
+        const rotconv::Quaternion q = rotconv::quaternion::from_rotation(rotconv::dcm::to_rotation(In{m}).rotation);
+        to[0] = q.w;
+        store({q.x, q.y, q.z}, to + 1);
+    });
+}
+
+void typed_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<4, 9>(in, rows, out, [](const double* q, double* to) {
+        const rotconv::Quaternion given{q[0], q[1], q[2], q[3]};
+        Out{to} = rotconv::dcm::from_rotation(rotconv::quaternion::to_rotation(given).rotation);
+    });
+}
+
+} // namespace
+
+Run eigen_way(Name from, Name to) {
+    static const std::map<std::pair<Name, Name>, Run> ways{
+        {{Name::dcm, Name::quat}, eigen_dcm_quat},       {{Name::dcm, Name::rotvec}, eigen_dcm_rotvec},
+        {{Name::dcm, Name::cayley}, eigen_dcm_cayley},   {{Name::quat, Name::dcm}, eigen_quat_dcm},
+        {{Name::quat, Name::rotvec}, eigen_quat_rotvec}, {{Name::quat, Name::euler}, eigen_quat_euler},
+        {{Name::rotvec, Name::dcm}, eigen_rotvec_dcm},   {{Name::cayley, Name::dcm}, eigen_cayley_dcm},
+    };
+    const auto found = ways.find({from, to});
+    return found == ways.end() ? nullptr : found->second;
+}
+
+Run typed_way(Name from, Name to) {
+    if (from == Name::dcm && to == Name::quat) {
+        return typed_dcm_quat;
+    }
+    return from == Name::quat && to == Name::dcm ? typed_quat_dcm : nullptr;
+}
+
+} // namespace bench

@@ -1,0 +1,137 @@
+#include "times.hpp"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <random>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "strata.hpp"
+
+namespace bench {
+
+using rotconv::Name;
+using rotconv::Spec;
+
+namespace {
+
+constexpr std::size_t million = 1'000'000;
+
+/// A million uniform attitudes.
+std::vector<double> timed_rows(const Spec& spec, bool hostile) {
+    std::mt19937_64 engine(7);
+    std::normal_distribution<double> normal;
+    strata::Source source(8);
+    std::vector<double> rows(million * spec.size());
+    for (std::size_t i = 0; i < million; ++i) {
+        const auto q = Eigen::Quaterniond(normal(engine), normal(engine), normal(engine), normal(engine)).normalized();
+        double* const row = &rows[i * spec.size()];
+        Eigen::Map<Eigen::Vector3d> vector(row);
+        switch (spec.name) {
+        case Name::dcm: Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{row} = q.toRotationMatrix(); break;
+        case Name::rotvec: {
+            const Eigen::AngleAxisd a(q);
+            vector = a.angle() * a.axis();
+            break;
+        }
+        case Name::cayley: vector = q.vec() / q.w(); break;
+        default: Eigen::Map<Eigen::Vector4d>{row} << q.w(), q.vec(); break;
+        }
+        if (hostile) {
+            strata::make_hostile(spec, {row, spec.size()}, source);
+        }
+    }
+    return rows;
+}
+
+std::string name_of(const Pair& pair, const std::string& way, bool hostile, bool all) {
+    return fmt::format("{}-{}-{}-{}{}", text_of(pair.from), text_of(pair.to), way, hostile ? "hostile" : "clean",
+                       all ? "/million" : "");
+}
+
+/// Keeps the least time of each benchmark.
+class Least : public benchmark::BenchmarkReporter {
+public:
+    explicit Least(std::map<std::string, double>& times) : times_(times) {}
+    bool ReportContext(const Context& /*context*/) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            if (run.run_type == Run::RT_Iteration && run.iterations > 0) {
+                const std::string& name = run.run_name.function_name;
+                const double rows = name.ends_with("/million") ? double(million) : double(block);
+                const double time = run.GetAdjustedRealTime() / rows;
+                const auto place = times_.try_emplace(name, time).first;
+                place->second = std::min(place->second, time);
+            }
+        }
+    }
+
+private:
+    std::map<std::string, double>& times_;
+};
+
+void add_benchmark(const std::string& name, const Convert& convert, const std::vector<double>& in,
+                   std::vector<double>& out, bool all) {
+    auto* const made = benchmark::RegisterBenchmark(name.c_str(), [&in, &out, convert, all](benchmark::State& state) {
+        for (auto _ : state) {
+            convert(in.data(), all ? million : block, out.data());
+            benchmark::ClobberMemory();
+        }
+    });
+    made->Unit(benchmark::kNanosecond)->Repetitions(all ? 3 : 7);
+    if (all) {
+        made->Iterations(1);
+    } else {
+        made->MinTime(0.01);
+    }
+}
+
+/// In random order, so that no way profits from its place.
+void initialize() {
+    std::string program = "bench_methods";
+    std::string interleaving = "--benchmark_enable_random_interleaving=true";
+    std::array<char*, 3> arguments{program.data(), interleaving.data(), nullptr};
+    int count = 2;
+    benchmark::Initialize(&count, arguments.data());
+}
+
+} // namespace
+
+Times::Times(const std::vector<Pair>& pairs) {
+    initialize();
+    Least least(times_);
+    std::vector<double> out(million * 9);
+    for (const Name from : {Name::dcm, Name::quat, Name::rotvec, Name::cayley}) {
+        benchmark::ClearRegisteredBenchmarks();
+        std::deque<std::vector<double>> kept; // the benchmarks refer to them
+        for (const Pair& pair : pairs) {
+            if (pair.from != from) {
+                continue;
+            }
+            if (kept.empty()) {
+                kept.push_back(timed_rows(pair.source(), false));
+                kept.push_back(timed_rows(pair.source(), true));
+            }
+            for (const Way& way : pair.ways) {
+                const Convert convert = way.between(pair.source(), pair.target());
+                for (const bool hostile : {false, true}) {
+                    for (const bool all : {false, true}) {
+                        add_benchmark(name_of(pair, way.name, hostile, all), convert, kept[hostile ? 1 : 0], out, all);
+                    }
+                }
+            }
+        }
+        benchmark::RunSpecifiedBenchmarks(&least);
+    }
+}
+
+double Times::of(const Pair& pair, const std::string& way, bool hostile, bool all) const {
+    const auto found = times_.find(name_of(pair, way, hostile, all));
+    return found == times_.end() ? none : found->second;
+}
+
+} // namespace bench

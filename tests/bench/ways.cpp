@@ -1,0 +1,81 @@
+#include "ways.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <variant>
+
+#include <rotconv/conversion.hpp>
+
+namespace bench {
+
+using namespace rotconv;
+
+namespace {
+
+Spec parse(const std::string& text) { return std::get<Spec>(parse_spec(text)); }
+
+/// rotconv's own way, in blocks as a stream has them.
+class Own {
+public:
+    Own(const Spec& from, const Spec& to)
+        : conversion_(from, to,
+                      {.tolerance = std::numeric_limits<double>::infinity(),
+                       .lock_margin = 0.0,
+                       .figures = false,
+                       .method = nullptr}) {}
+
+    void run(const double* in, std::size_t rows, double* out) {
+        const std::size_t inputs = conversion_.from().size();
+        const std::size_t outputs = conversion_.to().size();
+        for (std::size_t first = 0; first < rows; first += block) {
+            const std::size_t some = std::min(block, rows - first);
+            conversion_.run({in + first * inputs, some * inputs}, {out + first * outputs, some * outputs},
+                            {reports_.data(), some});
+        }
+    }
+
+private:
+    Conversion conversion_;
+    std::array<Report, block> reports_{};
+};
+
+} // namespace
+
+Convert Way::between(const Spec& from, const Spec& to) const {
+    if (run != nullptr) {
+        return [run = run, sequence = to.sequence](const double* in, std::size_t rows, double* out) {
+            run(sequence, in, rows, out);
+        };
+    }
+    return [own = std::make_shared<Own>(from, to)](const double* in, std::size_t rows, double* out) {
+        own->run(in, rows, out);
+    };
+}
+
+Spec Pair::source() const { return parse(text_of(from)); }
+
+Spec Pair::target(const char* sequence) const {
+    return parse(to == Name::euler ? std::string("euler:") + sequence : text_of(to));
+}
+
+std::vector<Pair> pairs() {
+    std::vector<Pair> found;
+    for (const Method& method : methods()) {
+        if (found.empty() || found.back().from != method.from || found.back().to != method.to) {
+            auto& ways = found.emplace_back(Pair{method.from, method.to, {}}).ways;
+            if (const Run run = eigen_way(method.from, method.to)) {
+                ways.push_back({"Eigen", run});
+            }
+            if (const Run run = typed_way(method.from, method.to)) {
+                ways.push_back({"typed", run});
+            }
+        }
+        found.back().ways.push_back({std::string(method.name), method.run});
+    }
+    return found;
+}
+
+std::string text_of(Name name) { return std::string(representation(name).text); }
+
+} // namespace bench

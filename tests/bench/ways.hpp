@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rotconv/method.hpp>
+
+namespace bench {
+
+constexpr std::size_t block = 256;                                ///< rows that stay in cache
+constexpr double none = std::numeric_limits<double>::quiet_NaN(); ///< an empty field
+
+using Run = decltype(rotconv::Method::run);
+
+/// Eigen's way, and rotconv's as a C++ program writes it that has the types at hand; null where there is none.
+Run eigen_way(rotconv::Name from, rotconv::Name to);
+Run typed_way(rotconv::Name from, rotconv::Name to);
+
+/// Converts rows of numbers; all that it needs is made beforehand.
+using Convert = std::function<void(const double* in, std::size_t rows, double* out)>;
+
+/// A method, rotconv's own way with all its diagnostics, its typed call, or Eigen's way.
+struct Way {
+    std::string name;
+    Run run; ///< null: rotconv's own
+
+    [[nodiscard]] Convert between(const rotconv::Spec& from, const rotconv::Spec& to) const;
+};
+
+/// All ways of a conversion.
+struct Pair {
+    rotconv::Name from;
+    rotconv::Name to;
+    std::vector<Way> ways;
+
+    [[nodiscard]] rotconv::Spec source() const;
+    /// Euler angles are those of `sequence`.
+    [[nodiscard]] rotconv::Spec target(const char* sequence = "ZYX") const;
+};
+
+std::vector<Pair> pairs();
+
+std::string text_of(rotconv::Name name);
+
+} // namespace bench
