@@ -22,8 +22,7 @@ Rotation unit(const Rotation& rotation) noexcept {
 
 Numbers numbers_of(const Spec& set, const Rotation& rotation) noexcept {
     Numbers numbers{};
-    Notes notes;
-    door_of(set.name).write(set, euler::default_lock_margin, &rotation, 1, numbers.data(), &notes);
+    door_of(set.name).write_row(set, rotation, numbers.data());
     return numbers;
 }
 
