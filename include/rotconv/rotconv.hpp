@@ -16,3 +16,4 @@
 #include <rotconv/quaternion.hpp>
 #include <rotconv/rates.hpp>
 #include <rotconv/rotation_vector.hpp>
+#include <rotconv/survey.hpp>

@@ -14,8 +14,24 @@ bool begins_with_number(std::string_view word) {
     return stream::is_number(text);
 }
 
-bool names_command(const CLI::App& app, const std::string& word) {
-    return !app.get_subcommands([&word](const CLI::App* command) { return command->get_name() == word; }).empty();
+/// The command of that name, or null.
+const CLI::App* find_command(const CLI::App& app, const std::string& word) {
+    const auto found = app.get_subcommands([&word](const CLI::App* command) { return command->get_name() == word; });
+    return found.empty() ? nullptr : found.front();
+}
+
+/// The words of a command, of which the first is its name. Where it names its arguments itself they are no VALUEs.
+Arguments sort_command(const CLI::App& command, int argc, const char* const* argv) {
+    const auto named = command.get_options([](const CLI::Option* option) { return option->get_positional(); });
+    Arguments sorted;
+    if (named.empty()) {
+        sorted = sort_arguments(command, argc, argv);
+    } else {
+        sorted.options.assign(argv + 1, argv + argc);
+    }
+    sorted.options.insert(sorted.options.begin(), argv[0]);
+    sorted.command = argv[0];
+    return sorted;
 }
 
 bool takes_argument(const CLI::App& app, const std::string& name) {
@@ -43,10 +59,11 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv)
         std::string word = argv[i];
         const bool is_value = only_values || begins_with_number(word) || word.empty() || word[0] != '-' || word == "-";
         if (is_value) {
-            if (sorted.values.empty() && !only_values && names_command(app, word)) {
-                sorted.is_command = true;
-                sorted.options.insert(sorted.options.end(), argv + i, argv + argc);
-                return sorted;
+            const CLI::App* command = sorted.values.empty() && !only_values ? find_command(app, word) : nullptr;
+            if (command != nullptr) {
+                Arguments after = sort_command(*command, argc - i, argv + i);
+                after.options.insert(after.options.begin(), sorted.options.begin(), sorted.options.end());
+                return after;
             }
             sorted.values.push_back(std::move(word));
             continue;

@@ -12,7 +12,7 @@ struct Arguments {
     std::vector<std::string> options; ///< each option that takes an argument joined with it
     std::vector<std::string> values;
     std::string empty_option; ///< an option whose argument is the empty text
-    bool is_command = false;  ///< the first word names a command: all words stand in `options`
+    std::string command;      ///< the first word, where it names one: it also stands in `options`
 };
 
 /// CLI11 takes `-.5` for an option and `-inf` for `-i nf`, and an option's argument `-1` for an option. Here a word

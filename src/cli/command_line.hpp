@@ -1,28 +1,39 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 
-#include <rotconv/conversion.hpp>
-
 #include "../stream/layout.hpp"
+#include "words.hpp"
 
 namespace rotconv::cli {
 
 enum class ShowDiagnostics { off, summary, rows, columns };
 
-/// `rotconv -f FROM -t TO ...`, checked.
-struct ConvertCommand {
-    explicit ConvertCommand(const Conversion& conversion) : options(conversion) {}
+/// A command that makes something of each row, checked: `rotconv -f FROM -t TO ...`, `rotconv rates ...` and
+/// `rotconv propagate ...`.
+struct RowsCommand {
+    RowsCommand(stream::RowFunction function, words::Subject about)
+        : options(std::move(function)), subject(std::move(about)) {}
 
     stream::Options options;
-    Settings settings;
+    words::Subject subject; ///< what the rows are, for messages
     ShowDiagnostics diagnostics = ShowDiagnostics::summary;
     bool strict = false;
     std::string input = "-";
     std::string output = "-";
     bool has_values = false;
-    std::string values; ///< the VALUEs as one row
+    std::string values;    ///< the VALUEs as one row
+    bool progress = false; ///< where a terminal shows it
+};
+
+/// `rotconv survey ...`, checked.
+struct SurveyCommand {
+    RowsCommand rows; ///< the input, its attitudes not yet taken by anybody
+    Spec from;
+    double condition = 0.0; ///< the greatest that serves
+    bool json = false;
 };
 
 /// `rotconv list [NAME]`.
@@ -40,7 +51,7 @@ struct UsageError {
     std::string message;
 };
 
-using Command = std::variant<ConvertCommand, ListCommand, PrintCommand, UsageError>;
+using Command = std::variant<RowsCommand, SurveyCommand, ListCommand, PrintCommand, UsageError>;
 
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
 

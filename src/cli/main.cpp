@@ -8,10 +8,11 @@
 
 #include "../stream/file.hpp"
 #include "command_line.hpp"
-#include "convert.hpp"
 #include "exit_code.hpp"
 #include "list.hpp"
+#include "rows.hpp"
 #include "say.hpp"
+#include "survey.hpp"
 #include "words.hpp"
 
 namespace rotconv::cli {
@@ -23,7 +24,7 @@ ExitCode print(const std::string& text) {
     if (error == 0 || error == EPIPE) {
         return ExitCode::done;
     }
-    say("-: " + words::explain(stream::StreamFault{stream::StreamFault::What::write, 0, error, {}}, Spec{}));
+    say("-: " + words::explain(stream::StreamFault{stream::StreamFault::What::write, 0, error, {}}, {}));
     return ExitCode::incomplete;
 }
 
@@ -34,7 +35,8 @@ ExitCode usage(const std::string& message) {
 
 /// One overload for each command.
 struct Run {
-    ExitCode operator()(const ConvertCommand& command) const { return convert(command); }
+    ExitCode operator()(const RowsCommand& command) const { return run_rows(command); }
+    ExitCode operator()(const SurveyCommand& command) const { return survey(command); }
     ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
     ExitCode operator()(const UsageError& error) const { return usage(error.message); }
     ExitCode operator()(const ListCommand& command) const {

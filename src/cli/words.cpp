@@ -91,6 +91,11 @@ std::vector<std::string> sequence_list() {
     return list;
 }
 
+/// The attitudes at which a set that has any is singular.
+std::string_view singularity_of(Name name) {
+    return name == Name::euler || name == Name::rpy ? "gimbal lock" : "a half-turn";
+}
+
 } // namespace
 
 About about(Name name) {
@@ -145,6 +150,16 @@ std::string_view about_preset(std::string_view preset) {
 
 std::string modifiers_of(const Representation& representation) {
     return fmt::format("{}", fmt::join(legal_modifiers(representation), " "));
+}
+
+std::string spec_text(const Spec& spec) {
+    std::string text(representation(spec.name).text);
+    if (spec.name == Name::euler) {
+        const auto letters = spec.sequence.letters();
+        text += ':';
+        text.append(letters.data(), letters.size());
+    }
+    return text;
 }
 
 std::string quoted(std::string_view text) {
@@ -205,15 +220,14 @@ std::string explain(const SpecFault& fault) {
     return {};
 }
 
-std::string explain(const stream::RowFault& fault, const Spec& from, double tolerance) {
+std::string explain(const stream::RowFault& fault, const Subject& subject) {
     using What = stream::RowFault::What;
     const std::string text = quoted(fault.text);
-    const std::string_view name = representation(from.name).text;
     switch (fault.what) {
     case What::not_a_number: return fmt::format("not a number: {}", text);
     case What::too_large: return fmt::format("too large for a double: {}", text);
     case What::wrong_count:
-        return fmt::format("{} field{} where {} has {}{}: {}", fault.found, fault.found == 1 ? "" : "s", name,
+        return fmt::format("{} field{} where {} has {}{}: {}", fault.found, fault.found == 1 ? "" : "s", subject.text,
                            fault.expected, fault.found > fault.expected ? " (--columns selects)" : "", text);
     case What::missing_column:
         return fmt::format("no column {}, the row has {}: {}", fault.expected, fault.found, text);
@@ -227,33 +241,36 @@ std::string explain(const stream::RowFault& fault, const Spec& from, double tole
     case Fault::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
     case Fault::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
     case Fault::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
-    case Fault::singular: return fmt::format("no rates at a singularity: {}", text);
-    case Fault::time_order: return fmt::format("not later than the row before: {}", text);
+    case Fault::singular:
+        return fmt::format("{} has no rates at {}: {}", representation(subject.set).text, singularity_of(subject.set),
+                           text);
+    case Fault::time_order: return fmt::format("time does not increase: {}", text);
     case Fault::defect:
-        return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", fault.defect, tolerance, text);
+        return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", fault.defect, subject.tolerance,
+                           text);
     }
     return {};
 }
 
-std::string explain(const stream::StreamFault& fault, const Spec& from) {
+std::string explain(const stream::StreamFault& fault, const Subject& subject) {
     using What = stream::StreamFault::What;
     switch (fault.what) {
     case What::read: return fmt::format("cannot be read: {}", std::generic_category().message(fault.error));
     case What::write: return fmt::format("cannot be written: {}", std::generic_category().message(fault.error));
     case What::line_too_long: return "the line is longer than 4 MiB";
-    case What::columns: return explain(fault.column, from);
+    case What::columns: return explain(fault.column, subject);
     }
     return {};
 }
 
-std::string explain(const stream::ColumnFault& fault, const Spec& from) {
+std::string explain(const stream::ColumnFault& fault, const Subject& subject) {
     using What = stream::ColumnFault::What;
     switch (fault.what) {
     case What::not_an_item:
         return fmt::format("{} is neither an index from 1, nor a range such as 5-8, nor a name", quoted(fault.text));
     case What::wrong_count:
         return fmt::format("{} selects {} column{} where {} has {} numbers", quoted(fault.text), fault.count,
-                           fault.count == 1 ? "" : "s", representation(from.name).text, from.size());
+                           fault.count == 1 ? "" : "s", subject.text, subject.count);
     case What::twice: return fmt::format("column {} is selected twice", fault.text);
     case What::missing:
         return fmt::format(

@@ -28,16 +28,27 @@ struct About {
 /// The modifiers that have a meaning for a representation, parted by blanks.
 [[nodiscard]] std::string modifiers_of(const Representation& representation);
 
+/// The SPEC of a set without modifiers, such as "euler:ZYX".
+[[nodiscard]] std::string spec_text(const Spec& spec);
+
 /// Why a SPEC is none, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecFault& fault);
 
-/// Why a row has no attitude, with the text at fault.
-[[nodiscard]] std::string explain(const stream::RowFault& fault, const Spec& from, double tolerance);
+/// What the rows of a run are.
+struct Subject {
+    std::string text;       ///< what has `count` numbers, such as "quat"
+    std::size_t count = 0;  ///< numbers of a row
+    Name set = Name::quat;  ///< whose singularities may be met
+    double tolerance = 0.0; ///< see Settings
+};
+
+/// Why a row has no result, with the text at fault.
+[[nodiscard]] std::string explain(const stream::RowFault& fault, const Subject& subject);
 
 /// Why a run ended, other than by a row.
-[[nodiscard]] std::string explain(const stream::StreamFault& fault, const Spec& from);
+[[nodiscard]] std::string explain(const stream::StreamFault& fault, const Subject& subject);
 
-[[nodiscard]] std::string explain(const stream::ColumnFault& fault, const Spec& from);
+[[nodiscard]] std::string explain(const stream::ColumnFault& fault, const Subject& subject);
 
 /// A diagnostic in words, with its figure.
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);

@@ -51,6 +51,11 @@ bool File::same_file(const File& other) const noexcept {
            mine.st_dev == theirs.st_dev && mine.st_ino == theirs.st_ino;
 }
 
+std::size_t File::size() const noexcept {
+    struct stat status {};
+    return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
 int File::truncate() const noexcept {
     struct stat status {};
     if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && ::ftruncate(descriptor_, 0) != 0) {

@@ -59,6 +59,8 @@ public:
     [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
     /// The same regular file is behind both.
     [[nodiscard]] bool same_file(const File& other) const noexcept;
+    /// Bytes of a regular file; 0 for anything else.
+    [[nodiscard]] std::size_t size() const noexcept;
     /// Empties a regular file; 0 or an errno.
     [[nodiscard]] int truncate() const noexcept;
     /// Closes the file, which is where some file systems first report a full disk; 0 or an errno.

@@ -1,24 +1,26 @@
 #include "layout.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace rotconv::stream {
 
-void Layout::select(std::vector<std::size_t> chosen) {
+void Layout::select(std::vector<std::size_t> chosen, std::size_t kept) {
     positions = std::move(chosen);
     in_row_order = positions;
     std::ranges::sort(in_row_order);
+    replaced.assign(positions.begin() + static_cast<std::ptrdiff_t>(kept), positions.end());
+    std::ranges::sort(replaced);
+}
+
+void Layout::select_all(std::size_t count, std::size_t kept) {
+    replaced.resize(kept > 0 ? count - kept : 0);
+    std::iota(replaced.begin(), replaced.end(), kept);
 }
 
 void append_result_names(Buffer& to, const Options& options, char delimiter) {
-    const Spec& spec = options.conversion.to();
-    const auto names = spec.columns();
-    for (std::size_t i = 0; i < spec.size(); ++i) {
-        if (i > 0) {
-            to.push_back(delimiter);
-        }
-        append(to, names[i]);
-    }
+    const auto& names = options.function.names;
+    fmt::format_to(std::back_inserter(to), "{}", fmt::join(names, std::string_view(&delimiter, 1)));
     if (options.diagnostic_columns) {
         for (const std::string_view name : {"margin", "condition", "defect", "notes"}) {
             to.push_back(delimiter);
@@ -29,8 +31,10 @@ void append_result_names(Buffer& to, const Options& options, char delimiter) {
 
 Preamble::Preamble(const Options& options)
     : options_(&options), header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
-    if (!options.columns.has_names()) {
-        layout_.select(options.columns.positions());
+    if (options.columns.empty()) {
+        layout_.select_all(options.function.inputs, options.function.kept);
+    } else if (!options.columns.has_names()) {
+        layout_.select(options.columns.positions(), options.function.kept);
     }
 }
 
@@ -66,7 +70,11 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
 
 void Preamble::finish(Output& output) {
     if (options_->header == HeaderMode::add && options_->format == Format::csv && options_->columns.empty()) {
-        append_result_names(output.bytes, *options_, options_->delimiter.value_or(Delimiter::character(',')).text());
+        const char delimiter = options_->delimiter.value_or(Delimiter::character(',')).text();
+        for (std::size_t i = 0; i < options_->function.kept; ++i) {
+            fmt::format_to(std::back_inserter(output.bytes), "{}{}", i + 1, delimiter);
+        }
+        append_result_names(output.bytes, *options_, delimiter);
         output.bytes.push_back('\n');
     }
 }
@@ -102,7 +110,7 @@ Preamble::Role Preamble::role_by_name(const Line& line, std::size_t number) {
     split_header(line.text);
     auto looked_up = options_->columns.positions(layout_.header);
     if (auto* positions = std::get_if<std::vector<std::size_t>>(&looked_up)) {
-        layout_.select(std::move(*positions));
+        layout_.select(std::move(*positions), options_->function.kept);
         header_done_ = true;
         return Role::header;
     }
@@ -126,7 +134,7 @@ void Preamble::split_header(std::string_view text) {
 }
 
 bool Preamble::has_selected_fields() const noexcept {
-    return layout_.positions.empty() ? header_fields_.size() == options_->conversion.from().size()
+    return layout_.positions.empty() ? header_fields_.size() == options_->function.inputs
                                      : layout_.in_row_order.back() < header_fields_.size();
 }
 

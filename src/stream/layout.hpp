@@ -5,14 +5,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
-
-#include <rotconv/conversion.hpp>
 
 #include "column_list.hpp"
 #include "delimiter.hpp"
 #include "event.hpp"
 #include "lines.hpp"
+#include "row_function.hpp"
 
 namespace rotconv::stream {
 
@@ -22,9 +22,10 @@ enum class OnError : std::uint8_t { stop, nan, skip };
 
 /// What a run does with its rows.
 struct Options {
-    explicit Options(const Conversion& given) : conversion(given) {}
+    explicit Options(RowFunction given) : function(std::move(given)) {}
+    explicit Options(const Conversion& conversion) : Options(row_function(conversion)) {}
 
-    Conversion conversion;
+    RowFunction function;
     ColumnList columns;                 ///< empty: a row is its numbers and nothing else
     std::optional<Delimiter> delimiter; ///< nothing: that of the first data row
     HeaderMode header = HeaderMode::automatic;
@@ -40,24 +41,28 @@ struct Options {
 /// What the rows before the first data row settle, and then holds for all of them.
 struct Layout {
     Delimiter delimiter = Delimiter::blanks();
-    /// Positions of the selected fields, in the order of the representation's numbers; empty: all.
+    /// Positions of the selected fields, in the order of the function's numbers; empty: all.
     std::vector<std::size_t> positions;
     std::vector<std::size_t> in_row_order; ///< the same, sorted
+    std::vector<std::size_t> replaced;     ///< those in whose place the result stands, sorted; empty: all
     std::vector<std::string> header;       ///< the header's field texts; empty where there is none
     std::string line_end = "\n";           ///< for a last row that has none
 
-    void select(std::vector<std::size_t> chosen);
+    /// The first `kept` of the chosen fields are not replaced.
+    void select(std::vector<std::size_t> chosen, std::size_t kept = 0);
+    /// Nothing is chosen: a row is its numbers, of which the first `kept` are not replaced.
+    void select_all(std::size_t count, std::size_t kept);
 };
 
-/// Calls `other(i)` for each of `count` fields that is not selected and `result()` once, in the order of the output:
-/// the result stands where the leftmost selected field stood, or at the end where that is missing. Where nothing is
-/// selected the result is all there is.
+/// Calls `other(i)` for each of `count` fields that is not replaced and `result()` once, in the order of the output:
+/// the result stands where the leftmost replaced field stood, or at the end where that is missing. Where all are
+/// replaced the result is all there is.
 template <class Other, class Result>
 void for_each_output(const Layout& layout, std::size_t count, const Other& other, const Result& result) {
-    const auto& selected = layout.in_row_order;
-    std::size_t next = 0; // of the selected fields
-    for (std::size_t i = 0; i < count && !selected.empty(); ++i) {
-        if (next == selected.size() || i != selected[next]) {
+    const auto& replaced = layout.replaced;
+    std::size_t next = 0; // of the replaced fields
+    for (std::size_t i = 0; i < count && !replaced.empty(); ++i) {
+        if (next == replaced.size() || i != replaced[next]) {
             other(i);
         } else if (next++ == 0) {
             result();
@@ -68,7 +73,7 @@ void for_each_output(const Layout& layout, std::size_t count, const Other& other
     }
 }
 
-/// The fields that are not selected, with the result in its place, parted by the delimiter.
+/// The fields that are not replaced, with the result in its place, parted by the delimiter.
 template <class Fields, class WriteResult> void write_fields(Buffer& to, const Layout& layout, const Fields& fields,
                                                              char delimiter, const WriteResult& write_result) {
     bool first = true;

@@ -85,8 +85,7 @@ void append_json_string(Buffer& to, std::string_view text) {
 }
 
 /// The header's names, but the index where a name is empty, stands twice, or is that of a column of the result.
-std::vector<std::string> json_keys(const Layout& layout, const Spec& to) {
-    const auto columns = to.columns();
+std::vector<std::string> json_keys(const Layout& layout, const std::vector<std::string>& columns) {
     const auto is_result = [&columns](std::string_view name) {
         return std::ranges::count(columns, name) + std::ranges::count(figure_names, name) > 0 || name == "notes";
     };
@@ -101,10 +100,10 @@ std::vector<std::string> json_keys(const Layout& layout, const Spec& to) {
 } // namespace
 
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
-    const Spec& spec = options.conversion.to();
-    keys_ = json_keys(layout, spec);
-    if (options.precision > 0 && (spec.name == Name::euler || spec.name == Name::rpy)) {
-        const bool degrees = spec.unit == AngleUnit::degrees;
+    keys_ = json_keys(layout, options.function.names);
+    const auto& spec = options.function.attitude;
+    if (options.precision > 0 && spec && (spec->name == Name::euler || spec->name == Name::rpy)) {
+        const bool degrees = spec->unit == AngleUnit::degrees;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
         half_a_digit_ = 0.5 * std::pow(10.0, (degrees ? 3 : 1) - options.precision);
     }
@@ -186,7 +185,7 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
         write_number(to, value, column);
         append(to, finite ? "" : "\"");
     };
-    const auto names = options_->conversion.to().columns();
+    const auto& names = options_->function.names;
     for (std::size_t i = 0; i < row.result.size(); ++i) {
         key(names[i]);
         number(row.result[i], i);
@@ -207,15 +206,15 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
 
 void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
     const auto out = std::back_inserter(to);
-    const Spec& spec = options_->conversion.to();
+    const auto& spec = options_->function.attitude;
     fmt::format_to(out, "line {}\n", row.number);
     const auto text_of = [&](std::size_t i) {
         Buffer text;
         write_number(text, row.result[i], i);
         return fmt::to_string(text);
     };
-    if (spec.name == Name::dcm) {
-        const auto order = spec.order();
+    if (spec && spec->name == Name::dcm) {
+        const auto order = spec->order();
         std::array<std::string, 9> texts;
         std::size_t width = 0;
         for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -227,7 +226,7 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
                            width);
         }
     } else {
-        const auto names = spec.columns();
+        const auto& names = options_->function.names;
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             fmt::format_to(out, "  {:<9}  {}\n", names[i], text_of(i));
         }

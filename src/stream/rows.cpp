@@ -7,38 +7,79 @@
 namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout)
-    : options_(&options), layout_(&layout), row_text_(options, layout) {}
+    : options_(&options), layout_(&layout), row_text_(options, layout),
+      nans_(options.function.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
-    while (!text.empty() && !output.stopped) {
-        gather(text, line);
-        results_.resize(reports_.size() * options_->conversion.to().size());
-        options_->conversion.run(numbers_, results_, reports_);
-        write(output);
+    if (waiting_.empty()) {
+        work_off(text, line, false, output);
+    } else {
+        const std::string joined = std::exchange(waiting_, {}).append(text);
+        work_off(joined, waiting_line_, false, output);
     }
 }
 
-void RowTransformer::gather(std::string_view& text, std::size_t& line) {
+void RowTransformer::finish(Output& output) {
+    const std::string last = std::exchange(waiting_, {});
+    work_off(last, waiting_line_, true, output);
+}
+
+void RowTransformer::work_off(std::string_view text, std::size_t line, bool is_end, Output& output) {
+    const RowFunction& function = options_->function;
+    const char* const end = text.data() + text.size();
+    std::size_t limit = batch;
+    while (!text.empty() && !output.stopped) {
+        gather(text, line, limit);
+        const bool is_whole = text.empty();
+        const bool at_fault = options_->on_error == OnError::stop && !faults_.empty();
+        reports_.resize(lines_.size());
+        results_.resize(lines_.size() * function.names.size());
+        const std::size_t answered =
+            function.run({numbers_, lines_, at_fault || (is_end && is_whole)}, results_, reports_);
+        const auto held = std::ranges::find_if(
+            rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
+        if (held != rows_.end()) {
+            line = held->number;
+            text = std::string_view(held->line.text.data(), end);
+            rows_.erase(held, rows_.end());
+        }
+        write(output);
+        if (is_whole) {
+            waiting_ = text;
+            waiting_line_ = line;
+            return;
+        }
+        limit = rows_.empty() ? 2 * limit : batch;
+    }
+}
+
+void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t limit) {
     rows_.clear();
     fields_.clear();
     faults_.clear();
     numbers_.clear();
-    while (!text.empty() && rows_.size() < batch) {
+    lines_.clear();
+    while (!text.empty() && rows_.size() < limit) {
         const Line current = next_line(text);
-        Row row{current, line++, is_blank(current.text) || is_comment(current.text), fields_.size(), 0, no_fault};
+        Row row{.line = current,
+                .number = line++,
+                .passed = is_blank(current.text) || is_comment(current.text),
+                .first_field = fields_.size()};
         if (!row.passed) {
             read_row(row);
         }
         rows_.push_back(row);
+        if (row.fault != no_fault && options_->on_error == OnError::stop) {
+            return;
+        }
     }
-    reports_.resize(numbers_.size() / options_->conversion.from().size());
 }
 
 void RowTransformer::read_row(Row& row) {
     using What = RowFault::What;
-    const std::size_t needed = options_->conversion.from().size();
+    const std::size_t needed = options_->function.inputs;
     const std::size_t first_number = numbers_.size();
-    numbers_.resize(first_number + needed); // zeros where the row fails: the conversion runs over all rows of the batch
+    row.index = lines_.size();
     const bool closed = layout_->delimiter.split(row.line.text, fields_);
     row.field_count = fields_.size() - row.first_field;
     if (!closed) {
@@ -60,6 +101,7 @@ void RowTransformer::read_row(Row& row) {
                          .expected = *missing + 1});
         return;
     }
+    numbers_.resize(first_number + needed);
     for (std::size_t i = 0; i < needed; ++i) {
         const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
         const std::string_view field = fields_[row.first_field + position];
@@ -67,9 +109,11 @@ void RowTransformer::read_row(Row& row) {
         if (fault != NumberFault::none) {
             note_fault(row, {.what = fault == NumberFault::too_large ? What::too_large : What::not_a_number,
                              .text = std::string(field)});
+            numbers_.resize(first_number);
             return;
         }
     }
+    lines_.push_back(row.number);
 }
 
 void RowTransformer::note_fault(Row& row, RowFault fault) {
@@ -79,7 +123,6 @@ void RowTransformer::note_fault(Row& row, RowFault fault) {
 }
 
 void RowTransformer::write(Output& output) {
-    std::size_t index = 0; // among the rows with numbers
     for (const Row& row : rows_) {
         if (row.passed) {
             if (options_->format == Format::csv) {
@@ -88,42 +131,42 @@ void RowTransformer::write(Output& output) {
             }
             continue;
         }
-        write_row(row, index++, output);
+        write_row(row, output);
         if (output.stopped) {
             return;
         }
     }
 }
 
-void RowTransformer::write_row(const Row& row, std::size_t index, Output& output) {
-    const std::size_t size = options_->conversion.to().size();
-    const Report& report = reports_[index];
-    ConvertedRow converted{.line = row.line,
-                           .number = row.number,
-                           .fields = std::span(fields_).subspan(row.first_field, row.field_count),
-                           .result = std::span(results_).subspan(index * size, size),
-                           .report = &report,
-                           .failed = row.fault != no_fault || report.fault != Fault::none};
-    if (!converted.failed) {
+void RowTransformer::write_row(const Row& row, Output& output) {
+    const std::size_t size = options_->function.names.size();
+    const Report* const report = row.has_numbers() ? &reports_[row.index] : nullptr;
+    const bool failed = report == nullptr || report->fault != Fault::none;
+    const ConvertedRow converted{.line = row.line,
+                                 .number = row.number,
+                                 .fields = std::span(fields_).subspan(row.first_field, row.field_count),
+                                 .result = failed ? std::span<const double>(nans_)
+                                                  : std::span(results_).subspan(row.index * size, size),
+                                 .report = report,
+                                 .failed = failed};
+    if (!failed) {
         row_text_.write(output.bytes, converted);
-        for_each_diagnostic(report, row.number,
+        for_each_diagnostic(*report, row.number,
                             [&](const Diagnostic& diagnostic) { output.events.emplace_back(diagnostic); });
         return;
     }
-    if (row.fault != no_fault) {
+    if (report == nullptr) {
         output.events.emplace_back(faults_[row.fault]);
     } else {
         output.events.emplace_back(RowFault{.line = row.number,
                                             .what = RowFault::What::attitude,
                                             .text = selected_text(row),
-                                            .fault = report.fault,
-                                            .defect = report.defect});
+                                            .fault = report->fault,
+                                            .defect = report->defect});
     }
     if (options_->on_error == OnError::stop) {
         output.stopped = true;
     } else if (options_->on_error == OnError::nan) {
-        std::fill_n(results_.begin() + static_cast<std::ptrdiff_t>(index * size), size,
-                    std::numeric_limits<double>::quiet_NaN());
         row_text_.write(output.bytes, converted);
     }
 }

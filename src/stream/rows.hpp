@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,14 +12,17 @@
 
 namespace rotconv::stream {
 
-/// Turns blocks of rows into their output. What a block becomes depends on the block, the options and the layout alone,
-/// so that several transformers may work on the blocks of one stream.
+/// Turns blocks of rows into their output. What a block becomes depends on the block, the options and the layout alone
+/// (unless the function remembers rows), so that several transformers may work on the blocks of one stream.
 class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout);
 
     /// Adds what the rows of `text`, whole lines of which the first is line `line`, become.
+    /// Where the function holds rows back, they and what follows them wait for the next call.
     void transform(std::string_view text, std::size_t line, Output& output);
+    /// To be called at the end: adds what still waits.
+    void finish(Output& output);
 
 private:
     static constexpr std::size_t batch = 128;
@@ -30,27 +34,36 @@ private:
         bool passed = false;         ///< blank or comment: goes out as it is
         std::size_t first_field = 0; ///< in fields_
         std::size_t field_count = 0;
+        std::size_t index = 0;        ///< in reports_, of a row without fault
         std::size_t fault = no_fault; ///< in faults_
+
+        [[nodiscard]] bool has_numbers() const noexcept { return !passed && fault == no_fault; }
     };
 
-    void gather(std::string_view& text, std::size_t& line);
+    void work_off(std::string_view text, std::size_t line, bool is_end, Output& output);
+    /// Reads a batch of rows off the text, under `stop` none after a fault.
+    void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
     /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(const Row& row) const;
     void write(Output& output);
-    void write_row(const Row& row, std::size_t index, Output& output);
+    void write_row(const Row& row, Output& output);
     void note_fault(Row& row, RowFault fault);
 
     const Options* options_;
     const Layout* layout_;
     RowText row_text_;
+    std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
+    std::size_t waiting_line_ = 0; ///< ...and the first one's line
     // One batch, reused: nothing is allocated per row once they have grown.
     std::vector<Row> rows_;
     std::vector<std::string_view> fields_;
     std::vector<RowFault> faults_;
     std::vector<double> numbers_;
+    std::vector<std::size_t> lines_; ///< of the rows with numbers
     std::vector<double> results_;
     std::vector<Report> reports_;
+    std::vector<double> nans_; ///< the result of a row that failed
 };
 
 } // namespace rotconv::stream

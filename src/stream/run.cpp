@@ -50,10 +50,14 @@ Ending run(Source& source, Sink& sink, const Options& options, const std::functi
             return ending;
         }
     }
-    if (!transformer && !reader.fault()) {
-        output.clear();
+    output.clear();
+    if (transformer) {
+        transformer->finish(output);
+    } else if (!reader.fault()) {
         preamble.finish(output);
-        hand_on(sink, output, report, ending);
+    }
+    if (!hand_on(sink, output, report, ending)) {
+        return ending;
     }
     if (reader.fault() && !ending.fault) {
         ending.fault = reader.fault();

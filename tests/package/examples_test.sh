@@ -36,4 +36,12 @@ done
 [ "$(./tum-to-rpy.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/tum_fr1_xyz.txt)" ] || failed=1
 [ "$(./euroc-to-matrices.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/euroc_v102.csv)" ] || failed=1
 [ "$(./kitti-to-quaternions.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/kitti_00.txt)" ] || failed=1
+
+motion=$(./survey-and-propagate.sh)
+check survey-and-propagate.sh "The smallest set that serves: mrp" "$motion"
+printf '%s\n' "$motion" | awk '/off by at most/ && $14 < 1e-4 { found = 1 } END { exit !found }' || {
+    printf '%s\n' "$motion"
+    echo "FAILED: survey-and-propagate.sh does not come back to the attitudes"
+    failed=1
+}
 exit "$failed"

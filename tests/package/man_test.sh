@@ -23,6 +23,18 @@ of_page=$(printf '%s\n' "$text" | sed -n '/^OPTIONS/,/^COMMANDS/p' | grep -E '^ 
 [ -n "$of_help" ] || fail "no options in --help"
 [ "$of_help" = "$of_page" ] || fail "options of --help: $of_help; of the page: $of_page"
 
+# Commands and their own options.
+commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
+[ "$(printf '%s\n' "$commands" | wc -l)" -eq 4 ] || fail "not all commands were seen: $commands"
+for command in $commands; do
+    printf '%s\n' "$text" | sed -n '/^COMMANDS/,/^INPUT/p' | grep -qE "^ {5}$command\\b" || fail "the page does not explain $command"
+    of_command=$("$program" "$command" --help | grep -oE '^ +(-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u)
+    [ -n "$of_command" ] || fail "no options in $command --help"
+    for option in $of_command; do
+        printf '%s\n' "$text" | grep -qE "^ {5}.*$option\\b" || fail "the page does not explain $option of $command"
+    done
+done
+
 # Names, aliases, modifiers and presets: each that the program lists stands in the page.
 names=$("$program" list | sed -n '2,/^$/p' | cut -c1-28 | tr ' ' '\n' | sed 's/:SEQ//' | grep . | sort -u)
 [ "$(printf '%s\n' "$names" | wc -l)" -ge 18 ] || fail "too few names: $names"

@@ -1,5 +1,6 @@
 // The seam on which threads will work: what a block of rows becomes depends on nothing but the block.
 
+#include <algorithm>
 #include <random>
 #include <string>
 
@@ -35,6 +36,14 @@ std::string rows(int count) {
         }
     }
     return text;
+}
+
+std::string repeated(std::string_view text, int times) {
+    std::string result;
+    for (int i = 0; i < times; ++i) {
+        result += text;
+    }
+    return result;
 }
 
 std::string all_of(const Output& output) {
@@ -86,6 +95,51 @@ TEST_CASE("a stream cut at any line becomes the same") {
         CHECK(fmt::to_string(output.bytes) == fmt::to_string(expected.bytes));
         CHECK(all_of(output) == all_of(expected));
     }
+}
+
+// Would catch: rows that are held back for those after them, and get lost, doubled or out of order.
+TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at any line") {
+    PropagationRows propagation;
+    propagation.settings.interpolation = Interpolation::cubic;
+    propagation.stop_at_fault = false;
+    std::mt19937_64 engine(93);
+    std::string text;
+    for (int i = 0; i < 1500; ++i) {
+        switch (engine() % 8) {
+        case 0: text += "# a comment\n"; break;
+        case 1: text += "x,0,0,0\n"; break;
+        case 2: text += "-1,0,0,0\n"; break;
+        default: text += fmt::format("{},{},0,1\n", i, engine() % 10);
+        }
+    }
+    text += repeated("# many comments\n", 400) + "2000,0,0,1\n";
+    const auto transformed = [&text, &propagation](const auto& piece) {
+        Options options(propagation_function(propagation));
+        options.on_error = OnError::nan;
+        Layout layout;
+        layout.delimiter = Delimiter::character(',');
+        layout.select_all(4, 1);
+        RowTransformer transformer(options, layout);
+        Output output;
+        std::string_view rest = text;
+        std::size_t line = 1;
+        while (!rest.empty()) {
+            std::size_t end = 0;
+            std::size_t count = 0;
+            for (const std::size_t lines = piece(); count < lines && end < rest.size(); ++count) {
+                end = rest.find('\n', end) + 1;
+            }
+            transformer.transform(rest.substr(0, end), line, output);
+            rest.remove_prefix(end);
+            line += count;
+        }
+        transformer.finish(output);
+        return all_of(output);
+    };
+    const std::string whole = transformed([] { return std::size_t{100000}; });
+    CHECK(std::ranges::count(whole, '\n') > 1901);
+    CHECK(transformed([] { return std::size_t{1}; }) == whole);
+    CHECK(transformed([&engine] { return static_cast<std::size_t>(1 + engine() % 300); }) == whole);
 }
 
 // Would catch: rows after a fault that are written all the same.

@@ -1,4 +1,4 @@
-#include "convert.hpp"
+#include "rows.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "../stream/run.hpp"
 #include "exit_code.hpp"
+#include "progress.hpp"
 #include "say.hpp"
 #include "words.hpp"
 
@@ -20,13 +21,12 @@ namespace {
 /// Words events as they come, counts them, and words the summary.
 class Reporter {
 public:
-    Reporter(const ConvertCommand& command, std::string where) : command_(&command), where_(std::move(where)) {}
+    Reporter(const RowsCommand& command, std::string where) : command_(&command), where_(std::move(where)) {}
 
     void operator()(const stream::Event& event) {
         if (const auto* fault = std::get_if<stream::RowFault>(&event)) {
             ++faults_;
-            tell(fault->line,
-                 words::explain(*fault, command_->options.conversion.from(), command_->settings.tolerance));
+            tell(fault->line, words::explain(*fault, command_->subject));
             return;
         }
         const auto& diagnostic = std::get<stream::Diagnostic>(event);
@@ -76,10 +76,16 @@ private:
         std::size_t rows = 0;
         stream::Diagnostic first;
     };
-    const ConvertCommand* command_;
+    const RowsCommand* command_;
     std::string where_;
     std::array<Count, kind_count> counts_{};
     std::size_t faults_ = 0;
+};
+
+/// Where rows go that nobody wants.
+class Nowhere final : public stream::Sink {
+public:
+    int write(std::string_view /*bytes*/) override { return 0; }
 };
 
 ExitCode failed(const std::string& message) {
@@ -91,7 +97,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
 
 } // namespace
 
-ExitCode convert(const ConvertCommand& command) {
+ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
     const bool from_stdin = command.input == "-";
     const bool to_stdout = command.output == "-";
     auto input = from_stdin ? std::make_unique<stream::File>(STDIN_FILENO)
@@ -115,20 +121,36 @@ ExitCode convert(const ConvertCommand& command) {
 
     Reporter reporter(command, command.has_values ? "argument" : command.input);
     stream::TextSource values(command.values);
-    stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *input;
+    const auto progress = std::make_unique<Progress>(*input, command.progress);
+    stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
+    Nowhere nowhere;
+    stream::Sink& sink = conclusion ? static_cast<stream::Sink&>(nowhere) : *output;
     const stream::Ending ending =
-        stream::run(source, *output, command.options, [&reporter](const stream::Event& event) { reporter(event); });
+        stream::run(source, sink, command.options, [&reporter](const stream::Event& event) { reporter(event); });
     if (ending.reader_left) {
         return ExitCode::done;
     }
     reporter.summarize();
     if (ending.fault) {
-        const auto message = words::explain(*ending.fault, command.options.conversion.from());
+        const auto message = words::explain(*ending.fault, command.subject);
         if (ending.fault->what == stream::StreamFault::What::write) {
             return failed(fmt::format("{}: {}", command.output, message));
         }
         reporter.tell(ending.fault->what == stream::StreamFault::What::read ? 0 : ending.fault->line, message);
         return ExitCode::incomplete;
+    }
+    if (conclusion && !ending.stopped) {
+        const auto text = conclusion();
+        const int error = text ? output->write(*text) : 0;
+        if (error == EPIPE) {
+            return ExitCode::done;
+        }
+        if (error != 0) {
+            return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));
+        }
+        if (!text) {
+            return ExitCode::reservations;
+        }
     }
     if (const int error = output->close(); error != 0) {
         return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));

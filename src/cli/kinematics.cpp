@@ -1,0 +1,181 @@
+#include "kinematics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <rotconv/propagation.hpp>
+#include <rotconv/rates.hpp>
+
+#include "../stream/number_text.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+constexpr double default_condition = 1e3;
+
+void refuse_values(const Values& values, std::string_view command) {
+    if (!values.words.empty()) {
+        throw Usage(fmt::format("{} reads rows, not arguments: {}", command, words::quoted(values.words[0])));
+    }
+}
+
+void require_rates(std::string_view option, const Spec& spec) {
+    if (!has_rates(spec.name)) {
+        throw Usage(fmt::format("{} {}: its axis has no rate at the identity; rotvec has", option,
+                                representation(spec.name).text));
+    }
+}
+
+/// The attitude of "SPEC: NUMBERS".
+Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
+    const auto colon = text.rfind(':');
+    if (colon == std::string::npos) {
+        throw Usage(fmt::format("--initial {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", words::quoted(text)));
+    }
+    const Spec spec = spec_of("--initial", text.substr(0, colon), degrees);
+    const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
+    stream::RowFault fault;
+    fault.text = row;
+    fault.expected = spec.size();
+    const auto refuse = [&](stream::RowFault::What what) {
+        fault.what = what;
+        throw Usage("--initial: " + words::explain(fault, {std::string(representation(spec.name).text), spec.size(),
+                                                           spec.name, tolerance}));
+    };
+    std::vector<std::string_view> fields;
+    stream::Delimiter::of_row(row).split(row, fields);
+    if (fields.size() != spec.size()) {
+        fault.found = fields.size();
+        refuse(stream::RowFault::What::wrong_count);
+    }
+    std::array<double, 9> numbers{};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (stream::read_number(fields[i], numbers.at(i)) != stream::NumberFault::none) {
+            refuse(stream::RowFault::What::not_a_number);
+        }
+    }
+    std::array<double, 4> q{};
+    Report report;
+    Conversion(spec, Spec{}, {.tolerance = tolerance}).run(numbers, q, {&report, 1});
+    if (report.fault != Fault::none) {
+        fault.fault = report.fault;
+        fault.defect = report.defect;
+        refuse(stream::RowFault::What::attitude);
+    }
+    return Rotation::from_components(q[0], q[1], q[2], q[3]);
+}
+
+/// The integrator of that name; without a name the best for the set.
+Integrator integrator_of(const Spec& set, const std::string& text) {
+    std::vector<std::pair<std::string_view, Integrator>> serving;
+    for (const IntegratorEntry& entry : integrators()) {
+        if (can_integrate(set.name, entry.integrator)) {
+            serving.emplace_back(entry.text, entry.integrator);
+        }
+    }
+    if (text.empty()) {
+        const Integrator best = PropagationSettings{}.integrator;
+        return can_integrate(set.name, best) ? best : serving.front().second;
+    }
+    return choose(fmt::format("integrator of {}", representation(set.name).text), text, serving);
+}
+
+} // namespace
+
+void define_rates(CLI::App& app, Texts& texts) {
+    define_from(app, texts);
+    app.add_option("--frame", texts.frame, "Axes of the angular velocity: body or reference")->type_name("FRAME");
+    app.add_flag("--inverse", texts.inverse, "From the rates of the numbers to the angular velocity");
+    define_input(app, texts);
+    define_output(app, texts);
+}
+
+void define_propagate(CLI::App& app, Texts& texts) {
+    define_to(app, texts);
+    app.add_option("--initial", texts.initial, "The first attitude, as SPEC: NUMBERS (default: the identity)")
+        ->type_name("ATTITUDE");
+    app.add_option("--with", texts.with, "The set that is integrated (default quat)")->type_name("SET");
+    app.add_option("--integrator", texts.integrator, "rk4, or for the quaternion magnus4 or magnus6")
+        ->type_name("NAME");
+    app.add_option("--substeps", texts.substeps, "Steps from one row to the next (default 1)")->type_name("N");
+    app.add_option("--interpolation", texts.interpolation,
+                   "Of the angular velocity between rows: linear, or cubic, which answers one row late")
+        ->type_name("HOW");
+    app.add_flag("--renormalise", texts.renormalise, "Bring the numbers back to the set after every step");
+    define_input(app, texts);
+    define_output(app, texts);
+    define_lock_margin(app, texts);
+}
+
+void define_survey(CLI::App& app, Texts& texts) {
+    define_from(app, texts);
+    app.add_option("--condition", texts.condition, "The greatest condition that serves (default 1e3)")
+        ->type_name("LIMIT");
+    app.add_option("--format", texts.format, "pretty or json")->type_name("FORMAT");
+    define_input(app, texts);
+}
+
+RowsCommand rates_command(const Texts& texts, const Values& values) {
+    const Spec spec = spec_of("--from", texts.from, texts.degrees);
+    require_rates("--from", spec);
+    const RateSettings settings{
+        .inverse = texts.inverse,
+        .degrees = texts.degrees,
+        .frame = choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}}),
+        .tolerance = settings_of(texts).tolerance};
+    auto function = stream::rates_function(spec, settings);
+    const std::string subject =
+        fmt::format("{} with {}", representation(spec.name).text, settings.inverse ? "its rates" : "wx wy wz");
+    words::Subject about{subject, function.inputs, spec.name, settings.tolerance};
+    return rows_command(texts, std::move(function), std::move(about), values);
+}
+
+RowsCommand propagate_command(const Texts& texts, const Values& values) {
+    refuse_values(values, "propagate");
+    const Spec to = spec_of("--to", texts.to, texts.degrees);
+    const Spec set = spec_of("--with", texts.with, false);
+    require_rates("--with", set);
+    const Settings settings = settings_of(texts);
+    stream::PropagationRows rows;
+    rows.degrees = texts.degrees;
+    rows.to = to;
+    rows.conversion = settings;
+    rows.stop_at_fault = on_error_of(texts) == stream::OnError::stop;
+    rows.settings.set = set;
+    rows.settings.integrator = integrator_of(set, texts.integrator);
+    rows.settings.interpolation = choose<Interpolation>(
+        "interpolation", texts.interpolation, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
+    rows.settings.renormalise = texts.renormalise;
+    if (!texts.substeps.empty()) {
+        rows.settings.substeps = static_cast<std::size_t>(count_of("--substeps", texts.substeps, 1'000'000));
+    }
+    if (!texts.initial.empty()) {
+        rows.settings.initial = initial_of(texts.initial, texts.degrees, settings.tolerance);
+    }
+    auto function = stream::propagation_function(rows);
+    words::Subject about{"t wx wy wz", function.inputs, set.name, settings.tolerance};
+    RowsCommand command = rows_command(texts, std::move(function), std::move(about), values);
+    command.progress = true;
+    return command;
+}
+
+SurveyCommand survey_command(const Texts& texts, const Values& values) {
+    refuse_values(values, "survey");
+    const Spec from = spec_of("--from", texts.from, texts.degrees);
+    const double tolerance = settings_of(texts).tolerance;
+    Texts input = texts;
+    input.format.clear(); // that of the survey
+    SurveyCommand command{
+        .rows = rows_command(input, stream::reading_function(from, tolerance, [](const Rotation&, std::size_t) {}),
+                             {std::string(representation(from.name).text), from.size(), from.name, tolerance}, values),
+        .from = from,
+        .condition = amount_of("--condition", texts.condition, default_condition, true),
+        .json = choose<bool>("format of survey", texts.format.empty() ? "pretty" : texts.format,
+                             {{"pretty", false}, {"json", true}})};
+    return command;
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "command_line.hpp"
+#include "options.hpp"
+
+/// The commands about motions: their options, and what these mean.
+namespace rotconv::cli {
+
+void define_rates(CLI::App& app, Texts& texts);
+void define_propagate(CLI::App& app, Texts& texts);
+void define_survey(CLI::App& app, Texts& texts);
+
+/// @throw Usage
+[[nodiscard]] RowsCommand rates_command(const Texts& texts, const Values& values);
+[[nodiscard]] RowsCommand propagate_command(const Texts& texts, const Values& values);
+[[nodiscard]] SurveyCommand survey_command(const Texts& texts, const Values& values);
+
+} // namespace rotconv::cli

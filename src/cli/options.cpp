@@ -1,0 +1,176 @@
+#include "options.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "../stream/lines.hpp"
+#include "../stream/number_text.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// One row of numbers, whatever they are.
+bool is_row(std::string_view text) {
+    return !stream::is_blank(text) && !stream::is_comment(text) && text.find_first_of("\r\n") == std::string_view::npos;
+}
+
+ShowDiagnostics diagnostics_of(const Texts& texts) {
+    return choose<ShowDiagnostics>("place for --diagnostics", texts.diagnostics,
+                                   {{"off", ShowDiagnostics::off},
+                                    {"summary", ShowDiagnostics::summary},
+                                    {"rows", ShowDiagnostics::rows},
+                                    {"columns", ShowDiagnostics::columns}});
+}
+
+} // namespace
+
+void define_from(CLI::App& app, Texts& texts) {
+    app.add_option("-f,--from", texts.from, "What the input is: NAME[:MODIFIER]...")->type_name("SPEC");
+}
+
+void define_to(CLI::App& app, Texts& texts) {
+    app.add_option("-t,--to", texts.to, "What to make of it: NAME[:MODIFIER]...")->type_name("SPEC");
+}
+
+void define_lock_margin(CLI::App& app, Texts& texts) {
+    app.add_option("--lock-margin", texts.lock_margin, "Radians from gimbal lock that count as locked (default 1e-15)")
+        ->type_name("ANGLE");
+}
+
+void define_input(CLI::App& app, Texts& texts) {
+    app.add_flag("-d,--degrees", texts.degrees, "Angles in degrees, wherever there are angles");
+    app.add_option("-i,--input", texts.input, "Read FILE instead of stdin (-)")->type_name("FILE");
+    app.add_option("-o,--output", texts.output, "Write FILE instead of stdout (-)")->type_name("FILE");
+    app.add_option("--columns", texts.columns, "Input columns: indices from 1, ranges 5-8, names")->type_name("LIST");
+    app.add_option("--delimiter", texts.delimiter, "One character, or comma, tab, semicolon, blank")->type_name("D");
+    app.add_option("--header", texts.header, "auto, yes, no or add")->type_name("MODE");
+    app.add_option("--on-error", texts.on_error, "What becomes of a row without a result: stop, nan or skip")
+        ->type_name("POLICY");
+    app.add_option("--tolerance", texts.tolerance, "Largest accepted defect of a quaternion or matrix (default 1e-3)")
+        ->type_name("T");
+}
+
+void define_output(CLI::App& app, Texts& texts) {
+    app.add_flag("--append", texts.append, "Keep the row and add the result at its end");
+    app.add_option("--format", texts.format, "csv, json or pretty")->type_name("FORMAT");
+    app.add_option("-p,--precision", texts.precision, "Significant digits (default: the shortest that read back equal)")
+        ->type_name("N");
+    app.add_option("--diagnostics", texts.diagnostics, "Where they are shown: off, summary, rows or columns")
+        ->type_name("WHERE");
+    app.add_flag("--strict", texts.strict, "Exit 1 where any diagnostic but normalized was met");
+    app.add_option("--threads", texts.threads, "At most N threads; the output does not depend on N")->type_name("N");
+}
+
+Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
+    if (text.empty()) {
+        throw Usage(fmt::format("{} SPEC is missing; see rotconv --help", option));
+    }
+    const auto parsed = parse_spec(text);
+    if (const auto* fault = std::get_if<SpecFault>(&parsed)) {
+        throw Usage(fmt::format("{} {}: {}", option, words::quoted(text), words::explain(*fault)));
+    }
+    const Spec& spec = std::get<Spec>(parsed);
+    return degrees ? spec.in_degrees() : spec;
+}
+
+double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite) {
+    if (text.empty()) {
+        return default_value;
+    }
+    double value = 0.0;
+    if (stream::read_number(text, value) != stream::NumberFault::none || !(value >= 0.0) ||
+        (std::isinf(value) && !infinite)) {
+        throw Usage(fmt::format("{} {} must be a {}number that is not negative", option, words::quoted(text),
+                                infinite ? "" : "finite "));
+    }
+    return value;
+}
+
+int count_of(std::string_view option, const std::string& text, int most) {
+    if (text.empty()) {
+        return 0;
+    }
+    double value = 0.0;
+    if (stream::read_number(text, value) != stream::NumberFault::none || value != std::floor(value) || value < 1 ||
+        value > most) {
+        throw Usage(fmt::format("{} {} must be a whole number from 1 to {}", option, words::quoted(text), most));
+    }
+    return static_cast<int>(value);
+}
+
+stream::OnError on_error_of(const Texts& texts) {
+    return choose<stream::OnError>(
+        "policy of --on-error", texts.on_error,
+        {{"stop", stream::OnError::stop}, {"nan", stream::OnError::nan}, {"skip", stream::OnError::skip}});
+}
+
+Settings settings_of(const Texts& texts) {
+    return {.tolerance = amount_of("--tolerance", texts.tolerance, Settings{}.tolerance, true),
+            .lock_margin = amount_of("--lock-margin", texts.lock_margin, Settings{}.lock_margin, false),
+            .figures = diagnostics_of(texts) == ShowDiagnostics::columns};
+}
+
+RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
+                         const Values& values) {
+    static_cast<void>(count_of("--threads", texts.threads, 1 << 20U));
+    RowsCommand command(std::move(function), std::move(subject));
+    command.diagnostics = diagnostics_of(texts);
+    command.strict = texts.strict;
+    command.input = texts.input;
+    command.output = texts.output;
+    stream::Options& options = command.options;
+    options.append = texts.append;
+    options.precision = count_of("--precision", texts.precision, 100);
+    options.diagnostic_columns = command.diagnostics == ShowDiagnostics::columns;
+    options.show_diagnostics = command.diagnostics != ShowDiagnostics::off;
+    options.describe = words::describe;
+    options.header = choose<stream::HeaderMode>("mode of --header", texts.header,
+                                                {{"auto", stream::HeaderMode::automatic},
+                                                 {"yes", stream::HeaderMode::yes},
+                                                 {"no", stream::HeaderMode::no},
+                                                 {"add", stream::HeaderMode::add}});
+    options.format = choose<stream::Format>(
+        "format", texts.format.empty() ? "csv" : texts.format,
+        {{"csv", stream::Format::csv}, {"json", stream::Format::json}, {"pretty", stream::Format::pretty}});
+    options.on_error = on_error_of(texts);
+    if (!texts.delimiter.empty()) {
+        options.delimiter = stream::Delimiter::parse(texts.delimiter);
+        if (!options.delimiter) {
+            throw Usage(fmt::format(
+                "--delimiter {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
+                words::quoted(texts.delimiter)));
+        }
+    }
+    if (!texts.columns.empty()) {
+        auto parsed = stream::ColumnList::parse(texts.columns, options.function.inputs);
+        if (const auto* fault = std::get_if<stream::ColumnFault>(&parsed)) {
+            throw Usage("--columns: " + words::explain(*fault, command.subject));
+        }
+        options.columns = std::get<stream::ColumnList>(std::move(parsed));
+    }
+    const bool headless = options.header == stream::HeaderMode::no || options.header == stream::HeaderMode::add;
+    if (options.columns.has_names() && (headless || !values.words.empty())) {
+        throw Usage("--columns selects by name, and there is no header to look in; use indices");
+    }
+    if (!values.words.empty()) {
+        if (values.has_input) {
+            throw Usage("VALUEs and --input exclude each other");
+        }
+        command.has_values = true;
+        command.values = fmt::format("{}", fmt::join(values.words, " "));
+        if (!is_row(command.values)) {
+            throw Usage(fmt::format("the VALUEs are no row of numbers: {}", words::quoted(command.values)));
+        }
+        if (values.words.size() > 1) {
+            options.delimiter = stream::Delimiter::blanks();
+        }
+        if (options.header != stream::HeaderMode::add) {
+            options.header = stream::HeaderMode::no;
+        }
+    }
+    return command;
+}
+
+} // namespace rotconv::cli

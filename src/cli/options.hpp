@@ -1,0 +1,98 @@
+#pragma once
+
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <rotconv/conversion.hpp>
+
+#include "../stream/row_function.hpp"
+#include "command_line.hpp"
+#include "words.hpp"
+
+/// The options that commands share: their text, and what it means.
+namespace rotconv::cli {
+
+/// What the options say, as text: CLI11 reads it, and the functions below check it.
+struct Texts {
+    std::string from;
+    std::string to;
+    std::string input = "-";
+    std::string output = "-";
+    std::string columns;
+    std::string delimiter;
+    std::string header = "auto";
+    std::string format; ///< empty: the command's own
+    std::string on_error = "stop";
+    std::string diagnostics = "summary";
+    std::string precision;
+    std::string tolerance;
+    std::string lock_margin;
+    std::string threads;
+    std::string method = "default";
+    std::string listed;
+    std::string frame = "body";
+    std::string initial;
+    std::string with = "quat";
+    std::string integrator;
+    std::string substeps;
+    std::string interpolation = "linear";
+    std::string condition;
+    bool degrees = false;
+    bool append = false;
+    bool strict = false;
+    bool inverse = false;
+    bool renormalise = false;
+};
+
+/// The VALUEs, and whether there is an --input beside them.
+struct Values {
+    std::vector<std::string> words;
+    bool has_input = false;
+};
+
+/// Thrown while the command line is read, with words for the user.
+class Usage : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+void define_from(CLI::App& app, Texts& texts);
+void define_to(CLI::App& app, Texts& texts);
+void define_lock_margin(CLI::App& app, Texts& texts);
+/// Where rows come from and how they are read.
+void define_input(CLI::App& app, Texts& texts);
+/// How rows are written.
+void define_output(CLI::App& app, Texts& texts);
+
+template <class Value> Value choose(std::string_view what, std::string_view text,
+                                    const std::vector<std::pair<std::string_view, Value>>& choices) {
+    std::vector<std::string_view> legal;
+    for (const auto& [word, value] : choices) {
+        if (word == text) {
+            return value;
+        }
+        legal.push_back(word);
+    }
+    throw Usage(words::no_such_word(what, text, legal));
+}
+
+[[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
+/// A number that is not negative; `default_value` where the option was not given.
+[[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
+/// A whole number from 1 to `most`; 0 where the option was not given.
+[[nodiscard]] int count_of(std::string_view option, const std::string& text, int most);
+[[nodiscard]] stream::OnError on_error_of(const Texts& texts);
+/// Tolerance, lock margin, and figures where they are to be shown.
+[[nodiscard]] Settings settings_of(const Texts& texts);
+
+/// The command of a row function.
+/// @throw Usage
+[[nodiscard]] RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
+                                       const Values& values);
+
+} // namespace rotconv::cli

@@ -1,0 +1,74 @@
+#include "survey.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <rotconv/survey.hpp>
+
+#include "rows.hpp"
+#include "say.hpp"
+#include "words.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+std::string in_table(const Survey& survey, double limit) {
+    std::string text =
+        fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", "SET", "n", "least margin",
+                    "at line", "greatest condition", "at line", "jumps", "first at", "serves");
+    for (const SetSurvey& set : survey.sets()) {
+        text += fmt::format("{:<10}  {:>1}  {:>12.6g}  {:>7}  {:>18.6g}  {:>7}  {:>6}  {:>8}  {}\n",
+                            words::spec_text(set.set), set.set.size(), set.least_margin, set.margin_row,
+                            set.greatest_condition, set.condition_row, set.jumps,
+                            set.jumps == 0 ? "-" : std::to_string(set.jump_row), set.serves(limit) ? "yes" : "no");
+    }
+    return text;
+}
+
+/// A number, or a string where it is not finite.
+std::string json_number(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : fmt::format("\"{}\"", value);
+}
+
+std::string in_json(const Survey& survey, double limit) {
+    std::string text;
+    for (const SetSurvey& set : survey.sets()) {
+        text += fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
+                            R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
+                            "\n",
+                            words::spec_text(set.set), set.set.size(), json_number(set.least_margin), set.margin_row,
+                            json_number(set.greatest_condition), set.condition_row, set.jumps,
+                            set.jumps == 0 ? "null" : std::to_string(set.jump_row), set.serves(limit));
+    }
+    return text;
+}
+
+} // namespace
+
+ExitCode survey(const SurveyCommand& command) {
+    Survey survey;
+    RowsCommand rows = command.rows;
+    rows.options.function =
+        stream::reading_function(command.from, rows.subject.tolerance,
+                                 [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
+    bool none_serves = false;
+    const ExitCode code = run_rows(rows, [&]() -> std::optional<std::string> {
+        if (survey.rows() == 0) {
+            say(fmt::format("{}: there is no attitude in it", rows.input));
+            return std::nullopt;
+        }
+        const SetSurvey* smallest = survey.smallest(command.condition);
+        none_serves = smallest == nullptr;
+        const std::string name = none_serves ? "none" : words::spec_text(smallest->set);
+        return command.json
+                   ? fmt::format("{}{{\"rows\": {}, \"smallest\": \"{}\"}}\n", in_json(survey, command.condition),
+                                 survey.rows(), name)
+                   : fmt::format(
+                         "{}\n{} attitudes; the smallest set that serves, with a condition of at most {}:\n{}\n",
+                         in_table(survey, command.condition), survey.rows(), command.condition, name);
+    });
+    return code == ExitCode::done && none_serves ? ExitCode::reservations : code;
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,165 @@
+#include "row_function.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include <rotconv/quaternion.hpp>
+
+namespace rotconv::stream {
+namespace {
+
+constexpr std::size_t time_and_velocity = 4;
+
+std::vector<std::string> column_names(const Spec& spec) {
+    const auto columns = spec.columns();
+    return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
+}
+
+std::vector<std::string> rate_names(const Spec& spec) {
+    auto names = column_names(spec);
+    std::ranges::for_each(names, [](std::string& name) { name += "_rate"; });
+    return names;
+}
+
+/// A conversion from the unit quaternion, which is never refused.
+Conversion conversion_to(const Spec& to, Settings settings) {
+    settings.tolerance = std::numeric_limits<double>::infinity();
+    return {Spec{}, to, settings};
+}
+
+Report failed(Fault fault) {
+    Report report;
+    report.fault = fault;
+    return report;
+}
+
+/// The rows of a propagation and the propagator that remembers them.
+class Propagation {
+public:
+    explicit Propagation(const PropagationRows& rows)
+        : velocity_unit_(rows.degrees ? std::numbers::pi / 180.0 : 1.0), stop_at_fault_(rows.stop_at_fault),
+          propagator_(rows.settings), conversion_(conversion_to(rows.to, rows.conversion)) {}
+
+    std::size_t run(const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
+        answered_ = 0;
+        bool is_end = rows.is_end;
+        while (pushed_.size() < reports.size()) {
+            const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
+            const Pushed pushed = propagator_.push(row[0], velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
+            pushed_.push_back(pushed.refused);
+            settle(pushed.answer, out, reports);
+            if (stop_at_fault_ && pushed.refused != Fault::none) {
+                is_end = true;
+                break;
+            }
+        }
+        if (is_end) {
+            settle(propagator_.finish(), out, reports);
+        }
+        pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
+        return answered_;
+    }
+
+private:
+    /// The answer is that of the first row that was not refused and has none.
+    void settle(const std::optional<Propagated>& answer, std::span<double> out, std::span<Report> reports) {
+        report_refused(reports);
+        if (answer) {
+            const std::size_t size = conversion_.to().size();
+            write(*answer, out.subspan(answered_ * size, size), reports[answered_]);
+            ++answered_;
+            report_refused(reports);
+        }
+    }
+
+    void report_refused(std::span<Report> reports) {
+        for (; answered_ < pushed_.size() && pushed_[answered_] != Fault::none; ++answered_) {
+            reports[answered_] = failed(pushed_[answered_]);
+        }
+    }
+
+    void write(const Propagated& answer, std::span<double> out, Report& report) const {
+        if (answer.fault != Fault::none) {
+            report = failed(answer.fault);
+            return;
+        }
+        const Quaternion q = quaternion::from_rotation(answer.rotation);
+        const std::array<double, 4> numbers{q.w, q.x, q.y, q.z};
+        conversion_.run(numbers, out, {&report, 1});
+        report.defect = answer.defect;
+        report.notes |= {Kind::normalized, answer.defect > reported_defect};
+    }
+
+    double velocity_unit_;
+    bool stop_at_fault_;
+    Propagator propagator_;
+    Conversion conversion_;
+    std::vector<Fault> pushed_; ///< why each row that is pushed and not answered was refused
+    std::size_t answered_ = 0;  ///< of the rows at hand
+};
+
+} // namespace
+
+RowFunction row_function(const Conversion& conversion) {
+    return {.inputs = conversion.from().size(),
+            .names = column_names(conversion.to()),
+            .attitude = conversion.to(),
+            .run = [conversion](const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
+                conversion.run(rows.numbers, out, reports);
+                return reports.size();
+            }};
+}
+
+RowFunction rates_function(const Spec& spec, const RateSettings& settings) {
+    const Rates rates(spec, settings);
+    const bool has_lock = spec.name == Name::euler || spec.name == Name::rpy;
+    return {.inputs = rates.in_size(),
+            .names = settings.inverse ? std::vector<std::string>{"wx", "wy", "wz"} : rate_names(spec),
+            .run = [rates, has_lock, found = std::vector<RateReport>()](const NumberRows& rows, std::span<double> out,
+                                                                        std::span<Report> reports) mutable {
+                found.resize(reports.size());
+                rates.run(rows.numbers, out, found);
+                std::ranges::transform(found, reports.begin(), [has_lock](const RateReport& rate) {
+                    Notes notes(Kind::normalized, rate.defect > reported_defect);
+                    notes |= {Kind::near_gimbal_lock, has_lock && rate.figures.condition > near_lock_condition};
+                    return Report{.fault = rate.fault, .notes = notes, .defect = rate.defect, .figures = rate.figures};
+                });
+                return reports.size();
+            }};
+}
+
+RowFunction propagation_function(const PropagationRows& rows) {
+    return {.inputs = time_and_velocity,
+            .kept = 1,
+            .names = column_names(rows.to),
+            .attitude = rows.to,
+            .run = [state = std::make_shared<Propagation>(rows)](const NumberRows& given, std::span<double> out,
+                                                                 std::span<Report> reports) {
+                return state->run(given, out, reports);
+            }};
+}
+
+RowFunction reading_function(const Spec& from, double tolerance,
+                             std::function<void(const Rotation& rotation, std::size_t line)> take) {
+    const Conversion conversion(from, Spec{}, {.tolerance = tolerance});
+    return {.inputs = from.size(),
+            .names = column_names(Spec{}),
+            .attitude = Spec{},
+            .run = [conversion, take = std::move(take)](const NumberRows& rows, std::span<double> out,
+                                                        std::span<Report> reports) {
+                conversion.run(rows.numbers, out, reports);
+                for (std::size_t i = 0; i < reports.size(); ++i) {
+                    if (reports[i].fault == Fault::none) {
+                        const auto q = out.subspan(4 * i, 4);
+                        take(Rotation::from_components(q[0], q[1], q[2], q[3]), rows.lines[i]);
+                    }
+                }
+                return reports.size();
+            }};
+}
+
+} // namespace rotconv::stream

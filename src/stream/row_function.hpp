@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rotconv/conversion.hpp>
+#include <rotconv/propagation.hpp>
+#include <rotconv/rates.hpp>
+
+namespace rotconv::stream {
+
+/// Rows that have their numbers, in the order of the stream.
+struct NumberRows {
+    std::span<const double> numbers;    ///< of all of them, row by row
+    std::span<const std::size_t> lines; ///< where they stand
+    bool is_end = false;                ///< no more will come
+};
+
+/// What a run makes of the numbers of its rows.
+struct RowFunction {
+    std::size_t inputs = 0;         ///< numbers that a row gives
+    std::size_t kept = 0;           ///< how many of the first of them also pass to the output as they are
+    std::vector<std::string> names; ///< the columns of the result
+    std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
+
+    /// Answers rows of `inputs` numbers with names.size() numbers and a report each.
+    /// @return how many of the rows are answered, at the end all; the others come first in the next call
+    std::function<std::size_t(const NumberRows& rows, std::span<double> out, std::span<Report> reports)> run;
+};
+
+/// The conversion of attitudes.
+[[nodiscard]] RowFunction row_function(const Conversion& conversion);
+
+/// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are wx,
+/// wy and wz.
+[[nodiscard]] RowFunction rates_function(const Spec& spec, const RateSettings& settings);
+
+/// What a propagation makes of rows t, wx, wy, wz.
+struct PropagationRows {
+    PropagationSettings settings;
+    bool degrees = false; ///< the angular velocity in degrees a second
+    Spec to;              ///< what to make of the attitude
+    Settings conversion;
+    bool stop_at_fault = true; ///< the first fault is the end
+};
+[[nodiscard]] RowFunction propagation_function(const PropagationRows& rows);
+
+/// Hands the attitude of each row, as a unit quaternion, to `take`. The results are for nobody.
+[[nodiscard]] RowFunction reading_function(const Spec& from, double tolerance,
+                                           std::function<void(const Rotation& rotation, std::size_t line)> take);
+
+} // namespace rotconv::stream

@@ -1,0 +1,177 @@
+// Motions of which it is known what they demand.
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include <rotconv/axis_angle.hpp>
+#include <rotconv/survey.hpp>
+
+#include "catch.hpp"
+
+using namespace rotconv;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Spec spec(std::string_view text) { return std::get<Spec>(parse_spec(text)); }
+
+/// A turn about an axis of length 1.
+Rotation turn(double x, double y, double z, double angle) {
+    const double s = std::sin(angle / 2.0);
+    return Rotation::near_unit(std::cos(angle / 2.0), s * x, s * y, s * z);
+}
+
+Rotation about_z(double angle) { return turn(0, 0, 1, angle); }
+
+/// The turn b, then a.
+Rotation product(const Rotation& a, const Rotation& b) {
+    return Rotation::from_components(a.w() * b.w() - a.x() * b.x() - a.y() * b.y() - a.z() * b.z(),
+                                     a.w() * b.x() + a.x() * b.w() + a.y() * b.z() - a.z() * b.y(),
+                                     a.w() * b.y() + a.y() * b.w() + a.z() * b.x() - a.x() * b.z(),
+                                     a.w() * b.z() + a.z() * b.w() + a.x() * b.y() - a.y() * b.x());
+}
+
+/// `count` attitudes of a motion, rows from 1.
+template <class Motion> Survey survey_of(const Motion& motion, int count) {
+    Survey survey;
+    for (int i = 0; i < count; ++i) {
+        survey.add(motion(i), static_cast<std::size_t>(i) + 1);
+    }
+    return survey;
+}
+
+const SetSurvey& find(const Survey& survey, std::string_view text) {
+    for (const SetSurvey& set : survey.sets()) {
+        if (set.set.name == spec(text).name &&
+            (set.set.name != Name::euler || set.set.sequence == spec(text).sequence)) {
+            return set;
+        }
+    }
+    FAIL("no such set");
+    return survey.sets()[0];
+}
+
+} // namespace
+
+// Would catch: a set that is left out or listed twice.
+TEST_CASE("a survey has every set once") {
+    const Survey survey;
+    CHECK(survey.sets().size() == 20);
+    for (const char* name :
+         {"dcm", "6d", "5d", "quat", "axis-angle", "rotvec", "euler:ZYX", "euler:ZXZ", "cayley", "mrp"}) {
+        CHECK(find(survey, name).jumps == 0);
+    }
+}
+
+// Would catch: wraps and shadow switches that are not seen, and smooth sets that are accused.
+TEST_CASE("a spin about z through half-turns") {
+    // three turns in steps of 1.23 degrees, never exactly at a half-turn: it is passed three times
+    const Survey survey = survey_of([](int i) { return about_z(0.003 + i * 1.23 * pi / 180.0); }, 878);
+    for (const char* name : {"rotvec", "mrp", "cayley", "euler:ZYX", "euler:XYZ", "quat"}) {
+        INFO(name);
+        CHECK(find(survey, name).jumps == 3);
+        CHECK(find(survey, name).jump_row == 148); // (180 - 0.17)/1.23 = 146.2 steps
+    }
+    CHECK(find(survey, "axis-angle").jumps == 5); // its axis also turns over at the two full turns
+    for (const char* name : {"dcm", "6d", "5d"}) {
+        INFO(name);
+        CHECK(find(survey, name).jumps == 0);
+        CHECK(find(survey, name).serves(10.0));
+    }
+    CHECK_FALSE(find(survey, "rotvec").serves(1e9));
+    REQUIRE(survey.smallest(1e3) != nullptr);
+    CHECK(survey.smallest(1e3)->set.name == Name::quat);
+}
+
+// Would catch: margin and condition of the wrong attitude, or their row.
+TEST_CASE("figures of a slow spin about z") {
+    const Survey survey = survey_of([](int i) { return about_z(0.1 * i); }, 21); // up to 2 radians
+    const SetSurvey& cayley = find(survey, "cayley");
+    CHECK(cayley.least_margin == Approx(pi - 2.0).epsilon(1e-14));
+    CHECK(cayley.margin_row == 21);
+    CHECK(cayley.greatest_condition == Approx(0.5 / (std::cos(1.0) * std::cos(1.0))).epsilon(1e-14));
+    CHECK(cayley.condition_row == 21);
+    CHECK(find(survey, "rotvec").greatest_condition == Approx(1.0 / std::sin(1.0)).epsilon(1e-14));
+    CHECK(find(survey, "quat").greatest_condition == 0.5);
+    CHECK(std::isinf(find(survey, "quat").least_margin));
+    CHECK(find(survey, "euler:ZYX").greatest_condition == Approx(1.0).epsilon(1e-14));
+    // the first row is the identity, where the proper sequences are locked
+    CHECK(find(survey, "euler:ZXZ").least_margin == 0.0);
+    CHECK(find(survey, "euler:ZXZ").margin_row == 1);
+    CHECK_FALSE(find(survey, "euler:ZXZ").serves(1e3));
+    REQUIRE(survey.smallest(1e3) != nullptr);
+    CHECK(survey.smallest(1e3)->set.name == Name::mrp); // (1 + tan(1/2)^2)/4 is the least
+    for (const char* name : {"dcm", "6d", "5d", "quat", "rotvec", "cayley", "mrp", "euler:ZYX", "euler:XYZ"}) {
+        INFO(name);
+        CHECK(find(survey, name).jumps == 0);
+    }
+    CHECK(find(survey, "euler:XZY").jumps == 1); // its lock is at 90 degrees
+    CHECK(find(survey, "euler:XZY").jump_row == 17);
+}
+
+// Would catch: lock that lies between two rows, which both are in good condition, wherever it lies.
+TEST_CASE("a pitch through lock") {
+    for (const double offset : {0.5, 0.1, 0.02, 0.9}) { // of the step that crosses it
+        INFO(offset);
+        const double step = 0.02;
+        const Survey survey = survey_of([&](int i) { return turn(0, 1, 0, pi / 2 + (i - 10 + offset) * step); }, 20);
+        const SetSurvey& zyx = find(survey, "euler:ZYX");
+        CHECK(zyx.greatest_condition < 1e4);
+        CHECK(zyx.jumps == 1);
+        CHECK(zyx.jump_row == 11);
+        CHECK_FALSE(zyx.serves(1e4));
+        CHECK(find(survey, "euler:XYZ").jumps == 1);
+        CHECK(find(survey, "euler:YXZ").jumps == 0);
+        CHECK(find(survey, "mrp").jumps == 0);
+    }
+}
+
+// Would catch: a motion past lock that is not what its rows show, and one that is.
+TEST_CASE("a pitch past lock at a distance") {
+    const auto past = [](double distance) {
+        return survey_of(
+            [distance](int i) { return product(turn(0, 1, 0, pi / 2 + (i - 9.5) * 0.02), turn(0, 0, 1, distance)); },
+            20);
+    };
+    // Body yaw before the pitch keeps the pitch axis away from lock by the same angle.
+    CHECK(find(past(1e-4), "euler:ZYX").jumps == 1);
+    CHECK(find(past(0.2), "euler:ZYX").jumps == 0);
+}
+
+// Would catch: fast motions taken for jumps, and jumps that fast motions hide.
+TEST_CASE("rows that are far apart") {
+    const auto spin = [](double step) { return survey_of([step](int i) { return about_z(-1.4 + i * step); }, 3); };
+    CHECK(find(spin(1.4), "rotvec").jumps == 0);
+    CHECK(find(spin(1.4), "mrp").jumps == 0);
+    CHECK(find(spin(1.4), "cayley").jumps == 0);
+    CHECK(find(spin(1.4), "euler:ZYX").jumps == 0);
+    CHECK(find(spin(2.4), "rotvec").jumps == 1); // -1.4, 1.0, 3.4
+    CHECK(find(spin(2.4), "mrp").jumps == 1);
+    CHECK(find(spin(2.4), "euler:ZYX").jumps == 1);
+}
+
+// Would catch: an infinite set that serves, and a loop without end.
+TEST_CASE("rows exactly at a half-turn") {
+    Survey survey;
+    survey.add(Rotation::near_unit(0.1, 0, 0, 1), 1);
+    survey.add(Rotation::near_unit(0, 0, 0, 1), 2);
+    survey.add(Rotation::near_unit(0, 0, 0, 1), 3);
+    survey.add(Rotation::near_unit(-0.1, 0, 0, 1), 4);
+    const SetSurvey& cayley = find(survey, "cayley");
+    CHECK(cayley.least_margin == 0.0);
+    CHECK(std::isinf(cayley.greatest_condition));
+    CHECK(cayley.condition_row == 2);
+    CHECK_FALSE(cayley.serves(1e300));
+    CHECK(find(survey, "rotvec").jumps == 1);
+    CHECK(find(survey, "rotvec").jump_row == 4);
+}
+
+// Would catch: a limit that is not asked for.
+TEST_CASE("no set serves a limit below its condition") {
+    const Survey survey = survey_of([](int i) { return about_z(0.1 * i); }, 3);
+    CHECK(survey.smallest(0.2) == nullptr);
+    REQUIRE(survey.smallest(0.3) != nullptr);
+    CHECK(survey.smallest(0.3)->set.name == Name::mrp);
+}

@@ -1,0 +1,285 @@
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <catch.hpp>
+
+#include "process.hpp"
+
+using namespace program;
+
+namespace {
+
+const std::string spin = "0,0,0,1\n1,0,0,1\n2,0,0,1\n";
+
+/// Yaw of the last row, of rows t,roll,pitch,yaw.
+double last_yaw(const std::string& rows) { return std::stod(rows.substr(rows.rfind(',') + 1)); }
+
+} // namespace
+
+TEST_CASE("propagate answers each row with the time as it was") {
+    // Catches times that are printed anew, and a first row that is moved.
+    const auto result = run("propagate -t rotvec -p 12 --header no", "0.50,0,0,1\n+1.5e0,0,0,1\n 2.50,0,0,1\n");
+    CHECK(result == done("0.50,0,0,0\n+1.5e0,0,0,1\n 2.50,0,0,2\n"));
+}
+
+TEST_CASE("propagate starts from the initial attitude") {
+    // Catches a start that is ignored or of another convention.
+    CHECK(run(Words{"propagate", "-t", "quat", "--initial", "quat: 0 1 0 0"}, "7,0,0,0\n") == done("7,0,1,0,0\n"));
+    CHECK(run(Words{"propagate", "-t", "quat", "--initial", "quat:xyzw: 1,0,0,0"}, "7,0,0,0\n") == done("7,0,1,0,0\n"));
+    const auto result =
+        run(Words{"propagate", "-t", "rpy", "-d", "-p", "12", "--initial", "rpy: 0 0 10"}, "0,0,0,30\n1,0,0,30\n");
+    CHECK(result == done("0,0,0,10\n1,0,0,40\n"));
+    for (const char* wrong :
+         {"quat 1 0 0 0", "quat: 1 0 0", "quat: 1 0 0 x", "quat: 0 0 0 0", "quat: 2 0 0 0", "quax: 1"}) {
+        INFO(wrong);
+        const auto refused = run(Words{"propagate", "-t", "quat", "--initial", wrong}, spin);
+        CHECK(refused.exit_code == 2);
+        CHECK(refused.out == "");
+        CHECK(missing(refused.err, {"rotconv: --initial"}) == "");
+    }
+}
+
+TEST_CASE("every set and every integrator carries a spin") {
+    // Catches a set that is integrated wrongly and a chart that is left in silence.
+    std::string rows;
+    for (int i = 0; i <= 400; ++i) {
+        rows += std::to_string(i) + "e-2,0,0,1\n"; // 4 radians, through the half-turn
+    }
+    const double expected = 4.0 - 2.0 * std::numbers::pi;
+    for (const std::string with : {"quat", "dcm", "6d", "5d", "rotvec", "mrp", "euler:ZYX", "rpy"}) {
+        INFO(with);
+        const auto result = run("propagate -t rpy --with " + with, rows);
+        CHECK(result.exit_code == 0);
+        CHECK(result.err == "");
+        CHECK(std::fabs(last_yaw(result.out) - expected) < 1e-8); // of fourth order at least
+    }
+    for (const std::string integrator : {"rk4", "magnus4", "magnus6"}) {
+        INFO(integrator);
+        const auto result = run("propagate -t rpy --integrator " + integrator, rows);
+        CHECK(result.exit_code == 0);
+        CHECK(std::fabs(last_yaw(result.out) - expected) < 1e-9);
+    }
+    const auto cayley = run("propagate -t rpy --with cayley", rows);
+    CHECK(cayley.exit_code == 2);
+    CHECK(missing(cayley.err, {"rotconv: -:", "cayley", "half-turn"}) == "");
+    CHECK(count_rows(cayley.out) > 290);
+    CHECK(count_rows(cayley.out) < 316); // 3.14 seconds
+}
+
+TEST_CASE("Euler angles fail at lock by name and row") {
+    // Catches attitudes that nothing bears out.
+    std::string rows;
+    for (int i = 0; i <= 300; ++i) {
+        rows += std::to_string(i) + "e-2 0 1 0\n";
+    }
+    const auto stopped = run("propagate -t quat --with euler:ZYX", rows);
+    CHECK(stopped.exit_code == 2);
+    CHECK(missing(stopped.err, {"euler", "gimbal lock", "rotconv: -:15"}) == "");
+    const auto kept = run("propagate -t quat --with euler:ZYX --on-error nan", rows);
+    CHECK(kept.exit_code == 1);
+    CHECK(count_rows(kept.out) == 301);
+    CHECK(kept.out.ends_with("\n300e-2 nan nan nan nan\n"));
+    CHECK(run("propagate -t quat --with euler:YXZ", rows).exit_code == 0);
+}
+
+TEST_CASE("times must increase") {
+    // Catches a step back that is taken, and a row that loses its place.
+    const std::string rows = "0,0,0,1\n1,0,0,1\n1,0,0,1\n0.5,0,0,1\n2,0,0,1\n";
+    for (const std::string interpolation : {"linear", "cubic"}) {
+        INFO(interpolation);
+        const std::string propagate = "propagate -t rotvec -p 6 --interpolation " + interpolation;
+        const auto stopped = run(propagate, rows);
+        CHECK(stopped.exit_code == 2);
+        CHECK(stopped.out == "0,0,0,0\n1,0,0,1\n");
+        CHECK(missing(stopped.err, {"rotconv: -:3: ", "time", "'1,0,0,1'"}) == "");
+        const auto kept = run(propagate + " --on-error nan", rows);
+        CHECK(kept.exit_code == 1);
+        CHECK(kept.out == "0,0,0,0\n1,0,0,1\n1,nan,nan,nan\n0.5,nan,nan,nan\n2,0,0,2\n");
+        CHECK(missing(kept.err, {"-:3: ", "-:4: "}) == "");
+        const auto skipped = run(propagate + " --on-error skip", rows);
+        CHECK(skipped.out == "0,0,0,0\n1,0,0,1\n2,0,0,2\n");
+    }
+}
+
+TEST_CASE("bad rows of propagate") {
+    // Catches numbers of a bad row that are integrated.
+    const std::string rows = "0,0,0,1\nx,0,0,1\n1,0,zero,1\n1,0,0\n1,0,0,nan\n2,0,0,1\n";
+    for (const std::string interpolation : {"linear", "cubic"}) {
+        const std::string propagate = "propagate -t rotvec -p 6 --header no --interpolation " + interpolation;
+        const auto stopped = run(propagate, rows);
+        CHECK(stopped.exit_code == 2);
+        CHECK(stopped.out == "0,0,0,0\n");
+        CHECK(missing(stopped.err, {"rotconv: -:2: not a number: 'x'"}) == "");
+        const auto skipped = run(propagate + " --on-error skip", rows);
+        CHECK(skipped.exit_code == 1);
+        CHECK(skipped.out == "0,0,0,0\n2,0,0,2\n");
+        CHECK(count_rows(skipped.err) == 4);
+    }
+    CHECK(missing(run("propagate -t quat", "0,0,0\n").err, {"3 fields where t wx wy wz has 4"}) == "");
+}
+
+TEST_CASE("propagate keeps the other fields and the header") {
+    // Catches a time that is replaced.
+    const std::string rows = "note,wz,wy,wx,t,more\na,1,0,0,0,x\nb,1,0,0,1,y\n";
+    const std::string columns = "propagate -t rotvec -p 6 --columns t,wx,wy,wz";
+    CHECK(run(columns, rows) == done("note,rx,ry,rz,t,more\na,0,0,0,0,x\nb,0,0,1,1,y\n"));
+    CHECK(run(columns + " --append", rows) ==
+          done("note,wz,wy,wx,t,more,rx,ry,rz\na,1,0,0,0,x,0,0,0\nb,1,0,0,1,y,0,0,1\n"));
+    CHECK(run(columns + " --format json", rows)
+              .out.starts_with("{\"note\": \"a\", \"t\": \"0\", \"more\": \"x\", \"rx\": 0, \"ry\": 0, \"rz\": 0}\n"));
+    CHECK(run("propagate -t rotvec -p 6", "t wx wy wz\n0 0 0 1\n") == done("t rx ry rz\n0 0 0 0\n"));
+    CHECK(run("propagate -t rotvec -p 6 --header add", "0 0 0 1\n") == done("1 rx ry rz\n0 0 0 0\n"));
+    CHECK(run("propagate -t rotvec --header add", "") == done("1,rx,ry,rz\n"));
+}
+
+TEST_CASE("with linear interpolation a row is answered before the next one is sent") {
+    // Catches an answer that waits.
+    Process process(words_of("propagate -t rotvec -p 6"));
+    process.write("0 0 0 1\n");
+    CHECK(process.read_rows(1) == "0 0 0 0\n");
+    process.write("1 0 0 1\n");
+    CHECK(process.read_rows(1) == "1 0 0 1\n");
+    CHECK(process.finish() == done(""));
+}
+
+TEST_CASE("with cubic interpolation a row is answered when the next one is there") {
+    // Catches rows, comments and line numbers that get lost on the way.
+    Process process(words_of("propagate -t rotvec -p 6 --interpolation cubic --on-error nan"));
+    process.write("0 0 0 1\n# one\n");
+    process.wait_until_read();
+    process.write("1 0 0 1\n");
+    CHECK(process.read_rows(2) == "0 0 0 0\n# one\n");
+    process.write("\nbad 0 0 1\n");
+    process.wait_until_read();
+    process.write("2 0 0 1\n");
+    CHECK(process.read_rows(3) == "1 0 0 1\n\nbad nan nan nan\n");
+    const auto result = process.finish();
+    CHECK(result.out == "2 0 0 2\n");
+    CHECK(result.exit_code == 1);
+    CHECK(missing(result.err, {"rotconv: -:5: not a number: 'bad'"}) == "");
+}
+
+TEST_CASE("a cubic follows a rate that is one exactly") {
+    // Catches a parabola or a line between the rows: w = t^2 gives t^3/3.
+    std::string rows;
+    for (int i = 0; i <= 200; ++i) {
+        const double t = i / 100.0;
+        rows += std::to_string(t) + ",0,0," + std::to_string(t * t) + "\n";
+    }
+    CHECK(std::fabs(last_yaw(run("propagate -t rotvec --interpolation cubic", rows).out) - 8.0 / 3.0) < 1e-12);
+    const double linear = last_yaw(run("propagate -t rotvec", rows).out) - 8.0 / 3.0;
+    CHECK(linear == Approx(200 * 2.0 / 12.0 * 1e-6).epsilon(1e-6)); // h^3 w''/12 a row
+}
+
+TEST_CASE("propagate in long batches is the same as in pieces") {
+    // Catches state that is lost between reads.
+    std::string rows;
+    for (int i = 0; i < 1000; ++i) {
+        rows += std::to_string(i) + "e-2 0.3 " + std::to_string(i % 7) + " -0.2\n" + (i % 50 == 0 ? "# note\n" : "");
+    }
+    for (const std::string interpolation : {"linear", "cubic"}) {
+        const std::string arguments = "propagate -t quat --interpolation " + interpolation;
+        const auto whole = run(arguments, rows);
+        CHECK(whole.exit_code == 0);
+        CHECK(count_rows(whole.out) == 1020);
+        Process process(words_of(arguments));
+        for (std::size_t at = 0; at < rows.size(); at += 997) {
+            process.write(std::string_view(rows).substr(at, 997));
+            process.wait_until_read();
+        }
+        CHECK(process.finish().out == whole.out);
+    }
+}
+
+TEST_CASE("renormalising keeps a matrix on its set") {
+    // Catches an option without effect: the defect is the third of the diagnostic columns.
+    std::string rows;
+    for (int i = 0; i <= 300; ++i) {
+        rows += std::to_string(i) + "e-1 1 -2 0.5\n";
+    }
+    const auto defect = [&rows](const std::string& more) {
+        const auto out = run("propagate -t quat --with dcm --diagnostics columns " + more, rows).out;
+        const auto words = words_of(out.substr(out.rfind("300e-1")));
+        return words.size() == 9 ? std::stod(words[7]) : -1.0;
+    };
+    CHECK(defect("") > 1e-6);
+    CHECK(defect("--renormalise") < 1e-14);
+    CHECK(defect("--renormalise") >= 0.0);
+    CHECK(missing(run("propagate -t quat --with dcm", rows).err, {"normalized: "}) == "");
+}
+
+TEST_CASE("substeps make the steps shorter") {
+    // Catches an option without effect.
+    const std::string rows = "0 0 0 1\n1 0 0 1\n";
+    const auto error = [&rows](const std::string& more) {
+        return std::fabs(std::stod(words_of(run("propagate -t rotvec --with dcm " + more, rows).out).back()) - 1.0);
+    };
+    CHECK(error("") > 1e-4);
+    CHECK(error("--substeps 10") < 1e-6);
+    CHECK(run("propagate -t quat --substeps 0", rows).exit_code == 2);
+    CHECK(run("propagate -t quat --substeps 1.5", rows).exit_code == 2);
+}
+
+TEST_CASE("wrong uses of propagate are usage errors") {
+    // Catches settings that are replaced in silence.
+    for (const std::string arguments :
+         {"propagate", "propagate -t quatt", "propagate -t quat --with axis-angle", "propagate -t quat --with nothing",
+          "propagate -t quat --integrator euler", "propagate -t quat --with mrp --integrator magnus4",
+          "propagate -t quat --interpolation spline", "propagate -t quat -f quat", "propagate -t quat 0 0 0 1",
+          "propagate -t quat --columns 1-3", "propagate -t quat x"}) {
+        INFO(arguments);
+        const auto result = run(arguments, spin);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(count_rows(result.err) == 1);
+    }
+    CHECK(missing(run("propagate --help").out, {"rotconv propagate -t SPEC", "--initial", "--with", "--substeps"}) ==
+          "");
+}
+
+TEST_CASE("the memory of propagate does not grow with the stream") {
+    // Catches a propagation that keeps its rows.
+    for (const std::string interpolation : {"linear", "cubic"}) {
+        Process process(words_of("propagate -t quat --interpolation " + interpolation));
+        long before = 0;
+        int time = 0;
+        for (int part = 0; part < 3; ++part) {
+            std::string rows;
+            for (int i = 0; i < 20000; ++i) {
+                rows += std::to_string(++time) + " 0 0 1e-3\n";
+            }
+            process.write(rows);
+            process.wait_until_read();
+            before = part == 0 ? process.peak_memory_kib() : before;
+        }
+        CHECK(process.peak_memory_kib() <= before + 256);
+        CHECK(count_rows(process.finish().out) == 60000);
+    }
+}
+
+TEST_CASE("progress is shown on a terminal and nowhere else") {
+    // Catches progress in a log file, and a terminal without it.
+    std::string rows;
+    for (int i = 0; i < 300000; ++i) {
+        rows += std::to_string(i) + " 0 0 1e-3\n";
+    }
+    Folder folder;
+    const auto path = folder / "rates";
+    write_file(path, rows);
+    const Words arguments{"propagate", "-t", "rpy", "--substeps", "10", "-i", path.string()};
+    CHECK(run(arguments).err == "");
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+    REQUIRE(terminal >= 0);
+    REQUIRE(::grantpt(terminal) == 0);
+    REQUIRE(::unlockpt(terminal) == 0);
+    CHECK(run(arguments, {}, {.errors_file = ::ptsname(terminal)}).exit_code == 0);
+    std::string shown(4096, '\0');
+    const auto count = ::read(terminal, shown.data(), shown.size());
+    ::close(terminal);
+    REQUIRE(count > 0);
+    CHECK(missing(shown.substr(0, static_cast<std::size_t>(count)), {"rotconv: ", " %\r"}) == "");
+}

@@ -1,0 +1,164 @@
+#include <cmath>
+
+#include <catch.hpp>
+
+#include "process.hpp"
+
+using namespace program;
+
+namespace {
+
+/// Yaw, pitch and roll in degrees, a row each: yaw from `first` in steps.
+std::string yawing(int first, int step, int count) {
+    std::string rows;
+    for (int i = 0; i < count; ++i) {
+        rows += std::to_string(first + i * step) + " 10 5\n";
+    }
+    return rows;
+}
+
+std::string last_line(const std::string& text) {
+    const auto end = text.rfind('\n');
+    const auto begin = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    return text.substr(begin + 1, end - begin - 1);
+}
+
+/// The line of a set in the table.
+Words line_of(const std::string& table, const std::string& set) {
+    for (const auto& line : fields_of(table, '\n')) {
+        if (line.starts_with(set + " ")) {
+            return words_of(line);
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("survey names a set of three numbers for a gentle motion") {
+    // Catches a last line that is no SPEC.
+    const auto result = run("survey -f euler:ZYX:deg", yawing(0, 1, 60));
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+    CHECK(last_line(result.out) == "mrp");
+    CHECK(run("-f quat -t " + last_line(result.out) + " 1 0 0 0").exit_code == 0);
+}
+
+TEST_CASE("survey has a line for each set with what was met and where") {
+    // Catches lines that are counted without comments, and sets that are left out.
+    const auto result = run("survey -f euler:ZYX -d", "# yaw pitch roll\n\n" + yawing(90, 1, 720));
+    CHECK(result.exit_code == 0);
+    CHECK(last_line(result.out) == "quat");
+    // yaw 180 is line 93, and is printed as 180; the wrap is the line after; pitch 10 is 80 degrees off lock
+    const auto zyx = line_of(result.out, "euler:ZYX");
+    REQUIRE(zyx.size() == 9);
+    CHECK(zyx[1] == "3");
+    CHECK(zyx[2] == "1.39626");
+    CHECK(zyx[6] == "2");
+    CHECK(zyx[7] == "94");
+    CHECK(zyx[8] == "no");
+    CHECK(line_of(result.out, "dcm") == Words{"dcm", "9", "inf", "3", "1.41421", "3", "0", "-", "yes"});
+    CHECK(missing(result.out, {"6d", "5d", "axis-angle", "rotvec", "cayley", "mrp", "euler:XYX", "720 attitudes"}) ==
+          "");
+    CHECK(line_of(result.out, "rotvec").back() == "no");
+    CHECK(line_of(result.out, "5d").back() == "yes");
+}
+
+TEST_CASE("survey does not let Euler angles through lock serve") {
+    // Catches lock that no row has hit.
+    const auto result = run("survey -f rpy:deg", "0 88 0\n0 89.5 0\n0 90.7 0\n0 92 0\n");
+    CHECK(result.exit_code == 0);
+    CHECK(line_of(result.out, "euler:ZYX").back() == "no");
+    CHECK(line_of(result.out, "mrp").back() == "yes");
+}
+
+TEST_CASE("the condition that serves is an option") {
+    // Catches a limit that changes nothing.
+    const std::string rows = yawing(0, 1, 170);
+    CHECK(line_of(run("survey -f euler:ZYX:deg", rows).out, "cayley").back() == "yes");
+    CHECK(line_of(run("survey -f euler:ZYX:deg --condition 10", rows).out, "cayley").back() == "no");
+    const auto none = run("survey -f euler:ZYX:deg --condition 0.1", rows);
+    CHECK(none.exit_code == 1);
+    CHECK(last_line(none.out) == "none");
+    CHECK(run("survey -f quat --condition x", "1 0 0 0\n").exit_code == 2);
+    CHECK(run("survey -f quat --condition -1", "1 0 0 0\n").exit_code == 2);
+}
+
+TEST_CASE("survey speaks JSON") {
+    // Catches numbers that no JSON reader takes, and a last line that is none.
+    const auto result = run("survey -f quat --format json", "1 0 0 0\n1 0 0 0\n");
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+    CHECK(count_rows(result.out) == 21);
+    CHECK(last_line(result.out) == R"({"rows": 2, "smallest": "mrp"})");
+    CHECK(
+        missing(result.out, {R"({"set": "quat", "parameters": 4, "margin": "inf", "margin_line": 1, "condition": 0.5, )"
+                             R"("condition_line": 1, "jumps": 0, "jump_line": null, "serves": true})"}) == "");
+    CHECK(missing(result.out, {R"({"set": "axis-angle", "parameters": 4, "margin": 0, )", R"("condition": "inf")"}) ==
+          "");
+}
+
+TEST_CASE("survey takes columns, headers and bad rows as a conversion does") {
+    // Catches an input of its own.
+    const std::string good = "t,qx,qy,qz,qw\n0,0,0,0,1\n1,0,0,0.6,0.8\n";
+    CHECK(last_line(run("survey -f quat:xyzw --columns qx,qy,qz,qw", good).out) == "mrp");
+    const std::string bad = good + "2,0,0,zero,1\n3,0,0,0,0\n4,0,0,0.8,0.6\n";
+    const auto stopped = run("survey -f quat:xyzw --columns 2-5", bad);
+    CHECK(stopped.exit_code == 2);
+    CHECK(stopped.out == "");
+    CHECK(missing(stopped.err, {"rotconv: -:4: not a number: 'zero'"}) == "");
+    for (const std::string policy : {"skip", "nan"}) {
+        const auto skipped = run("survey -f quat:xyzw --columns 2-5 --on-error " + policy, bad);
+        CHECK(skipped.exit_code == 1);
+        CHECK(last_line(skipped.out) == "mrp");
+        CHECK(missing(skipped.out, {"3 attitudes"}) == "");
+        CHECK(missing(skipped.err, {"-:4: ", "-:5: "}) == "");
+        CHECK(line_of(skipped.out, "rotvec")[3] == "6");
+    }
+}
+
+TEST_CASE("survey of nothing names no set") {
+    // Catches a set that serves no attitude at all.
+    for (const char* input : {"", "# comment\n", "\n"}) {
+        const auto result = run("survey -f quat", input);
+        CHECK(result.exit_code == 1);
+        CHECK(result.out == "");
+        CHECK(missing(result.err, {"rotconv: -: ", "no attitude"}) == "");
+    }
+}
+
+TEST_CASE("wrong uses of survey are usage errors") {
+    // Catches a survey of something else than what was asked for.
+    for (const std::string arguments :
+         {"survey", "survey -f quatt", "survey -f quat 1 0 0 0", "survey -f quat -t dcm", "survey -f quat --format csv",
+          "survey -f quat x", "survey -f quat --columns 1-3"}) {
+        INFO(arguments);
+        const auto result = run(arguments, "1 0 0 0\n");
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(count_rows(result.err) == 1);
+    }
+    CHECK(missing(run("survey --help").out, {"rotconv survey -f SPEC", "--condition", "--columns"}) == "");
+}
+
+TEST_CASE("survey writes its table to a file") {
+    // Catches an option that is ignored.
+    Folder folder;
+    const auto path = folder / "table";
+    CHECK(run(Words{"survey", "-f", "quat", "-o", path.string()}, "1 0 0 0\n") == done(""));
+    CHECK(last_line(read_file(path)) == "mrp");
+}
+
+TEST_CASE("the memory of survey does not grow with the stream") {
+    // Catches a survey that keeps its rows.
+    const std::string rows = repeated("1 0 0 0\n0.8 0 0 0.6\n", 20000);
+    Process process(words_of("survey -f quat"));
+    process.write(rows);
+    process.wait_until_read();
+    const auto before = process.peak_memory_kib();
+    process.write(rows);
+    process.write(rows);
+    process.wait_until_read();
+    CHECK(process.peak_memory_kib() <= before + 256);
+    CHECK(last_line(process.finish().out) == "mrp");
+}
