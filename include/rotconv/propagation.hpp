@@ -56,9 +56,9 @@ public:
     /// A sample: its time, later than the one before, and the angular velocity in body axes, rad/s.
     Pushed push(double time, const Eigen::Vector3d& omega) noexcept;
 
-    /// What is still owed after the last sample: with cubic one answer, unless there was no sample. Then nothing
-    /// may be pushed.
-    std::optional<Propagated> finish() noexcept;
+    /// What is still owed of the samples so far, at the end or where nothing may wait: with cubic one answer, by the
+    /// parabola through the last three samples.
+    std::optional<Propagated> settle() noexcept;
 
 private:
     struct Sample {
@@ -74,6 +74,7 @@ private:
     Stepper stepper_;
     std::array<Sample, 4> samples_{}; ///< the latest, in order of time
     std::size_t count_ = 0;           ///< how many of them there are
+    bool settled_ = false;            ///< the latest has its answer although it was to wait
 };
 
 } // namespace rotconv

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rotconv {
 namespace {
@@ -54,20 +55,24 @@ Pushed Propagator::push(double time, const Vector3d& omega) noexcept {
         return {};
     }
     const std::size_t answered = count_ - 1 - late;
-    if (answered > 0) {
-        advance(answered - 1);
+    std::optional<Propagated> answer;
+    if (!std::exchange(settled_, false)) {
+        if (answered > 0) {
+            advance(answered - 1);
+        }
+        answer = answer_at(samples_[answered].time);
     }
-    const Propagated answer = answer_at(samples_[answered].time);
     if (count_ == 2 * (late + 1)) {
         std::shift_left(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(count_--), 1);
     }
     return {.refused = Fault::none, .answer = answer};
 }
 
-std::optional<Propagated> Propagator::finish() noexcept {
-    if (count_ == 0 || settings_.interpolation == Interpolation::linear) {
+std::optional<Propagated> Propagator::settle() noexcept {
+    if (count_ == 0 || settled_ || settings_.interpolation == Interpolation::linear) {
         return std::nullopt;
     }
+    settled_ = true;
     if (count_ > 1) {
         advance(count_ - 2);
     }

@@ -46,19 +46,19 @@ public:
 
     std::size_t run(const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
         answered_ = 0;
-        bool is_end = rows.is_end;
+        bool none_may_wait = rows.none_may_wait;
         while (pushed_.size() < reports.size()) {
             const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
             const Pushed pushed = propagator_.push(row[0], velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
             pushed_.push_back(pushed.refused);
             settle(pushed.answer, out, reports);
             if (stop_at_fault_ && pushed.refused != Fault::none) {
-                is_end = true;
+                none_may_wait = true;
                 break;
             }
         }
-        if (is_end) {
-            settle(propagator_.finish(), out, reports);
+        if (none_may_wait) {
+            settle(propagator_.settle(), out, reports);
         }
         pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
         return answered_;

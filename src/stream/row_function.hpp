@@ -17,7 +17,7 @@ namespace rotconv::stream {
 struct NumberRows {
     std::span<const double> numbers;    ///< of all of them, row by row
     std::span<const std::size_t> lines; ///< where they stand
-    bool is_end = false;                ///< no more will come
+    bool none_may_wait = false;         ///< all are to be answered, as at the end
 };
 
 /// What a run makes of the numbers of its rows.
@@ -28,7 +28,7 @@ struct RowFunction {
     std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
 
     /// Answers rows of `inputs` numbers with names.size() numbers and a report each.
-    /// @return how many of the rows are answered, at the end all; the others come first in the next call
+    /// @return how many of the rows are answered, all where none may wait; the others come first in the next call
     std::function<std::size_t(const NumberRows& rows, std::span<double> out, std::span<Report> reports)> run;
 };
 

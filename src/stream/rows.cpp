@@ -12,33 +12,36 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout)
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
     if (waiting_.empty()) {
-        work_off(text, line, false, output);
+        work_off(text, line, false, false, output);
     } else {
         const std::string joined = std::exchange(waiting_, {}).append(text);
-        work_off(joined, waiting_line_, false, output);
+        work_off(joined, waiting_line_, true, false, output);
     }
 }
 
 void RowTransformer::finish(Output& output) {
     const std::string last = std::exchange(waiting_, {});
-    work_off(last, waiting_line_, true, output);
+    work_off(last, waiting_line_, true, true, output);
 }
 
-void RowTransformer::work_off(std::string_view text, std::size_t line, bool is_end, Output& output) {
+void RowTransformer::work_off(std::string_view text, std::size_t line, bool held_first, bool is_end, Output& output) {
     const RowFunction& function = options_->function;
     const char* const end = text.data() + text.size();
     std::size_t limit = batch;
     while (!text.empty() && !output.stopped) {
+        const char* const begin = text.data();
         gather(text, line, limit);
         const bool is_whole = text.empty();
+        const bool waits_long = held_first && static_cast<std::size_t>(text.data() - begin) >= most_waiting;
         const bool at_fault = options_->on_error == OnError::stop && !faults_.empty();
         reports_.resize(lines_.size());
         results_.resize(lines_.size() * function.names.size());
         const std::size_t answered =
-            function.run({numbers_, lines_, at_fault || (is_end && is_whole)}, results_, reports_);
+            function.run({numbers_, lines_, at_fault || waits_long || (is_end && is_whole)}, results_, reports_);
         const auto held = std::ranges::find_if(
             rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
-        if (held != rows_.end()) {
+        held_first = held != rows_.end();
+        if (held_first) {
             line = held->number;
             text = std::string_view(held->line.text.data(), end);
             rows_.erase(held, rows_.end());
@@ -59,7 +62,8 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     faults_.clear();
     numbers_.clear();
     lines_.clear();
-    while (!text.empty() && rows_.size() < limit) {
+    const char* const begin = text.data();
+    while (!text.empty() && rows_.size() < limit && static_cast<std::size_t>(text.data() - begin) < most_waiting) {
         const Line current = next_line(text);
         Row row{.line = current,
                 .number = line++,

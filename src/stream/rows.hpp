@@ -19,13 +19,15 @@ public:
     RowTransformer(const Options& options, const Layout& layout);
 
     /// Adds what the rows of `text`, whole lines of which the first is line `line`, become.
-    /// Where the function holds rows back, they and what follows them wait for the next call.
+    /// Where the function holds rows back, they and what follows them wait for the next call, up to `most_waiting`
+    /// bytes.
     void transform(std::string_view text, std::size_t line, Output& output);
     /// To be called at the end: adds what still waits.
     void finish(Output& output);
 
 private:
     static constexpr std::size_t batch = 128;
+    static constexpr std::size_t most_waiting = std::size_t{1} << 16U;
     static constexpr std::size_t no_fault = static_cast<std::size_t>(-1);
 
     struct Row {
@@ -40,7 +42,8 @@ private:
         [[nodiscard]] bool has_numbers() const noexcept { return !passed && fault == no_fault; }
     };
 
-    void work_off(std::string_view text, std::size_t line, bool is_end, Output& output);
+    /// `held_first`: the first row is one that was held back.
+    void work_off(std::string_view text, std::size_t line, bool held_first, bool is_end, Output& output);
     /// Reads a batch of rows off the text, under `stop` none after a fault.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);

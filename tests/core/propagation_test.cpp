@@ -88,7 +88,7 @@ Rows propagated(const PropagationSettings& settings, const Motion& motion, doubl
             rows.push_back(*pushed.answer);
         }
     }
-    if (const auto last = propagator.finish()) {
+    if (const auto last = propagator.settle()) {
         rows.push_back(*last);
     }
     REQUIRE(rows.size() == static_cast<std::size_t>(count) + 1);
@@ -235,7 +235,7 @@ TEST_CASE("a rate that is a polynomial is interpolated exactly") {
         for (const double t : {0.0, 0.1, 0.15, 0.3, 0.35, 0.6, 0.7, 0.95}) { // not evenly
             look(propagator.push(t, {std::pow(t, degree), 0, 0}).answer);
         }
-        look(propagator.finish());
+        look(propagator.settle());
         return worst;
     };
     for (int degree = 0; degree <= 2; ++degree) {
@@ -251,7 +251,7 @@ TEST_CASE("linear answers each sample at once, cubic one late") {
     Propagator linear(settings);
     settings.interpolation = Interpolation::cubic;
     Propagator cubic(settings);
-    CHECK_FALSE(Propagator(settings).finish());
+    CHECK_FALSE(Propagator(settings).settle());
     for (int i = 0; i < 6; ++i) {
         const auto now = linear.push(i, {0.1 * i, 0, 0.2}).answer;
         REQUIRE(now);
@@ -262,14 +262,42 @@ TEST_CASE("linear answers each sample at once, cubic one late") {
             CHECK(late->time == i - 1);
         }
     }
-    CHECK_FALSE(linear.finish());
-    const auto last = cubic.finish();
+    CHECK_FALSE(linear.settle());
+    const auto last = cubic.settle();
     REQUIRE(last);
     CHECK(last->time == 5);
     // one sample alone
     Propagator one(settings);
     CHECK_FALSE(one.push(7, {1, 2, 3}).answer);
-    CHECK(one.finish()->time == 7);
+    CHECK(one.settle()->time == 7);
+}
+
+TEST_CASE("a sample that is settled early is not answered again, and the next ones follow") {
+    // Catches an interval that is integrated twice or left out.
+    PropagationSettings settings;
+    settings.interpolation = Interpolation::cubic;
+    for (const int early : {0, 1, 2, 5}) {
+        Propagator propagator(settings);
+        std::vector<double> times;
+        Rotation attitude;
+        const auto take = [&](const std::optional<Propagated>& row) {
+            if (row) {
+                times.push_back(row->time);
+                attitude = row->rotation;
+            }
+        };
+        for (int i = 0; i < 8; ++i) {
+            take(propagator.push(i, {0, 0, 0.1}).answer);
+            if (i == early) {
+                take(propagator.settle());
+                CHECK_FALSE(propagator.settle());
+            }
+        }
+        take(propagator.settle());
+        CHECK(times == std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7});
+        const double half = 0.35; // of 0.1 rad/s over 7 s
+        CHECK(std::fabs(attitude.z() * std::cos(half) - attitude.w() * std::sin(half)) < 1e-15);
+    }
 }
 
 TEST_CASE("a sample that is not later, or not finite, is refused and changes nothing") {

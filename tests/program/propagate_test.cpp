@@ -261,6 +261,51 @@ TEST_CASE("the memory of propagate does not grow with the stream") {
     }
 }
 
+TEST_CASE("rows that are refused do not keep the one before them waiting for ever") {
+    // Catches memory, or time, that grows with a clock that stepped back, or with comments.
+    for (const std::string row : {"0 0 0 1e-3\n", "# nothing\n"}) {
+        Process process(words_of("propagate -t quat --interpolation cubic --on-error skip --diagnostics off"));
+        process.write("5 0 0 1e-3\n6 0 0 1e-3\n");
+        long before = 0;
+        for (int part = 0; part < 3; ++part) {
+            std::string rows;
+            for (int i = 0; i < 30000; ++i) {
+                rows += row;
+            }
+            process.write(rows);
+            process.wait_until_read();
+            before = part == 0 ? process.peak_memory_kib() : before;
+        }
+        process.write("7 0 0 1e-3\n8 0 0 1e-3\n");
+        CHECK(process.peak_memory_kib() <= before + 512);
+        const auto result = process.finish();
+        CHECK(count_rows(result.out) == (row[0] == '#' ? 90004 : 4));
+        CHECK(result.out.substr(result.out.find("\n8 ") + 1, 2) == "8 ");
+    }
+}
+
+TEST_CASE("cubic answers do not depend on how the rows arrive") {
+    // Catches an answer that is given early because of a block's border.
+    std::string rows = "0 0 0 1\n1 0 0 2\n";
+    for (int i = 0; i < 9000; ++i) {
+        rows += "0 0 0 9\n"; // 72 kB that are refused
+    }
+    rows += "2 0 0 5\n";
+    for (int i = 0; i < 2000; ++i) {
+        rows += "0 0 0 9\n";
+    }
+    rows += "3 0 0 4\n4 0 0 -3\n";
+    const auto command = words_of("propagate -t quat --interpolation cubic --on-error skip --diagnostics off");
+    const auto at_once = run(command, rows);
+    CHECK(count_rows(at_once.out) == 5);
+    Process process(command);
+    for (std::size_t first = 0; first < rows.size(); first += 5000) {
+        process.write(rows.substr(first, 5000));
+        process.wait_until_read();
+    }
+    CHECK(process.finish().out == at_once.out);
+}
+
 TEST_CASE("progress is shown on a terminal and nowhere else") {
     // Catches progress in a log file, and a terminal without it.
     std::string rows;
