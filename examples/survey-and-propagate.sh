@@ -2,13 +2,16 @@
 # survey-and-propagate.sh [FILE]: which set serves the motion of an EuRoC table? Its attitudes become angular velocities by
 # differences, these are propagated in that set, and come back as attitudes: how far from those of the table?
 set -eu
-cd "$(dirname "$0")/data"
-file=${1:-euroc_v102.csv}
+file=${1:-$(dirname "$0")/data/euroc_v102.csv}
 columns=q_RS_w,q_RS_x,q_RS_y,q_RS_z
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-set=$(rotconv survey -f quat --columns $columns -i "$file" 2> "$work/notes" | tail -n 1)
+rotconv survey -f quat --columns $columns -i "$file" > "$work/sets" 2> "$work/notes" || {
+    cat "$work/notes" >&2
+    exit 1
+}
+set=$(tail -n 1 "$work/sets")
 echo "The smallest set that serves: $set"
 
 # Rows t,qw,qx,qy,qz; of the nanoseconds the last 12 digits, which a double holds exactly, in seconds.

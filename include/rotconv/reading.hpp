@@ -20,6 +20,7 @@ enum class Fault : std::uint8_t {
     defect,          ///< further from a rotation than the tolerance allows
     singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
     time_order,      ///< not later than the sample before
+    ended,           ///< an earlier row of the propagation has failed: nothing follows on it
 };
 
 /// What numbers describe: the rotation, how far the numbers were from describing one exactly, or a fault.

@@ -39,7 +39,6 @@ Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
     const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
     stream::RowFault fault;
     fault.text = row;
-    fault.expected = spec.size();
     const auto refuse = [&](stream::RowFault::What what) {
         fault.what = what;
         throw Usage("--initial: " + words::explain(fault, {std::string(representation(spec.name).text), spec.size(),
@@ -48,13 +47,15 @@ Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
     std::vector<std::string_view> fields;
     stream::Delimiter::of_row(row).split(row, fields);
     if (fields.size() != spec.size()) {
-        fault.found = fields.size();
-        refuse(stream::RowFault::What::wrong_count);
+        throw Usage(fmt::format("--initial: {} has {} numbers, not {}: {}", representation(spec.name).text, spec.size(),
+                                fields.size(), words::quoted(row)));
     }
     std::array<double, 9> numbers{};
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (stream::read_number(fields[i], numbers.at(i)) != stream::NumberFault::none) {
-            refuse(stream::RowFault::What::not_a_number);
+        const auto number_fault = stream::read_number(fields[i], numbers.at(i));
+        if (number_fault != stream::NumberFault::none) {
+            refuse(number_fault == stream::NumberFault::too_large ? stream::RowFault::What::too_large
+                                                                  : stream::RowFault::What::not_a_number);
         }
     }
     std::array<double, 4> q{};

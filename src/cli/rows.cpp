@@ -121,7 +121,8 @@ ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
 
     Reporter reporter(command, command.has_values ? "argument" : command.input);
     stream::TextSource values(command.values);
-    const auto progress = std::make_unique<Progress>(*input, command.progress);
+    const auto progress =
+        std::make_unique<Progress>(*input, command.progress && !(to_stdout && ::isatty(STDOUT_FILENO) != 0));
     stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
     Nowhere nowhere;
     stream::Sink& sink = conclusion ? static_cast<stream::Sink&>(nowhere) : *output;
@@ -140,16 +141,12 @@ ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
         return ExitCode::incomplete;
     }
     if (conclusion && !ending.stopped) {
-        const auto text = conclusion();
-        const int error = text ? output->write(*text) : 0;
+        const int error = output->write(conclusion());
         if (error == EPIPE) {
             return ExitCode::done;
         }
         if (error != 0) {
             return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));
-        }
-        if (!text) {
-            return ExitCode::reservations;
         }
     }
     if (const int error = output->close(); error != 0) {

@@ -10,7 +10,7 @@
 namespace rotconv::cli {
 
 /// What is printed of a run in the place of its rows; nothing where it has failed and told why.
-using Conclusion = std::function<std::optional<std::string>()>;
+using Conclusion = std::function<std::string()>;
 
 /// Runs the rows, tells on stderr what there is to tell, and returns the exit code. With a conclusion the rows are not
 /// written; it is asked for at the end of a run that was not stopped.

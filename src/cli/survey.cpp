@@ -53,10 +53,11 @@ ExitCode survey(const SurveyCommand& command) {
         stream::reading_function(command.from, rows.subject.tolerance,
                                  [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
     bool none_serves = false;
-    const ExitCode code = run_rows(rows, [&]() -> std::optional<std::string> {
+    const ExitCode code = run_rows(rows, [&] {
         if (survey.rows() == 0) {
             say(fmt::format("{}: there is no attitude in it", rows.input));
-            return std::nullopt;
+            none_serves = true;
+            return std::string(command.json ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n");
         }
         const SetSurvey* smallest = survey.smallest(command.condition);
         none_serves = smallest == nullptr;
@@ -65,8 +66,9 @@ ExitCode survey(const SurveyCommand& command) {
                    ? fmt::format("{}{{\"rows\": {}, \"smallest\": \"{}\"}}\n", in_json(survey, command.condition),
                                  survey.rows(), name)
                    : fmt::format(
-                         "{}\n{} attitudes; the smallest set that serves, with a condition of at most {}:\n{}\n",
-                         in_table(survey, command.condition), survey.rows(), command.condition, name);
+                         "{}\n{} attitude{}; the smallest set that serves, with a condition of at most {}:\n{}\n",
+                         in_table(survey, command.condition), survey.rows(), survey.rows() == 1 ? "" : "s",
+                         command.condition, name);
     });
     return code == ExitCode::done && none_serves ? ExitCode::reservations : code;
 }

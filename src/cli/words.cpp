@@ -244,6 +244,7 @@ std::string explain(const stream::RowFault& fault, const Subject& subject) {
     case Fault::singular:
         return fmt::format("{} has no rates at {}: {}", representation(subject.set).text, singularity_of(subject.set),
                            text);
+    case Fault::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
     case Fault::time_order: return fmt::format("time does not increase: {}", text);
     case Fault::defect:
         return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", fault.defect, subject.tolerance,
@@ -283,7 +284,7 @@ std::string explain(const stream::ColumnFault& fault, const Subject& subject) {
 
 std::string_view meaning(Kind kind) {
     switch (kind) {
-    case Kind::normalized: return "the input was not exactly a rotation; the nearest one was taken";
+    case Kind::normalized: return "the numbers were not exactly those of a rotation";
     case Kind::gimbal_lock: return "only the sum or difference of the outer angles is defined; the third is set to 0";
     case Kind::near_gimbal_lock: return "the outer angles are ill-conditioned, the attitude is not";
     case Kind::half_turn: return "the axis and its opposite are the same; its sign is a convention";

@@ -41,8 +41,9 @@ Report failed(Fault fault) {
 class Propagation {
 public:
     explicit Propagation(const PropagationRows& rows)
-        : velocity_unit_(rows.degrees ? std::numbers::pi / 180.0 : 1.0), stop_at_fault_(rows.stop_at_fault),
-          propagator_(rows.settings), conversion_(conversion_to(rows.to, rows.conversion)) {}
+        : velocity_unit_(rows.degrees ? std::numbers::pi / 180.0 : 1.0), tolerance_(rows.conversion.tolerance),
+          stop_at_fault_(rows.stop_at_fault), propagator_(rows.settings),
+          conversion_(conversion_to(rows.to, rows.conversion)) {}
 
     std::size_t run(const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
         answered_ = 0;
@@ -82,9 +83,16 @@ private:
         }
     }
 
-    void write(const Propagated& answer, std::span<double> out, Report& report) const {
-        if (answer.fault != Fault::none) {
-            report = failed(answer.fault);
+    void write(const Propagated& answer, std::span<double> out, Report& report) {
+        if (ended_) {
+            report = failed(Fault::ended);
+            return;
+        }
+        const bool drifted = answer.defect > tolerance_;
+        ended_ = drifted || answer.fault != Fault::none;
+        if (ended_) {
+            report = failed(drifted ? Fault::defect : answer.fault);
+            report.defect = answer.defect;
             return;
         }
         const Quaternion q = quaternion::from_rotation(answer.rotation);
@@ -95,7 +103,9 @@ private:
     }
 
     double velocity_unit_;
+    double tolerance_;
     bool stop_at_fault_;
+    bool ended_ = false; ///< an answer has failed: the attitude is lost
     Propagator propagator_;
     Conversion conversion_;
     std::vector<Fault> pushed_; ///< why each row that is pushed and not answered was refused

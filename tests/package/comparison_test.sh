@@ -2,10 +2,11 @@
 # comparison_test.sh FOLDER: the errors, drifts and times of examples/comparison.md are those of the measurement beside it.
 set -eu
 cd "$1"
+work=$(mktemp)
+trap 'rm -f "$work"' EXIT
 awk -F, '$1 == "work" && $2 == "tumbling" && $5 == 0.01 && $6 == 0 && $12 == "ok" {
         printf "%s %s %.1e %.1e %.3g\n", $3, $4, $8, $11, $9
-    }' charts/kinematics.csv | sed 's/e-0/e-/g' > "${TMPDIR:-/tmp}/measured.$$"
-trap 'rm -f "${TMPDIR:-/tmp}/measured.$$"' EXIT
+    }' charts/kinematics.csv | sed 's/e-0/e-/g' > "$work"
 
 found=0
 while IFS='|' read -r _ set _ _ error drift time _; do
@@ -16,7 +17,7 @@ while IFS='|' read -r _ set _ _ error drift time _; do
     *magnus*) integrator=$2 ;;
     *) integrator=rk4 ;;
     esac
-    measured=$(grep "^$1 $integrator " "${TMPDIR:-/tmp}/measured.$$") || {
+    measured=$(grep "^$1 $integrator " "$work") || {
         echo "not measured: $1 $integrator"
         exit 1
     }

@@ -86,6 +86,19 @@ TEST_CASE("Euler angles fail at lock by name and row") {
     CHECK(run("propagate -t quat --with euler:YXZ", rows).exit_code == 0);
 }
 
+TEST_CASE("numbers that drift past the tolerance are an error, and nothing follows on it") {
+    // Catches a ruined attitude that is printed as one.
+    const std::string rows = "0 0 0 5\n1 0 0 5\n2 0 0 0\n";
+    const auto stopped = run("propagate -t quat --with dcm", rows);
+    CHECK(stopped.exit_code == 2);
+    CHECK(missing(stopped.err, {"rotconv: -:2: defect ", "--tolerance"}) == "");
+    const auto kept = run("propagate -t quat --with dcm --on-error nan", rows);
+    CHECK(kept.exit_code == 1);
+    CHECK(kept.out == "0 1 0 0 0\n1 nan nan nan nan\n2 nan nan nan nan\n");
+    CHECK(missing(kept.err, {"-:2: defect ", "-:3: no attitude follows on an earlier row's error: '2 0 0 0'"}) == "");
+    CHECK(run("propagate -t quat --with dcm --tolerance inf", rows).exit_code == 0);
+}
+
 TEST_CASE("times must increase") {
     // Catches a step back that is taken, and a row that loses its place.
     const std::string rows = "0,0,0,1\n1,0,0,1\n1,0,0,1\n0.5,0,0,1\n2,0,0,1\n";

@@ -122,8 +122,9 @@ TEST_CASE("survey of nothing names no set") {
     for (const char* input : {"", "# comment\n", "\n"}) {
         const auto result = run("survey -f quat", input);
         CHECK(result.exit_code == 1);
-        CHECK(result.out == "");
+        CHECK(result.out == "none\n");
         CHECK(missing(result.err, {"rotconv: -: ", "no attitude"}) == "");
+        CHECK(run("survey -f quat --format json", input).out == "{\"rows\": 0, \"smallest\": \"none\"}\n");
     }
 }
 
