@@ -104,6 +104,16 @@ std::string unexpected(const CLI::App& app) {
     return words::no_such_word("option", word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
+/// The conversion's options mean nothing to a command that follows them.
+void refuse_before(const CLI::App& app, const std::string& command) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->count() > 0) {
+            throw Usage(
+                fmt::format("{} stands before {}; options come after the command", option->get_name(), command));
+        }
+    }
+}
+
 /// The command of that name; none is the conversion.
 Command command_of(const std::string& name, const Texts& texts, const Values& values) {
     if (name == "list") {
@@ -134,6 +144,9 @@ Command read_command_line(int argc, const char* const* argv) {
     std::ranges::reverse(arguments.options); // as CLI11 wants them
     try {
         app.parse(arguments.options);
+        if (!arguments.command.empty()) {
+            refuse_before(app, arguments.command);
+        }
         const CLI::App& command = arguments.command.empty() ? app : *app.get_subcommand(arguments.command);
         const CLI::Option* input = command.get_option_no_throw("--input");
         return command_of(arguments.command, texts, {arguments.values, input != nullptr && input->count() > 0});

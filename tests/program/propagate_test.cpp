@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <sstream>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -317,6 +319,43 @@ TEST_CASE("cubic answers do not depend on how the rows arrive") {
         process.wait_until_read();
     }
     CHECK(process.finish().out == at_once.out);
+}
+
+TEST_CASE("sampled coning is off by what the manual says") {
+    // Catches an interpolation of lower order, and a table that is no longer true.
+    const double theta = 10.0 * std::numbers::pi / 180.0;
+    const double turn_rate = 2.0 * std::numbers::pi;
+    const auto error = [&](const std::string& interpolation, int frequency) {
+        std::ostringstream rows;
+        rows.precision(17);
+        for (int i = 0; i <= 60 * frequency; ++i) {
+            const double t = static_cast<double>(i) / frequency;
+            rows << t << ' ' << -turn_rate * std::sin(theta) * std::sin(turn_rate * t) << ' '
+                 << turn_rate * std::sin(theta) * std::cos(turn_rate * t) << ' '
+                 << -2.0 * turn_rate * std::pow(std::sin(theta / 2), 2) << '\n';
+        }
+        const auto result = run(Words{"propagate", "-t", "quat", "--diagnostics", "off", "--interpolation",
+                                      interpolation, "--initial", "rotvec:deg: 10 0 0"},
+                                rows.str());
+        std::istringstream answers(result.out);
+        double worst = 0.0;
+        for (double t = 0, w = 0, x = 0, y = 0, z = 0; answers >> t >> w >> x >> y >> z;) {
+            const double c = std::cos(theta / 2);
+            const double s = std::sin(theta / 2);
+            const double ex = s * std::cos(turn_rate * t);
+            const double ey = s * std::sin(turn_rate * t);
+            // the vector part of conj(exact) q
+            const double dx = c * x - ex * w - ey * z;
+            const double dy = c * y - ey * w + ex * z;
+            const double dz = c * z - ex * y + ey * x;
+            worst = std::max(worst, 2.0 * std::sqrt(dx * dx + dy * dy + dz * dz));
+        }
+        return worst;
+    };
+    CHECK(error("linear", 100) == Approx(3.7e-3).epsilon(0.02));
+    CHECK(error("linear", 1000) == Approx(3.7e-5).epsilon(0.02));
+    CHECK(error("cubic", 100) == Approx(2.8e-6).epsilon(0.02));
+    CHECK(error("cubic", 1000) == Approx(2.8e-10).epsilon(0.02));
 }
 
 TEST_CASE("progress is shown on a terminal and nowhere else") {

@@ -19,6 +19,13 @@ void check_usage_error(const std::string& arguments, std::initializer_list<std::
 
 } // namespace
 
+TEST_CASE("options of the conversion do not stand before a command") {
+    // Catches an option that is taken and ignored.
+    check_usage_error("-i rows rates -f quat 1 0 0 0 2 4 6", {"--input", "before rates"});
+    check_usage_error("--append --precision 3 survey -f quat", {"before survey"});
+    check_usage_error("-f quat list", {"before list"});
+}
+
 TEST_CASE("an unknown representation is answered with the legal names and the nearest") {
     // Catches a message that leaves the user to guess.
     const auto names = {"dcm",   "matrix", "6d",  "two-column", "5d",  "hopf",   "quat",  "quaternion", "axis-angle",
