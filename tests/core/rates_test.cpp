@@ -294,6 +294,19 @@ TEST_CASE("at a singularity there are no rates, and the report says so") {
     CHECK_FALSE(has_rates(Name::axis_angle));
 }
 
+// Catches normal equations that underflow: the turn is then 0 without a word.
+TEST_CASE("a matrix of any size gives the angular velocity of its rates") {
+    for (const double size : {1e-300, 1e-170, 1e-155, 1e-20, 1e150, 1e200, 1e300}) {
+        INFO(size);
+        RateReport report;
+        const double inf = INFINITY;
+        const Rates dcm(spec("dcm"), {.inverse = true, .tolerance = inf});
+        const auto w = run(dcm, {size, 0, 0, 0, size, 0, 0, 0, size, 0, -size, 0, size, 0, 0, 0, 0, 0}, report);
+        CHECK(report.fault == Fault::none);
+        CHECK(w == std::vector<double>{0, 0, 1});
+    }
+}
+
 // By hand: a yaw of 90 degrees, then the body turns about its own x, which is the reference's y.
 TEST_CASE("units, frames and orders of rates are those of the numbers") {
     using List = std::vector<double>;
