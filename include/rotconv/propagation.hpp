@@ -53,7 +53,8 @@ public:
     /// @pre can_integrate(settings.set.name, settings.integrator) and settings.substeps > 0
     explicit Propagator(const PropagationSettings& settings) noexcept;
 
-    /// A sample: its time, later than the one before, and the angular velocity in body axes, rad/s.
+    /// A sample: its time, later than the one before (by 1e-100 s at least), and the angular velocity in body axes,
+    /// rad/s.
     Pushed push(double time, const Eigen::Vector3d& omega) noexcept;
 
     /// What is still owed after the last sample: with cubic one answer, unless there was no sample. Then nothing

@@ -19,7 +19,7 @@ enum class Fault : std::uint8_t {
     rank_deficient,  ///< two columns that do not span a plane
     defect,          ///< further from a rotation than the tolerance allows
     singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
-    time_order,      ///< not later than the sample before
+    time_order,      ///< not later than the sample before, or by less than 1e-100 s
 };
 
 /// What numbers describe: the rotation, how far the numbers were from describing one exactly, or a fault.

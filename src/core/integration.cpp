@@ -99,7 +99,7 @@ Fault Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
         fastest = std::max(fastest, w.squaredNorm());
     }
     const double distance = distance_to_singularity();
-    if (std::isfinite(distance) && distance <= h * std::sqrt(fastest)) {
+    if (std::isfinite(distance) && distance <= std::fabs(h) * std::sqrt(fastest)) {
         return fault_ = Fault::singular;
     }
     switch (integrator_) {
