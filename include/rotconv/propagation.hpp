@@ -31,7 +31,7 @@ struct Propagated {
     double time = 0.0;
     Rotation rotation;         ///< the identity where `fault` is not none
     double defect = 0.0;       ///< how far the integrated numbers have drifted off their set
-    Fault fault = Fault::none; ///< singular: the chart was left, here and in all that follows
+    Fault fault = Fault::none; ///< singular, coarse_step: the chart was left, here and in all that follows
 };
 
 /// What came of one sample.

@@ -25,7 +25,7 @@ struct RateSettings {
 
 /// What is known of one row.
 struct RateReport {
-    Fault fault = Fault::none; ///< Fault::singular where the margin is at most `singular_margin`
+    Fault fault = Fault::none; ///< singular or full_turn where the margin is at most `singular_margin`
     double defect = 0.0;       ///< as in Report
     Figures figures{};         ///< of the numbers (they differ from the attitude's for a rotation vector past a
                                ///< half-turn); not known with any other fault

@@ -21,6 +21,11 @@ bool all_finite(const double* numbers, std::size_t count) noexcept {
     return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
 }
 
+/// Of a singular attitude: the condition of a rotation vector is pi/2 at a half-turn.
+bool at_full_turn(const Spec& spec, const Figures& figures) noexcept {
+    return spec.name == Name::rotvec && figures.condition > 2.0;
+}
+
 } // namespace
 
 Rates::Rates(const Spec& spec, const RateSettings& settings) noexcept : spec_(spec), settings_(settings) {}
@@ -69,7 +74,7 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
     if (report.defect > settings_.tolerance) {
         report.fault = Fault::defect;
     } else if (report.figures.margin <= singular_margin) {
-        report.fault = Fault::singular;
+        report.fault = at_full_turn(spec_, report.figures) ? Fault::full_turn : Fault::singular;
     }
     if (report.fault != Fault::none) {
         return report;

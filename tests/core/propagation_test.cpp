@@ -227,6 +227,27 @@ TEST_CASE("charts that have no other fail, before the singularity is reached") {
     CHECK(dcm.step(1.0, rates) == Fault::not_finite);
 }
 
+// Catches a step that no start could bear, blamed on an attitude that is nowhere near.
+TEST_CASE("a step that turns by more than the set can follow is called coarse") {
+    const auto fault = [](const char* set, double h, double rate) {
+        Stepper stepper(spec(set), Integrator::rk4);
+        REQUIRE(stepper.start({}) == Fault::none);
+        const std::vector<Vector3d> rates(3, Vector3d(0, 0, rate));
+        const Fault found = stepper.step(h, rates);
+        CHECK(stepper.attitude().fault == found);
+        return found;
+    };
+    for (const char* set : {"mrp", "rotvec", "cayley"}) {
+        CHECK(fault(set, 1.0, 3.2) == Fault::coarse_step);
+        CHECK(fault(set, -1.0, 3.2) == Fault::coarse_step);
+        CHECK(fault(set, 1.0, 1e200) == Fault::coarse_step);
+        CHECK(fault(set, 1.0, 3.0) == Fault::none);
+    }
+    CHECK(fault("euler:ZYX", 1.0, 1.6) == Fault::coarse_step);
+    CHECK(fault("euler:ZYX", 1.0, 1.5) == Fault::none);
+    CHECK(fault("quat", 1.0, 10) == Fault::none);
+}
+
 // Catches a guard that a negative step passes by.
 TEST_CASE("a step backwards is refused before the singularity as one forwards is") {
     for (const double h : {0.5, -0.5}) {
