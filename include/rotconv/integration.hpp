@@ -45,8 +45,9 @@ struct IntegratorEntry {
 /// Where a chart has another one of the same set, it changes: mrp to its shadow where |m| > 1, rotvec by a full turn
 /// where |r| > pi, angles by full turns. Where it has none, a step from which the singular attitude is within reach
 /// (euler: gimbal lock; cayley: a half-turn), because it is no further than the body turns in that step, is refused
-/// with Fault::singular: nothing that such a step finds can be trusted. The state is then lost, and every later step
-/// says the same until start().
+/// with Fault::singular: nothing that such a step finds can be trusted. So is, with Fault::coarse_step, one in which
+/// the body turns by as much as any attitude's distance to a singularity (euler: a quarter turn; cayley, mrp, rotvec:
+/// half a turn). The state is then lost, and every later step says the same until start().
 class Stepper {
 public:
     /// @pre can_integrate(set.name, integrator)
@@ -59,7 +60,7 @@ public:
     [[nodiscard]] std::span<const double> nodes() const noexcept;
 
     /// Carries the numbers over `h` seconds. `rates`: the body's angular velocity in body axes, rad/s, at the nodes.
-    /// Faults: singular; not_finite where a number overflows.
+    /// Faults: singular; coarse_step; not_finite where a number overflows.
     Fault step(double h, std::span<const Eigen::Vector3d> rates) noexcept;
 
     /// The attitude of the numbers, and their exact defect: how far they have drifted off the set. A fault where the

@@ -31,7 +31,7 @@ struct Propagated {
     double time = 0.0;
     Rotation rotation;         ///< the identity where `fault` is not none
     double defect = 0.0;       ///< how far the integrated numbers have drifted off their set
-    Fault fault = Fault::none; ///< singular: the chart was left, here and in all that follows
+    Fault fault = Fault::none; ///< singular, coarse_step: the chart was left, here and in all that follows
 };
 
 /// What came of one sample.
@@ -53,7 +53,8 @@ public:
     /// @pre can_integrate(settings.set.name, settings.integrator) and settings.substeps > 0
     explicit Propagator(const PropagationSettings& settings) noexcept;
 
-    /// A sample: its time, later than the one before, and the angular velocity in body axes, rad/s.
+    /// A sample: its time, later than the one before (by 1e-100 s at least), and the angular velocity in body axes,
+    /// rad/s.
     Pushed push(double time, const Eigen::Vector3d& omega) noexcept;
 
     /// What is still owed of the samples so far, at the end or where nothing may wait: with cubic one answer, by the

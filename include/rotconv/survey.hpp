@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -19,10 +20,11 @@ struct SetSurvey {
     std::size_t jumps = 0;           ///< see Survey
     std::size_t jump_row = 0;        ///< the first row that is jumped to
 
-    /// The condition is at most `limit`, and there are no jumps. Those of the quaternion do not count: they change its
-    /// sign alone, which means the same attitude, and its equation knows no singular one.
+    /// The condition is finite and at most `limit`, and there are no jumps. Those of the quaternion do not count: they
+    /// change its sign alone, which means the same attitude, and its equation knows no singular one.
     [[nodiscard]] bool serves(double limit) const noexcept {
-        return greatest_condition <= limit && (jumps == 0 || set.name == Name::quat);
+        return std::isfinite(greatest_condition) && greatest_condition <= limit &&
+               (jumps == 0 || set.name == Name::quat);
     }
 };
 

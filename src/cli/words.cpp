@@ -245,6 +245,11 @@ std::string explain(const stream::RowFault& fault, const Subject& subject) {
         return fmt::format("{} has no rates at {}: {}", representation(subject.set).text, singularity_of(subject.set),
                            text);
     case Fault::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
+    case Fault::full_turn:
+        return fmt::format("{} has no rates at a full turn: {}", representation(subject.set).text, text);
+    case Fault::coarse_step:
+        return fmt::format("the body turns by more in one step than {} can follow (--substeps): {}",
+                           representation(subject.set).text, text);
     case Fault::time_order: return fmt::format("time does not increase: {}", text);
     case Fault::defect:
         return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", fault.defect, subject.tolerance,

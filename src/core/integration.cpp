@@ -54,6 +54,19 @@ double without_turns(double angle) noexcept {
     return (angle - turns * turn_high) - turns * turn_low;
 }
 
+/// From where in the set no singularity is further away: a step that turns by more has no start that serves. Of rotvec
+/// and mrp, which are singular at a full turn, from where they change their chart.
+double greatest_distance(const Spec& set) noexcept {
+    switch (set.name) {
+    case Name::euler:
+    case Name::rpy: return 0.5 * pi;
+    case Name::cayley:
+    case Name::rotvec:
+    case Name::mrp: return pi;
+    default: return std::numeric_limits<double>::infinity();
+    }
+}
+
 } // namespace
 
 std::span<const IntegratorEntry> integrators() noexcept { return table; }
@@ -98,9 +111,15 @@ Fault Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     for (const Vector3d& w : rates) {
         fastest = std::max(fastest, w.squaredNorm());
     }
-    const double distance = distance_to_singularity();
-    if (std::isfinite(distance) && distance <= h * std::sqrt(fastest)) {
-        return fault_ = Fault::singular;
+    const double reach = std::fabs(h) * std::sqrt(fastest);
+    const double furthest = greatest_distance(set_);
+    if (std::isfinite(furthest)) {
+        if (reach >= furthest) {
+            return fault_ = Fault::coarse_step;
+        }
+        if (distance_to_singularity() <= reach) {
+            return fault_ = Fault::singular;
+        }
     }
     switch (integrator_) {
     case Integrator::rk4: runge_kutta(h, rates); break;
@@ -161,9 +180,7 @@ double Stepper::distance_to_singularity() const noexcept {
     case Name::rpy:
         return set_.sequence.proper() ? std::min(numbers_[1], pi - numbers_[1]) : 0.5 * pi - std::fabs(numbers_[1]);
     case Name::cayley: return 2.0 * std::atan2(1.0, numbers_.head<3>().norm());
-    case Name::rotvec:
-    case Name::mrp: return pi; // at least: they are singular at a full turn, and change their chart at half of one
-    default: return std::numeric_limits<double>::infinity();
+    default: return greatest_distance(set_);
     }
 }
 

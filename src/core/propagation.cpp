@@ -9,6 +9,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// The least time between two samples: the product of three is then a normal number.
+constexpr double least_interval = 1e-100;
+
 /// The polynomial through up to four points, in Newton's form.
 class Polynomial {
 public:
@@ -46,7 +49,7 @@ Pushed Propagator::push(double time, const Vector3d& omega) noexcept {
     if (!std::isfinite(time) || !omega.allFinite()) {
         return {.refused = Fault::not_finite, .answer = {}};
     }
-    if (count_ > 0 && !(time > samples_[count_ - 1].time)) {
+    if (count_ > 0 && !(time - samples_[count_ - 1].time >= least_interval)) {
         return {.refused = Fault::time_order, .answer = {}};
     }
     samples_[count_++] = {time, omega};

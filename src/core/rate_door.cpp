@@ -59,6 +59,9 @@ struct RotvecRates {
     static Vector3d angular_velocity(const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
         return rotation_vector::angular_velocity({{v[0], v[1], v[2]}, spec.unit}, Map<const Vector3d>(rates), frame);
     }
+    static Figures figures(const Spec& spec, const double* v, const Rotation& rotation) noexcept {
+        return rotation_vector::figures({{v[0], v[1], v[2]}, spec.unit}, rotation);
+    }
 };
 
 struct EulerRates {
@@ -71,7 +74,13 @@ struct EulerRates {
     }
 };
 
-template <class Room> constexpr RateDoor door_for() noexcept { return {&Room::rate, &Room::angular_velocity}; }
+template <class Room> constexpr RateDoor door_for() noexcept {
+    if constexpr (requires { &Room::figures; }) {
+        return {&Room::rate, &Room::angular_velocity, &Room::figures};
+    } else {
+        return {&Room::rate, &Room::angular_velocity, nullptr};
+    }
+}
 
 /// In the order of Name.
 constexpr std::array doors{door_for<DcmRates>(),

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <rotconv/frame.hpp>
+#include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
 namespace rotconv {
@@ -14,6 +15,8 @@ struct RateDoor {
                  double* rates) noexcept;
     Eigen::Vector3d (*angular_velocity)(const Spec& spec, const double* numbers, const double* rates,
                                         Frame frame) noexcept;
+    /// Of the numbers, and of the rotation that they were read as; null where those of the rotation serve.
+    Figures (*figures)(const Spec& spec, const double* numbers, const Rotation& rotation) noexcept;
 };
 
 /// @pre has_rates(name)

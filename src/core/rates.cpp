@@ -21,11 +21,9 @@ bool all_finite(const double* numbers, std::size_t count) noexcept {
     return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
 }
 
-/// A rotation vector at a full turn or several: its own figures are those of the identity.
-bool at_full_turn(const Spec& spec, const Numbers& numbers) noexcept {
-    const double per_unit = spec.unit == AngleUnit::degrees ? per_degree : 1.0;
-    const double half = 0.5 * per_unit * Vector3d(numbers[0], numbers[1], numbers[2]).norm();
-    return spec.name == Name::rotvec && half > 1.0 && 2.0 * std::fabs(std::sin(half)) <= singular_margin;
+/// Of a singular attitude: the condition of a rotation vector is pi/2 at a half-turn.
+bool at_full_turn(const Spec& spec, const Figures& figures) noexcept {
+    return spec.name == Name::rotvec && figures.condition > 2.0;
 }
 
 } // namespace
@@ -70,17 +68,18 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
     if (door.exact_defect != nullptr && settings_.tolerance < reading.defect) {
         report.defect = door.exact_defect(numbers.data());
     }
-    report.figures = door.figures(spec_, reading.rotation);
+    const RateDoor& equation = rate_door_of(spec_.name);
+    report.figures = equation.figures == nullptr ? door.figures(spec_, reading.rotation)
+                                                 : equation.figures(spec_, numbers.data(), reading.rotation);
     if (report.defect > settings_.tolerance) {
         report.fault = Fault::defect;
-    } else if (report.figures.margin <= singular_margin || at_full_turn(spec_, numbers)) {
-        report.fault = Fault::singular;
+    } else if (report.figures.margin <= singular_margin) {
+        report.fault = at_full_turn(spec_, report.figures) ? Fault::full_turn : Fault::singular;
     }
     if (report.fault != Fault::none) {
         return report;
     }
 
-    const RateDoor& equation = rate_door_of(spec_.name);
     const Frame frame = spec_.passive ? inverse_of(settings_.frame) : settings_.frame;
     const double sign = spec_.passive ? -1.0 : 1.0;
 

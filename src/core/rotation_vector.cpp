@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -49,6 +50,26 @@ Rotation rotation_of_any(double rx, double ry, double rz, AngleUnit unit) noexce
                                      y * half.sine, z * half.sine);
 }
 
+/// Half of a vector's angle, in radians and as sine and cosine: of its length to 2^-102, since near a full turn the
+/// rest is what counts.
+struct HalfLength {
+    double radians = 0.0;
+    HalfAngle sides{1.0, 0.0};
+};
+
+HalfLength half_length(const RotationVector& value) noexcept {
+    const auto& v = value.vector;
+    const double size = largest_magnitude(v[0], v[1], v[2]);
+    const double per_radian = radian(value.unit);
+    if (size <= linear_half_angle * per_radian) {
+        return {};
+    }
+    const auto scale = PowerOfTwo::to_unit(size);
+    const DoubleDouble scaled_length = length(scale(v[0]), scale(v[1]), scale(v[2]));
+    return {scale.undone(0.5 * scaled_length.hi / per_radian),
+            half_of_scaled(scaled_length, -scale.exponent(), value.unit)};
+}
+
 /// Lengths, in radians, that the grid knows to full accuracy; nan is none.
 bool is_plain(double length) noexcept { return length < 3.2 && length > least_known_length; }
 
@@ -58,9 +79,6 @@ Eigen::Vector3d stretched(const Eigen::Vector3d& r, double factor, const Eigen::
     const double along = square > 0.0 ? (1.0 - factor) / square : 0.0;
     return factor * v + (along * r.dot(v)) * r;
 }
-
-/// sin(x)/x.
-double sine_ratio(double x) noexcept { return x == 0.0 ? 1.0 : std::sin(x) / x; }
 
 } // namespace
 
@@ -145,11 +163,24 @@ Figures figures(const Rotation& rotation) noexcept {
     return {.margin = angle_to_half_turn(rotation), .condition = std::max(1.0, condition)};
 }
 
+Figures figures(const RotationVector& value, const Rotation& rotation) noexcept {
+    Figures result = figures(rotation);
+    const double half = half_length(value).radians;
+    if (2.0 * half - std::numbers::pi > half_turn_margin) {
+        constexpr double eps = std::numeric_limits<double>::epsilon();
+        const double angle = angle_of(rotation);
+        const double known = value.unit == AngleUnit::degrees ? 0.0 : 2.0 * half * eps;
+        result.margin = angle > known ? angle : 0.0;
+        result.condition = std::max(1.0, half * std::sqrt(rotation.squared_norm()) / rotation.vector_length());
+    }
+    return result;
+}
+
 Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Frame frame) noexcept {
     const double per_radian = radian(value.unit);
     const Eigen::Vector3d r = value.vector / per_radian;
-    const double half = 0.5 * r.norm();
-    const double cotangent = half == 0.0 ? 1.0 : half * std::cos(half) / std::sin(half);
+    const HalfLength half = half_length(value);
+    const double cotangent = half.radians == 0.0 ? 1.0 : half.radians * half.sides.cosine / half.sides.sine;
     const Eigen::Vector3d turn = frame == Frame::body ? r.cross(w) : w.cross(r);
     return (stretched(r, cotangent, w) + 0.5 * turn) * per_radian;
 }
@@ -158,10 +189,11 @@ Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vecto
     const double per_radian = radian(value.unit);
     const Eigen::Vector3d r = value.vector / per_radian;
     const Eigen::Vector3d v = rates / per_radian;
-    const double length = r.norm();
-    const double half_ratio = sine_ratio(0.5 * length);
+    const HalfLength half = half_length(value);
+    const double ratio = half.radians == 0.0 ? 1.0 : half.sides.sine / half.radians;
+    const double square = half.sides.cosine * half.sides.cosine + half.sides.sine * half.sides.sine;
     const Eigen::Vector3d turn = frame == Frame::body ? v.cross(r) : r.cross(v);
-    return stretched(r, sine_ratio(length), v) + (0.5 * half_ratio * half_ratio) * turn;
+    return stretched(r, ratio * half.sides.cosine / square, v) + (0.5 * ratio * ratio / square) * turn;
 }
 
 } // namespace rotconv::rotation_vector

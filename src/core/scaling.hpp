@@ -17,7 +17,7 @@ template <class... Rest> double largest_magnitude(double first, Rest... rest) no
 /// An exact scaling by a power of two, in two factors because one alone cannot span from 2^-1074 to 2^1023.
 class PowerOfTwo {
 public:
-    /// The power that brings the nonzero finite `magnitude` into [1/2, 1).
+    /// The power that brings the finite `magnitude` into [1/2, 1); 1 for 0.
     static PowerOfTwo to_unit(double magnitude) noexcept {
         const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52U);
         if (biased > 0 && biased < 2045) { // the usual case: one normal factor

@@ -147,13 +147,14 @@ void drift(std::ostream& csv, const Motion& motion) {
         double worst = 0.0;
         for (int point = 0; point <= 60; ++point) { // fifteen a decade, from 1 s on
             const auto goal = static_cast<std::size_t>(std::lround(std::pow(10.0, 2.0 + point / 15.0)));
-            fault = integrate(stepper, omega, static_cast<double>(done) * h, h, goal - done);
-            done = goal;
-            const double time = static_cast<double>(done) * h;
-            if (fault != Fault::none) {
-                write(csv, "drift", motion, way, h, time, none, none, none, fault);
+            const double start = static_cast<double>(done) * h;
+            fault = integrate(stepper, omega, start, h, goal - done);
+            if (fault != Fault::none) { // the last point that it reached
+                write(csv, "drift", motion, way, h, start, none, none, none, fault);
                 break;
             }
+            done = goal;
+            const double time = static_cast<double>(done) * h;
             const Reading reading = stepper.attitude();
             const auto exact = motion.attitude(oracle::Real(h) * static_cast<double>(done));
             worst = std::max(worst, error_of(exact, reading.rotation));

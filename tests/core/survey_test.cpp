@@ -1,6 +1,7 @@
 // Motions of which it is known what they demand.
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -174,4 +175,13 @@ TEST_CASE("no set serves a limit below its condition") {
     CHECK(survey.smallest(0.2) == nullptr);
     REQUIRE(survey.smallest(0.3) != nullptr);
     CHECK(survey.smallest(0.3)->set.name == Name::mrp);
+}
+
+// Would catch: numbers that are not finite, served to whoever sets no limit to the condition.
+TEST_CASE("a set with infinite numbers serves nobody") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    Survey turned;
+    turned.add(Rotation::from_components(0, 0, 0, 1), 1);
+    CHECK_FALSE(find(turned, "cayley").serves(infinite));
+    CHECK(find(turned, "mrp").serves(infinite));
 }

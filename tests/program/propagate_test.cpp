@@ -72,6 +72,18 @@ TEST_CASE("every set and every integrator carries a spin") {
     CHECK(count_rows(cayley.out) < 316); // 3.14 seconds
 }
 
+TEST_CASE("a step that a set cannot follow asks for substeps, which help") {
+    // Catches a half-turn that is blamed where nothing is singular.
+    for (const std::string with : {"mrp", "rotvec"}) {
+        const std::string rows = "0 0 0 1\n4 0 0 1\n";
+        const auto coarse = run("propagate -t rpy --with " + with, rows);
+        CHECK(coarse.exit_code == 2);
+        CHECK(missing(coarse.err, {"rotconv: -:2: ", with, "--substeps"}) == "");
+        CHECK(missing(coarse.err, {"half-turn"}) != "");
+        CHECK(run("propagate -t rpy --substeps 4 --with " + with, rows).exit_code == 0);
+    }
+}
+
 TEST_CASE("Euler angles fail at lock by name and row") {
     // Catches attitudes that nothing bears out.
     std::string rows;

@@ -146,3 +146,13 @@ TEST_CASE("wrong uses of rates are usage errors") {
     CHECK(missing(run("rates -f axis-angle").err, {"axis-angle", "rotvec"}) == "");
     CHECK(missing(run("rates --help").out, {"rotconv rates -f SPEC", "--inverse", "--frame", "--columns"}) == "");
 }
+
+TEST_CASE("a rotation vector has no rates at a full turn, and is told so") {
+    // Catches a full turn that is called a half-turn, and one that is passed over.
+    for (const std::string degrees : {"360", "1800", "36000"}) {
+        const auto result = run("rates -f rotvec:deg 0 0 " + degrees + " 0 1 0");
+        CHECK(result.exit_code == 2);
+        CHECK(missing(result.err, {"rotvec", "full turn"}) == "");
+    }
+    CHECK(missing(run("rates -f rotvec:deg 0 0 180 0 1 0").err, {"half-turn"}) == "");
+}
