@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace rotconv {
 
@@ -21,9 +23,14 @@ public:
     /// 2^1074 times smaller than the largest, which become 0.
     /// @pre all components finite, one of them not 0 (the representations check what comes from outside).
     static Rotation from_components(double w, double x, double y, double z) noexcept {
-        const Rotation as_it_is = near_unit(w, x, y, z);
-        const double square = as_it_is.squared_norm();
-        return square >= 0.25 && square < 4.0 ? as_it_is : scaled(w, x, y, z);
+        const double square = near_unit(w, x, y, z).squared_norm();
+        if (!(square > 0x1p-900 && square < 0x1p900)) [[unlikely]] {
+            return scaled(w, x, y, z);
+        }
+        // times 2^-n with 4^n <= |q|^2 < 4^(n + 1)
+        const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(square) >> 52U) - 1023;
+        const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - (exponent >> 1)) << 52U);
+        return {w * factor, x * factor, y * factor, z * factor};
     }
 
     /// The same where the caller knows |q|^2 to lie in [1/4, 4).

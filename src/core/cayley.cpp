@@ -18,13 +18,6 @@ double infinite_along(double component) noexcept {
 
 } // namespace
 
-Reading to_rotation(const Eigen::Vector3d& c) noexcept {
-    if (!all_finite(c.x(), c.y(), c.z())) {
-        return Reading::failed(Fault::not_finite);
-    }
-    return {.rotation = Rotation::from_components(1.0, c.x(), c.y(), c.z())};
-}
-
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     Rotations one; // NOLINT(*-member-init): written before it is read
     one.set(0, rotation);

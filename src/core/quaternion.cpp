@@ -19,7 +19,7 @@ Reading to_rotation_of_any_size(const Quaternion& q) noexcept {
 
 double defect(const Quaternion& q) noexcept {
     const auto scale = PowerOfTwo::to_unit(largest_magnitude(q.w, q.x, q.y, q.z));
-    const Rotation scaled = Rotation::from_components(scale(q.w), scale(q.x), scale(q.y), scale(q.z));
+    const Rotation scaled = Rotation::near_unit(scale(q.w), scale(q.x), scale(q.y), scale(q.z));
     return std::fabs(scale.undone(std::sqrt(scaled.squared_norm())) - 1.0);
 }
 

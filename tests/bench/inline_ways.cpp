@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <rotconv/cayley.hpp>
 #include <rotconv/dcm.hpp>
 #include <rotconv/quaternion.hpp>
 
@@ -107,6 +108,12 @@ void typed_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows
     });
 }
 
+void typed_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<3, 9>(in, rows, out, [](const double* c, double* to) {
+        Out{to} = rotconv::dcm::from_rotation(rotconv::cayley::to_rotation(vector(c)).rotation);
+    });
+}
+
 } // namespace
 
 Run eigen_way(Name from, Name to) {
@@ -123,6 +130,9 @@ Run eigen_way(Name from, Name to) {
 Run typed_way(Name from, Name to) {
     if (from == Name::dcm && to == Name::quat) {
         return typed_dcm_quat;
+    }
+    if (from == Name::cayley && to == Name::dcm) {
+        return typed_cayley_dcm;
     }
     return from == Name::quat && to == Name::dcm ? typed_quat_dcm : nullptr;
 }

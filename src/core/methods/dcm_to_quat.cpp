@@ -72,12 +72,33 @@ void baruh(const double* m, double* q) noexcept {
 }
 
 /// Chiaverini and Siciliano 1999: four square roots of sums of the diagonal, signs from the differences. Software also
-/// cites Klumpp 1976 for it, whose abstract however protects the roots and takes care of the largest vector element.
+/// cites Klumpp 1976 for it.
 void four_roots(const double* m, double* q) noexcept {
     const Parts p(m);
     const Squares s(m);
     set(q, 0.5 * std::sqrt(s.w), with_sign_of(p.wx, 0.5 * std::sqrt(s.x)), with_sign_of(p.wy, 0.5 * std::sqrt(s.y)),
         with_sign_of(p.wz, 0.5 * std::sqrt(s.z)));
+}
+
+/// Klumpp 1976, by its abstract: roots protected against negative sums; the largest vector element's sign is that of
+/// its difference, and the other two take theirs from it.
+void klumpp(const double* m, double* q) noexcept {
+    const Parts p(m);
+    const Squares s(m);
+    const auto root = [](double square) { return 0.5 * std::sqrt(std::max(square, 0.0)); };
+    const double x = root(s.x);
+    const double y = root(s.y);
+    const double z = root(s.z);
+    if (x >= y && x >= z) {
+        const double leader = with_sign_of(p.wx, 1.0);
+        set(q, root(s.w), leader * x, leader * with_sign_of(p.xy, y), leader * with_sign_of(p.zx, z));
+    } else if (y >= z) {
+        const double leader = with_sign_of(p.wy, 1.0);
+        set(q, root(s.w), leader * with_sign_of(p.xy, x), leader * y, leader * with_sign_of(p.yz, z));
+    } else {
+        const double leader = with_sign_of(p.wz, 1.0);
+        set(q, root(s.w), leader * with_sign_of(p.zx, x), leader * with_sign_of(p.yz, y), leader * z);
+    }
 }
 
 /// Shepperd 1978: the largest of trace and diagonal picks the square root, the rest by division by it.

@@ -41,6 +41,7 @@ namespace dcm_to_quat {
 void trace(const double* m, double* q) noexcept;
 void baruh(const double* m, double* q) noexcept;
 void four_roots(const double* m, double* q) noexcept;
+void klumpp(const double* m, double* q) noexcept;
 void shepperd(const double* m, double* q) noexcept;
 void markley(const double* m, double* q) noexcept;
 void cayley(const double* m, double* q) noexcept;
