@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "../stream/file.hpp"
 #include "../stream/lines.hpp"
 #include "../stream/number_text.hpp"
 
@@ -60,7 +61,9 @@ void define_output(CLI::App& app, Texts& texts) {
     app.add_option("--diagnostics", texts.diagnostics, "Where they are shown: off, summary, rows or columns")
         ->type_name("WHERE");
     app.add_flag("--strict", texts.strict, "Exit 1 where any diagnostic but normalized was met");
-    app.add_option("--threads", texts.threads, "At most N threads; the output does not depend on N")->type_name("N");
+    app.add_option("--threads", texts.threads,
+                   "At most N threads (default: as many as processors); the output does not depend on N")
+        ->type_name("N");
 }
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
@@ -114,13 +117,14 @@ Settings settings_of(const Texts& texts) {
 
 RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
                          const Values& values) {
-    static_cast<void>(count_of("--threads", texts.threads, 1 << 20U));
     RowsCommand command(std::move(function), std::move(subject));
     command.diagnostics = diagnostics_of(texts);
     command.strict = texts.strict;
     command.input = texts.input;
     command.output = texts.output;
     stream::Options& options = command.options;
+    const auto threads = static_cast<std::size_t>(count_of("--threads", texts.threads, 1 << 20U));
+    options.threads = threads > 0 ? threads : stream::processors();
     options.append = texts.append;
     options.precision = count_of("--precision", texts.precision, 100);
     options.diagnostic_columns = command.diagnostics == ShowDiagnostics::columns;

@@ -50,6 +50,7 @@ struct Output {
     void clear() noexcept {
         bytes.clear();
         events.clear();
+        stopped = false;
     }
 };
 

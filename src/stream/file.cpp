@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,6 +29,12 @@ void guard_standard_descriptors() noexcept {
             ::open("/dev/null", mode); // takes the lowest free number, which is this one
         }
     }
+}
+
+std::size_t processors() noexcept {
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    return ::sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? static_cast<std::size_t>(CPU_COUNT(&allowed)) : 1;
 }
 
 std::ptrdiff_t TextSource::read(std::span<char> to) {
@@ -83,6 +90,15 @@ std::ptrdiff_t File::read(std::span<char> to) {
             wait_for(descriptor_, POLLIN);
         }
     }
+}
+
+bool File::is_ready() const {
+    pollfd waiting{descriptor_, POLLIN, 0};
+    int count = 0;
+    do {
+        count = ::poll(&waiting, 1, 0);
+    } while (count < 0 && errno == EINTR);
+    return count != 0;
 }
 
 int File::write(std::string_view bytes) {

@@ -35,6 +35,7 @@ struct Options {
     bool append = false;                                  ///< keep the row and add the result at its end
     bool diagnostic_columns = false;                      ///< margin, condition, defect and notes after the result
     bool show_diagnostics = true;                         ///< in words, under Format::pretty
+    std::size_t threads = 1;                              ///< at most
     std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
 };
 

@@ -7,7 +7,7 @@
 namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout)
-    : options_(&options), layout_(&layout), row_text_(options, layout),
+    : options_(&options), layout_(&layout), function_(options.function), row_text_(options, layout),
       nans_(options.function.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
@@ -25,7 +25,6 @@ void RowTransformer::finish(Output& output) {
 }
 
 void RowTransformer::work_off(std::string_view text, std::size_t line, bool is_end, Output& output) {
-    const RowFunction& function = options_->function;
     const char* const end = text.data() + text.size();
     std::size_t limit = batch;
     while (!text.empty() && !output.stopped) {
@@ -33,9 +32,9 @@ void RowTransformer::work_off(std::string_view text, std::size_t line, bool is_e
         const bool is_whole = text.empty();
         const bool at_fault = options_->on_error == OnError::stop && !faults_.empty();
         reports_.resize(lines_.size());
-        results_.resize(lines_.size() * function.names.size());
+        results_.resize(lines_.size() * function_.names.size());
         const std::size_t answered =
-            function.run({numbers_, lines_, at_fault || (is_end && is_whole)}, results_, reports_);
+            function_.run({numbers_, lines_, at_fault || (is_end && is_whole)}, results_, reports_);
         const auto held = std::ranges::find_if(
             rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
         if (held != rows_.end()) {
@@ -77,7 +76,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
 
 void RowTransformer::read_row(Row& row) {
     using What = RowFault::What;
-    const std::size_t needed = options_->function.inputs;
+    const std::size_t needed = function_.inputs;
     const std::size_t first_number = numbers_.size();
     row.index = lines_.size();
     const bool closed = layout_->delimiter.split(row.line.text, fields_);
@@ -139,7 +138,7 @@ void RowTransformer::write(Output& output) {
 }
 
 void RowTransformer::write_row(const Row& row, Output& output) {
-    const std::size_t size = options_->function.names.size();
+    const std::size_t size = function_.names.size();
     const Report* const report = row.has_numbers() ? &reports_[row.index] : nullptr;
     const bool failed = report == nullptr || report->fault != Fault::none;
     const ConvertedRow converted{.line = row.line,

@@ -52,6 +52,7 @@ private:
 
     const Options* options_;
     const Layout* layout_;
+    RowFunction function_; ///< a copy, for it may have room of its own to work in
     RowText row_text_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
