@@ -71,6 +71,11 @@ int File::truncate() const noexcept {
     return 0;
 }
 
+void File::widen() const noexcept {
+    constexpr int size = 1 << 20U;
+    ::fcntl(descriptor_, F_SETPIPE_SZ, size); // fails on anything else, and harms nobody
+}
+
 int File::close() noexcept {
     if (!owned_ || descriptor_ < 0) {
         return 0;

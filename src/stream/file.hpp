@@ -68,6 +68,8 @@ public:
     [[nodiscard]] std::size_t size() const noexcept;
     /// Empties a regular file; 0 or an errno.
     [[nodiscard]] int truncate() const noexcept;
+    /// Lets a pipe hold more, where the system allows it: the two ends then seldom wait for each other.
+    void widen() const noexcept;
     /// Closes the file, which is where some file systems first report a full disk; 0 or an errno.
     int close() noexcept;
 

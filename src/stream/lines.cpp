@@ -18,15 +18,20 @@ bool BlockReader::read(Block& block) {
         fault_ = StreamFault{StreamFault::What::read, line_, errno, {}};
         return false;
     }
+    finished_ = count == 0;
+    const std::size_t end = held_ + static_cast<std::size_t>(count);
+    return row_size_ > 0 ? cut_rows(block, end) : cut_lines(block, end);
+}
+
+bool BlockReader::cut_lines(Block& block, std::size_t end) {
     const std::size_t searched = started_ ? held_ : 0;
-    const std::size_t end = without_mark(block.bytes, held_ + static_cast<std::size_t>(count));
+    end = without_mark(block.bytes, end);
     const std::string_view unread(block.bytes.data(), end);
     const std::size_t newline = unread.find('\n', searched);
     if (std::min(newline, end) > longest_line) {
         fault_ = StreamFault{StreamFault::What::line_too_long, line_, 0, {}};
         return false;
     }
-    finished_ = count == 0;
     if (finished_) {
         cut(block, end, end);
     } else if (newline == std::string_view::npos) {
@@ -35,6 +40,15 @@ bool BlockReader::read(Block& block) {
     } else {
         cut(block, unread.rfind('\n') + 1, end);
     }
+    return true;
+}
+
+bool BlockReader::cut_rows(Block& block, std::size_t end) {
+    if (finished_ && end > 0) {
+        fault_ = StreamFault{.what = StreamFault::What::partial_row, .line = line_, .offset = (line_ - 1) * row_size_};
+        return false;
+    }
+    cut(block, end - end % row_size_, end);
     return true;
 }
 
@@ -69,7 +83,7 @@ void BlockReader::cut(Block& block, std::size_t size, std::size_t end) {
     std::copy_n(block.bytes.data() + size, held_, rest_.data());
     block.text = {block.bytes.data(), size};
     block.first_line = line_;
-    line_ += static_cast<std::size_t>(std::ranges::count(block.text, '\n'));
+    line_ += row_size_ > 0 ? size / row_size_ : static_cast<std::size_t>(std::ranges::count(block.text, '\n'));
 }
 
 Line next_line(std::string_view& text) noexcept {

@@ -24,7 +24,8 @@ public:
     static constexpr std::size_t block_size = std::size_t{64} << 10U;
     static constexpr std::size_t longest_line = std::size_t{4} << 20U;
 
-    explicit BlockReader(Source& source) : source_(&source) {}
+    /// Rows are lines, or where `row_size` is not 0 that many bytes each.
+    explicit BlockReader(Source& source, std::size_t row_size = 0) : source_(&source), row_size_(row_size) {}
 
     /// Reads once.
     /// @return false at the end or at a fault: there is nothing more to read
@@ -34,6 +35,8 @@ public:
     [[nodiscard]] const std::optional<StreamFault>& fault() const noexcept { return fault_; }
 
 private:
+    bool cut_lines(Block& block, std::size_t end);
+    bool cut_rows(Block& block, std::size_t end);
     /// Room for what is held and more, of the usual size unless a long line needs more.
     void make_room(std::vector<char>& bytes) const;
     /// The end of the bytes without the mark, past which it is remembered not to look for it.
@@ -42,6 +45,7 @@ private:
     void cut(Block& block, std::size_t size, std::size_t end);
 
     Source* source_;
+    std::size_t row_size_;
     std::vector<char> rest_; ///< the beginning of a line...
     std::size_t held_ = 0;   ///< ...of this many bytes
     std::size_t line_ = 1;

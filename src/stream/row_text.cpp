@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +11,13 @@ namespace rotconv::stream {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+static_assert(std::endian::native == std::endian::little, "f64 is little-endian");
+
+void append_bytes(Buffer& to, std::span<const double> numbers) {
+    const auto bytes = std::as_bytes(numbers);
+    append(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
 
 /// Kinds joined by '+'.
 void append_notes(Buffer& to, const ConvertedRow& row) {
@@ -114,6 +122,7 @@ void RowText::write(Buffer& to, const ConvertedRow& row) const {
     case Format::csv: write_csv(to, row); break;
     case Format::json: write_json(to, row); break;
     case Format::pretty: write_pretty(to, row); break;
+    case Format::f64: write_f64(to, row); break;
     }
 }
 
@@ -247,6 +256,24 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
         });
     }
     to.push_back('\n');
+}
+
+void RowText::write_f64(Buffer& to, const ConvertedRow& row) const {
+    const auto result = [&] {
+        append_bytes(to, row.result);
+        if (options_->diagnostic_columns) {
+            append_bytes(to, figures_of(row));
+        }
+    };
+    if (options_->width == 0) { // the other fields are text
+        result();
+    } else if (options_->append) {
+        append(to, row.line.text);
+        result();
+    } else {
+        for_each_output(
+            *layout_, row.fields.size(), [&](std::size_t i) { append(to, row.fields[i]); }, result);
+    }
 }
 
 } // namespace rotconv::stream

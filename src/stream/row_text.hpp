@@ -33,6 +33,7 @@ private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
     void write_json(Buffer& to, const ConvertedRow& row) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
+    void write_f64(Buffer& to, const ConvertedRow& row) const;
     /// The result and, if asked for, the four diagnostic columns.
     void write_result(Buffer& to, const ConvertedRow& row) const;
     void write_number(Buffer& to, double value, std::size_t column) const;

@@ -1,6 +1,7 @@
 #include "rows.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -58,6 +59,10 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     faults_.clear();
     numbers_.clear();
     lines_.clear();
+    if (options_->width > 0) {
+        gather_binary(text, line, limit);
+        return;
+    }
     while (!text.empty() && rows_.size() < limit) {
         const Line current = next_line(text);
         Row row{.line = current,
@@ -72,6 +77,55 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
             return;
         }
     }
+}
+
+void RowTransformer::gather_binary(std::string_view& text, std::size_t& line, std::size_t limit) {
+    const std::size_t row_size = options_->width * sizeof(double);
+    const std::size_t count = std::min(limit, text.size() / row_size);
+    rows_.resize(count);
+    lines_.resize(count);
+    numbers_.resize(count * function_.inputs);
+    for (std::size_t i = 0; i < count; ++i) {
+        rows_[i] = Row{.line = {text.substr(i * row_size, row_size), {}}, .number = line, .index = i};
+        lines_[i] = line++;
+    }
+    if (layout_->positions.empty()) {
+        std::memcpy(numbers_.data(), text.data(), count * row_size);
+    } else {
+        for (std::size_t i = 0; i < numbers_.size(); ++i) {
+            const std::size_t row = i / function_.inputs;
+            const std::size_t position = layout_->positions[i % function_.inputs];
+            std::memcpy(&numbers_[i], text.data() + row * row_size + position * sizeof(double), sizeof(double));
+        }
+    }
+    text.remove_prefix(count * row_size);
+}
+
+void RowTransformer::make_fields(Row& row) {
+    const std::string_view bytes = row.line.text;
+    fields_.clear();
+    row.first_field = 0;
+    row.field_count = options_->width;
+    if (options_->format == Format::f64) {
+        for (std::size_t i = 0; i < options_->width; ++i) {
+            fields_.push_back(bytes.substr(i * sizeof(double), sizeof(double)));
+        }
+        return;
+    }
+    constexpr std::size_t room = 40; // of a number and the delimiter, so that nothing moves
+    made_.clear();
+    made_.reserve(room * (options_->width + 1));
+    for (std::size_t i = 0; i < options_->width; ++i) {
+        if (i > 0) {
+            made_.push_back(layout_->delimiter.text());
+        }
+        double number = 0.0;
+        std::memcpy(&number, bytes.data() + i * sizeof(double), sizeof(double));
+        const std::size_t begin = made_.size();
+        append_number(made_, number, 0);
+        fields_.emplace_back(made_.data() + begin, made_.size() - begin);
+    }
+    row.line.text = {made_.data(), made_.size()};
 }
 
 void RowTransformer::read_row(Row& row) {
@@ -122,7 +176,7 @@ void RowTransformer::note_fault(Row& row, RowFault fault) {
 }
 
 void RowTransformer::write(Output& output) {
-    for (const Row& row : rows_) {
+    for (Row& row : rows_) {
         if (row.passed) {
             if (options_->format == Format::csv) {
                 append(output.bytes, row.line.text);
@@ -137,7 +191,10 @@ void RowTransformer::write(Output& output) {
     }
 }
 
-void RowTransformer::write_row(const Row& row, Output& output) {
+void RowTransformer::write_row(Row& row, Output& output) {
+    if (options_->width > 0 && (options_->append || !layout_->replaced.empty())) {
+        make_fields(row);
+    }
     const std::size_t size = function_.names.size();
     const Report* const report = row.has_numbers() ? &reports_[row.index] : nullptr;
     const bool failed = report == nullptr || report->fault != Fault::none;
@@ -171,15 +228,24 @@ void RowTransformer::write_row(const Row& row, Output& output) {
 }
 
 std::string RowTransformer::selected_text(const Row& row) const {
-    if (layout_->positions.empty()) {
-        return std::string(row.line.text);
-    }
     std::string text;
-    for (const std::size_t position : layout_->positions) {
+    const auto add = [&](std::string_view field) {
         if (!text.empty()) {
             text += layout_->delimiter.text();
         }
-        text += fields_[row.first_field + position];
+        text += field;
+    };
+    if (options_->width > 0) {
+        for (const double number : std::span(numbers_).subspan(row.index * function_.inputs, function_.inputs)) {
+            add(fmt::format("{}", number));
+        }
+        return text;
+    }
+    if (layout_->positions.empty()) {
+        return std::string(row.line.text);
+    }
+    for (const std::size_t position : layout_->positions) {
+        add(fields_[row.first_field + position]);
     }
     return text;
 }

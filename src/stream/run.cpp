@@ -40,7 +40,8 @@ struct Job {
 class Run {
 public:
     Run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
-        : sink_(&sink), options_(&options), report_(&report), reader_(source), preamble_(options),
+        : sink_(&sink), options_(&options), report_(&report), reader_(source, options.width * sizeof(double)),
+          preamble_(options),
           most_(options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads)) {}
 
     Ending operator()();
@@ -191,7 +192,7 @@ bool Run::read(Job& job) {
     job.line = job.block.first_line;
     job.output.clear();
     job.done = false;
-    if (!has_layout_) {
+    if (!has_layout_ && !job.rest.empty()) {
         has_layout_ = preamble_.read(job.rest, job.line, job.output);
     }
     if (preamble_.fault()) {
