@@ -5,6 +5,22 @@
 #include <span>
 
 namespace rotconv::stream {
+namespace {
+
+std::size_t count_newlines(std::string_view text) noexcept {
+    constexpr std::size_t most = 255; // that a byte counts, so that the inner loop runs over vectors of bytes
+    std::size_t count = 0;
+    for (; !text.empty(); text.remove_prefix(std::min(most, text.size()))) {
+        unsigned char part = 0;
+        for (const char c : text.substr(0, most)) {
+            part = static_cast<unsigned char>(part + (c == '\n' ? 1 : 0));
+        }
+        count += part;
+    }
+    return count;
+}
+
+} // namespace
 
 bool BlockReader::read(Block& block) {
     block.text = {};
@@ -83,7 +99,7 @@ void BlockReader::cut(Block& block, std::size_t size, std::size_t end) {
     std::copy_n(block.bytes.data() + size, held_, rest_.data());
     block.text = {block.bytes.data(), size};
     block.first_line = line_;
-    line_ += row_size_ > 0 ? size / row_size_ : static_cast<std::size_t>(std::ranges::count(block.text, '\n'));
+    line_ += row_size_ > 0 ? size / row_size_ : count_newlines(block.text);
 }
 
 Line next_line(std::string_view& text) noexcept {

@@ -50,6 +50,11 @@ std::string_view trimmed(std::string_view text) noexcept {
 }
 
 NumberFault read_number(std::string_view text, double& value) noexcept {
+    const char* const whole_end = text.data() + text.size();
+    if (const auto [stop, error] = std::from_chars(text.data(), whole_end, value);
+        stop == whole_end && error == std::errc{}) {
+        return NumberFault::none; // as nearly all are
+    }
     text = trimmed(text);
     if (text.starts_with('+')) {
         text.remove_prefix(1);

@@ -47,6 +47,9 @@ private:
 
 /// The diagnostics of a row, in order of kind, with their figures.
 template <class Visit> void for_each_diagnostic(const Report& report, std::size_t line, const Visit& visit) {
+    if (report.notes.empty()) {
+        return;
+    }
     for (std::size_t i = 0; i < kind_count; ++i) {
         const auto kind = static_cast<Kind>(i);
         if (report.notes.has(kind)) {

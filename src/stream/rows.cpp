@@ -154,11 +154,14 @@ void RowTransformer::read_row(Row& row) {
                          .expected = *missing + 1});
         return;
     }
-    numbers_.resize(first_number + needed);
     for (std::size_t i = 0; i < needed; ++i) {
         const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
         const std::string_view field = fields_[row.first_field + position];
-        const NumberFault fault = read_number(field_text(field), numbers_[first_number + i]);
+        double& number = numbers_.emplace_back();
+        NumberFault fault = read_number(field, number);
+        if (fault == NumberFault::not_a_number) { // or quoted
+            fault = read_number(field_text(field), number);
+        }
         if (fault != NumberFault::none) {
             note_fault(row, {.what = fault == NumberFault::too_large ? What::too_large : What::not_a_number,
                              .text = std::string(field)});
