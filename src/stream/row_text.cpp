@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,13 +10,6 @@ namespace rotconv::stream {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-static_assert(std::endian::native == std::endian::little, "f64 is little-endian");
-
-void append_bytes(Buffer& to, std::span<const double> numbers) {
-    const auto bytes = std::as_bytes(numbers);
-    append(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
 
 /// Kinds joined by '+'.
 void append_notes(Buffer& to, const ConvertedRow& row) {

@@ -179,6 +179,11 @@ void RowTransformer::note_fault(Row& row, RowFault fault) {
 }
 
 void RowTransformer::write(Output& output) {
+    if (options_->width > 0 && options_->format == Format::f64 && !has_other_fields() &&
+        !options_->diagnostic_columns) {
+        write_doubles(output);
+        return;
+    }
     for (Row& row : rows_) {
         if (row.passed) {
             if (options_->format == Format::csv) {
@@ -194,8 +199,26 @@ void RowTransformer::write(Output& output) {
     }
 }
 
+void RowTransformer::write_doubles(Output& output) {
+    const std::size_t size = function_.names.size();
+    const auto is_remarkable = [this](const Row& row) {
+        const Report& report = reports_[row.index];
+        return report.fault != Fault::none || !report.notes.empty();
+    };
+    auto row = rows_.begin();
+    while (row != rows_.end() && !output.stopped) {
+        const auto end = std::find_if(row, rows_.end(), is_remarkable);
+        const auto count = static_cast<std::size_t>(end - row) * size;
+        append_bytes(output.bytes, std::span(results_).subspan(row->index * size, count));
+        row = end;
+        if (row != rows_.end()) {
+            write_row(*row++, output);
+        }
+    }
+}
+
 void RowTransformer::write_row(Row& row, Output& output) {
-    if (options_->width > 0 && (options_->append || !layout_->replaced.empty())) {
+    if (options_->width > 0 && has_other_fields()) {
         make_fields(row);
     }
     const std::size_t size = function_.names.size();

@@ -51,6 +51,10 @@ private:
     /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(const Row& row) const;
     void write(Output& output);
+    /// Rows that are their results alone, as many at once as there is nothing to tell of.
+    void write_doubles(Output& output);
+    /// The output has fields of the input beside the result.
+    [[nodiscard]] bool has_other_fields() const noexcept { return options_->append || !layout_->replaced.empty(); }
     void write_row(Row& row, Output& output);
     void note_fault(Row& row, RowFault fault);
 
