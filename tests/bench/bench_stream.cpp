@@ -1,8 +1,8 @@
 // bench_stream [ROWS]: the program against its floors, as processes, in one table of ratios: bare loops that only parse
 // and print with the same libraries, a copy of the bytes, the start of mawk, and other tools where they are installed.
 //
-// Each pair is run in turns; the least of each side counts. One thread is measured in processor time, several processes
-// or threads by the clock.
+// Each pair is run in turns; the least of each side counts. One process with one thread is measured in processor time,
+// several by the clock. Two processes with half of the rows each show what the machine had for two threads at the time.
 
 #include <algorithm>
 #include <charconv>
@@ -153,6 +153,8 @@ void write_inputs(const std::filesystem::path& folder, int rows) {
     std::normal_distribution<double> normal;
     std::ofstream plain(folder / "plain");
     std::ofstream columns(folder / "columns");
+    std::ofstream first(folder / "first");
+    std::ofstream second(folder / "second");
     std::ofstream doubles(folder / "doubles", std::ios::binary);
     columns << "time,qw,qx,qy,qz,label\n";
     for (int i = 0; i < rows; ++i) {
@@ -161,6 +163,7 @@ void write_inputs(const std::filesystem::path& folder, int rows) {
         std::ranges::for_each(q, [norm](double& component) { component /= norm; });
         const auto row = fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}", q[0], q[1], q[2], q[3]);
         plain << row << '\n';
+        (i < rows / 2 ? first : second) << row << '\n';
         columns << i << ',' << row << ",imu\n";
         doubles.write(reinterpret_cast<const char*>(q), sizeof q);
     }
@@ -183,6 +186,11 @@ void print_table(const std::filesystem::path& folder, int rows) {
     compare({"one thread, quat to dcm, against the bare loop", rotconv("dcm", 1) + plain,
              "exec " + self + " bare dcm" + plain, Measure::processor, "0.85"});
     compare({"two threads against one", rotconv("dcm", 2) + plain, rotconv("dcm", 1) + plain, Measure::clock, "1.8"});
+    const auto half = [&](const char* name) {
+        return "(" + rotconv("dcm", 1) + " < " + file(name) + " > /dev/null) & ";
+    };
+    compare({"two threads against two processes", rotconv("dcm", 2) + plain, half("first") + half("second") + "wait",
+             Measure::clock, "1"});
     compare({"header and extra columns against plain rows", rotconv("dcm", 1) + " --columns qw,qx,qy,qz" + columns,
              rotconv("dcm", 1) + plain, Measure::processor, "0.85"});
     compare({"quat to euler against the bare loop with libm", rotconv("euler:ZYX", 1) + plain,
@@ -193,7 +201,7 @@ void print_table(const std::filesystem::path& folder, int rows) {
              pipe + "cat | cat > /dev/null", Measure::clock, "0.7"});
     if (is_installed("mawk 'BEGIN{}'")) {
         compare({"200 starts, one attitude each, against mawk 'BEGIN{}'", repeated(program + " -f quat -t dcm 1 0 0 0"),
-                 repeated("mawk 'BEGIN{}'"), Measure::clock, "1"});
+                 repeated("mawk 'BEGIN{}'"), Measure::processor, "1"});
         const std::string script =
             "BEGIN{FS=OFS=\",\";OFMT=\"%.17g\"}{w=$1;x=$2;y=$3;z=$4;print 1-2*(y*y+z*z),2*(x*y-w*z),2*(x*z+w*y),"
             "2*(x*y+w*z),1-2*(x*x+z*z),2*(y*z-w*x),2*(x*z-w*y),2*(y*z+w*x),1-2*(x*x+y*y)}";
