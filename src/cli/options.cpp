@@ -1,10 +1,12 @@
 #include "options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "../stream/file.hpp"
 #include "../stream/lines.hpp"
 #include "../stream/number_text.hpp"
 
@@ -22,6 +24,27 @@ ShowDiagnostics diagnostics_of(const Texts& texts) {
                                     {"summary", ShowDiagnostics::summary},
                                     {"rows", ShowDiagnostics::rows},
                                     {"columns", ShowDiagnostics::columns}});
+}
+
+/// Doubles of a binary row; 0 where the input is text.
+std::size_t width_of(const Texts& texts, const stream::Options& options) {
+    constexpr int widest = 100'000;
+    const auto given = static_cast<std::size_t>(count_of("--width", texts.width, widest));
+    if (!choose<bool>("input format", texts.input_format, {{"csv", false}, {"f64", true}})) {
+        return 0;
+    }
+    const std::size_t needed = options.function.inputs;
+    const std::size_t width = given > 0 ? given : needed;
+    if (options.columns.has_names()) {
+        throw Usage("--columns selects by name, and f64 rows have none; use indices");
+    }
+    const auto positions = options.columns.positions();
+    const std::size_t least = positions.empty() ? needed : *std::ranges::max_element(positions) + 1;
+    if (width < least || (positions.empty() && width != needed)) {
+        throw Usage(fmt::format("rows of {} doubles (--width) where {} are {}", width, least,
+                                positions.empty() ? "wanted (--columns selects)" : "the least for --columns"));
+    }
+    return width;
 }
 
 } // namespace
@@ -43,6 +66,9 @@ void define_input(CLI::App& app, Texts& texts) {
     app.add_flag("-d,--degrees", texts.degrees, "Angles in degrees, wherever there are angles");
     app.add_option("-i,--input", texts.input, "Read FILE instead of stdin (-)")->type_name("FILE");
     app.add_option("-o,--output", texts.output, "Write FILE instead of stdout (-)")->type_name("FILE");
+    app.add_option("--input-format", texts.input_format, "csv, or f64: little-endian doubles and nothing else")
+        ->type_name("FORMAT");
+    app.add_option("--width", texts.width, "Doubles of an f64 row (default: the numbers of the input)")->type_name("N");
     app.add_option("--columns", texts.columns, "Input columns: indices from 1, ranges 5-8, names")->type_name("LIST");
     app.add_option("--delimiter", texts.delimiter, "One character, or comma, tab, semicolon, blank")->type_name("D");
     app.add_option("--header", texts.header, "auto, yes, no or add")->type_name("MODE");
@@ -54,13 +80,16 @@ void define_input(CLI::App& app, Texts& texts) {
 
 void define_output(CLI::App& app, Texts& texts) {
     app.add_flag("--append", texts.append, "Keep the row and add the result at its end");
-    app.add_option("--format", texts.format, "csv, json or pretty")->type_name("FORMAT");
+    app.add_option("--format", texts.format, "csv, json, pretty, or f64: little-endian doubles and nothing else")
+        ->type_name("FORMAT");
     app.add_option("-p,--precision", texts.precision, "Significant digits (default: the shortest that read back equal)")
         ->type_name("N");
     app.add_option("--diagnostics", texts.diagnostics, "Where they are shown: off, summary, rows or columns")
         ->type_name("WHERE");
     app.add_flag("--strict", texts.strict, "Exit 1 where any diagnostic but normalized was met");
-    app.add_option("--threads", texts.threads, "At most N threads; the output does not depend on N")->type_name("N");
+    app.add_option("--threads", texts.threads,
+                   "At most N threads (default: as many as processors); the output does not depend on N")
+        ->type_name("N");
 }
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
@@ -114,13 +143,14 @@ Settings settings_of(const Texts& texts) {
 
 RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
                          const Values& values) {
-    static_cast<void>(count_of("--threads", texts.threads, 1 << 20U));
     RowsCommand command(std::move(function), std::move(subject));
     command.diagnostics = diagnostics_of(texts);
     command.strict = texts.strict;
     command.input = texts.input;
     command.output = texts.output;
     stream::Options& options = command.options;
+    const auto threads = static_cast<std::size_t>(count_of("--threads", texts.threads, 1 << 20U));
+    options.threads = threads > 0 ? threads : stream::processors();
     options.append = texts.append;
     options.precision = count_of("--precision", texts.precision, 100);
     options.diagnostic_columns = command.diagnostics == ShowDiagnostics::columns;
@@ -131,9 +161,11 @@ RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words
                                                  {"yes", stream::HeaderMode::yes},
                                                  {"no", stream::HeaderMode::no},
                                                  {"add", stream::HeaderMode::add}});
-    options.format = choose<stream::Format>(
-        "format", texts.format.empty() ? "csv" : texts.format,
-        {{"csv", stream::Format::csv}, {"json", stream::Format::json}, {"pretty", stream::Format::pretty}});
+    options.format = choose<stream::Format>("format", texts.format.empty() ? "csv" : texts.format,
+                                            {{"csv", stream::Format::csv},
+                                             {"json", stream::Format::json},
+                                             {"pretty", stream::Format::pretty},
+                                             {"f64", stream::Format::f64}});
     options.on_error = on_error_of(texts);
     if (!texts.delimiter.empty()) {
         options.delimiter = stream::Delimiter::parse(texts.delimiter);
@@ -154,6 +186,7 @@ RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words
     if (options.columns.has_names() && (headless || !values.words.empty())) {
         throw Usage("--columns selects by name, and there is no header to look in; use indices");
     }
+    options.width = values.words.empty() ? width_of(texts, options) : 0;
     if (!values.words.empty()) {
         if (values.has_input) {
             throw Usage("VALUEs and --input exclude each other");

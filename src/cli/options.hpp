@@ -24,6 +24,8 @@ struct Texts {
     std::string to;
     std::string input = "-";
     std::string output = "-";
+    std::string input_format = "csv";
+    std::string width;
     std::string columns;
     std::string delimiter;
     std::string header = "auto";

@@ -15,6 +15,7 @@ public:
     ~Progress() override;
 
     std::ptrdiff_t read(std::span<char> to) override;
+    [[nodiscard]] bool is_ready() const override { return file_->is_ready(); }
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -119,6 +119,11 @@ ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
         }
     }
 
+    if (!command.has_values) {
+        input->widen();
+        output->widen();
+    }
+
     Reporter reporter(command, command.has_values ? "argument" : command.input);
     stream::TextSource values(command.values);
     const auto progress =

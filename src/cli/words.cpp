@@ -263,6 +263,7 @@ std::string explain(const stream::StreamFault& fault, const Subject& subject) {
     switch (fault.what) {
     case What::read: return fmt::format("cannot be read: {}", std::generic_category().message(fault.error));
     case What::write: return fmt::format("cannot be written: {}", std::generic_category().message(fault.error));
+    case What::partial_row: return fmt::format("the row that begins at byte {} is not whole", fault.offset);
     case What::line_too_long: return "the line is longer than 4 MiB";
     case What::columns: return explain(fault.column, subject);
     }

@@ -50,6 +50,7 @@ struct Output {
     void clear() noexcept {
         bytes.clear();
         events.clear();
+        stopped = false;
     }
 };
 
@@ -59,12 +60,14 @@ struct StreamFault {
         read,          ///< `error` is an errno
         write,         ///< `error` is an errno
         line_too_long, ///< line `line`
+        partial_row,   ///< the input ends in row `line`, which begins at byte `offset`
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
     };
     What what = What::read;
     std::size_t line = 0;
     int error = 0;
     ColumnFault column{};
+    std::size_t offset = 0;
 };
 
 } // namespace rotconv::stream

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,6 +29,12 @@ void guard_standard_descriptors() noexcept {
             ::open("/dev/null", mode); // takes the lowest free number, which is this one
         }
     }
+}
+
+std::size_t processors() noexcept {
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    return ::sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? static_cast<std::size_t>(CPU_COUNT(&allowed)) : 1;
 }
 
 std::ptrdiff_t TextSource::read(std::span<char> to) {
@@ -64,6 +71,11 @@ int File::truncate() const noexcept {
     return 0;
 }
 
+void File::widen() const noexcept {
+    constexpr int size = 1 << 20U;
+    ::fcntl(descriptor_, F_SETPIPE_SZ, size); // fails on anything else, and harms nobody
+}
+
 int File::close() noexcept {
     if (!owned_ || descriptor_ < 0) {
         return 0;
@@ -83,6 +95,15 @@ std::ptrdiff_t File::read(std::span<char> to) {
             wait_for(descriptor_, POLLIN);
         }
     }
+}
+
+bool File::is_ready() const {
+    pollfd waiting{descriptor_, POLLIN, 0};
+    int count = 0;
+    do {
+        count = ::poll(&waiting, 1, 0);
+    } while (count < 0 && errno == EINTR);
+    return count != 0;
 }
 
 int File::write(std::string_view bytes) {

@@ -6,6 +6,9 @@
 
 namespace rotconv::stream {
 
+/// The processors that this process may use, at least 1.
+[[nodiscard]] std::size_t processors() noexcept;
+
 /// Where bytes come from.
 class Source {
 public:
@@ -16,6 +19,8 @@ public:
 
     /// Reads at least one byte into `to` and as many as are there; 0 at the end, -1 with errno set.
     virtual std::ptrdiff_t read(std::span<char> to) = 0;
+    /// Whether read() would return at once.
+    [[nodiscard]] virtual bool is_ready() const { return true; }
 };
 
 /// Where bytes go.
@@ -63,10 +68,13 @@ public:
     [[nodiscard]] std::size_t size() const noexcept;
     /// Empties a regular file; 0 or an errno.
     [[nodiscard]] int truncate() const noexcept;
+    /// Lets a pipe hold more, where the system allows it: the two ends then seldom wait for each other.
+    void widen() const noexcept;
     /// Closes the file, which is where some file systems first report a full disk; 0 or an errno.
     int close() noexcept;
 
     std::ptrdiff_t read(std::span<char> to) override;
+    [[nodiscard]] bool is_ready() const override;
     int write(std::string_view bytes) override;
 
 private:

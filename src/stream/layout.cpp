@@ -39,6 +39,13 @@ Preamble::Preamble(const Options& options)
 }
 
 bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
+    if (options_->width > 0) {
+        layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
+        if (options_->header == HeaderMode::add) {
+            write_added_header(options_->width, output);
+        }
+        return true;
+    }
     while (!rest.empty()) {
         std::string_view after = rest;
         const Line current = next_line(after);
@@ -50,7 +57,9 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
             layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(current.text));
             layout_.line_end = current.end.empty() ? "\n" : std::string(current.end);
             if (options_->header == HeaderMode::add) {
-                write_added_header(current, output);
+                header_fields_.clear();
+                layout_.delimiter.split(current.text, header_fields_);
+                write_added_header(header_fields_.size(), output);
             }
             return true;
         }
@@ -159,15 +168,13 @@ void Preamble::write_header(const Line& line, Output& output) const {
     append(to, line.end.empty() ? std::string_view("\n") : line.end);
 }
 
-void Preamble::write_added_header(const Line& row, Output& output) {
+void Preamble::write_added_header(std::size_t field_count, Output& output) const {
     if (options_->format != Format::csv) {
         return;
     }
     const char delimiter = layout_.delimiter.text();
-    std::vector<std::string_view> fields;
-    layout_.delimiter.split(row.text, fields);
     std::vector<std::string> indices;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
+    for (std::size_t i = 0; i < field_count; ++i) {
         indices.push_back(std::to_string(i + 1));
     }
     Buffer& to = output.bytes;

@@ -17,7 +17,7 @@
 namespace rotconv::stream {
 
 enum class HeaderMode : std::uint8_t { automatic, yes, no, add };
-enum class Format : std::uint8_t { csv, json, pretty };
+enum class Format : std::uint8_t { csv, json, pretty, f64 };
 enum class OnError : std::uint8_t { stop, nan, skip };
 
 /// What a run does with its rows.
@@ -28,6 +28,7 @@ struct Options {
     RowFunction function;
     ColumnList columns;                 ///< empty: a row is its numbers and nothing else
     std::optional<Delimiter> delimiter; ///< nothing: that of the first data row
+    std::size_t width = 0;              ///< doubles of a row of binary input; 0: the input is text
     HeaderMode header = HeaderMode::automatic;
     Format format = Format::csv;
     OnError on_error = OnError::stop;
@@ -35,6 +36,7 @@ struct Options {
     bool append = false;                                  ///< keep the row and add the result at its end
     bool diagnostic_columns = false;                      ///< margin, condition, defect and notes after the result
     bool show_diagnostics = true;                         ///< in words, under Format::pretty
+    std::size_t threads = 1;                              ///< at most
     std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
 };
 
@@ -126,7 +128,7 @@ private:
     [[nodiscard]] bool has_selected_fields() const noexcept;
     [[nodiscard]] bool has_selected_number() const noexcept;
     void write_header(const Line& line, Output& output) const;
-    void write_added_header(const Line& row, Output& output);
+    void write_added_header(std::size_t field_count, Output& output) const;
 
     const Options* options_;
     Layout layout_;

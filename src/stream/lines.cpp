@@ -2,64 +2,104 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <span>
 
 namespace rotconv::stream {
+namespace {
 
-std::optional<Block> BlockReader::next() {
+std::size_t count_newlines(std::string_view text) noexcept {
+    constexpr std::size_t most = 255; // that a byte counts, so that the inner loop runs over vectors of bytes
+    std::size_t count = 0;
+    for (; !text.empty(); text.remove_prefix(std::min(most, text.size()))) {
+        unsigned char part = 0;
+        for (const char c : text.substr(0, most)) {
+            part = static_cast<unsigned char>(part + (c == '\n' ? 1 : 0));
+        }
+        count += part;
+    }
+    return count;
+}
+
+} // namespace
+
+bool BlockReader::read(Block& block) {
+    block.text = {};
     if (fault_ || finished_) {
-        return std::nullopt;
+        return false;
     }
-    if (begin_ > 0) {
-        std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
-        end_ -= begin_;
-        begin_ = 0;
+    block.bytes.swap(rest_);
+    make_room(block.bytes);
+    const auto count = source_->read(std::span(block.bytes).subspan(held_));
+    if (count < 0) {
+        fault_ = StreamFault{StreamFault::What::read, line_, errno, {}};
+        return false;
     }
-    while (true) {
-        if (end_ == buffer_.size()) {
-            buffer_.resize(std::min(2 * buffer_.size(), longest_line + block_size));
+    finished_ = count == 0;
+    const std::size_t end = held_ + static_cast<std::size_t>(count);
+    return row_size_ > 0 ? cut_rows(block, end) : cut_lines(block, end);
+}
+
+bool BlockReader::cut_lines(Block& block, std::size_t end) {
+    const std::size_t searched = started_ ? held_ : 0;
+    end = without_mark(block.bytes, end);
+    const std::string_view unread(block.bytes.data(), end);
+    const std::size_t newline = unread.find('\n', searched);
+    if (std::min(newline, end) > longest_line) {
+        fault_ = StreamFault{StreamFault::What::line_too_long, line_, 0, {}};
+        return false;
+    }
+    if (finished_) {
+        cut(block, end, end);
+    } else if (newline == std::string_view::npos) {
+        block.bytes.swap(rest_);
+        held_ = end;
+    } else {
+        cut(block, unread.rfind('\n') + 1, end);
+    }
+    return true;
+}
+
+bool BlockReader::cut_rows(Block& block, std::size_t end) {
+    if (finished_ && end > 0) {
+        fault_ = StreamFault{.what = StreamFault::What::partial_row, .line = line_, .offset = (line_ - 1) * row_size_};
+        return false;
+    }
+    cut(block, end - end % row_size_, end);
+    return true;
+}
+
+void BlockReader::make_room(std::vector<char>& bytes) const {
+    if (held_ < block_size) {
+        if (bytes.size() != block_size) {
+            bytes.resize(block_size);
+            bytes.shrink_to_fit();
         }
-        const std::size_t searched = end_;
-        const auto count = source_->read({buffer_.data() + end_, buffer_.size() - end_});
-        if (count < 0) {
-            fault_ = StreamFault{StreamFault::What::read, line_, errno, {}};
-            return std::nullopt;
-        }
-        end_ += static_cast<std::size_t>(count);
-        skip_byte_order_mark();
-        const std::string_view unread(buffer_.data() + begin_, end_ - begin_);
-        const std::size_t first_end =
-            std::min(unread.find('\n', searched > begin_ ? searched - begin_ : 0), unread.size());
-        if (first_end > longest_line) {
-            fault_ = StreamFault{StreamFault::What::line_too_long, line_, 0, {}};
-            return std::nullopt;
-        }
-        if (count == 0) {
-            finished_ = true;
-            return unread.empty() ? std::nullopt : take(end_);
-        }
-        if (first_end != unread.size()) {
-            return take(begin_ + unread.rfind('\n') + 1);
-        }
+    } else if (held_ == bytes.size()) {
+        bytes.resize(std::min(2 * held_, longest_line + block_size));
     }
 }
 
-std::optional<Block> BlockReader::take(std::size_t end) {
-    const Block block{{buffer_.data() + begin_, end - begin_}, line_};
-    line_ += static_cast<std::size_t>(std::ranges::count(block.text, '\n'));
-    begin_ = end;
-    return block;
-}
-
-void BlockReader::skip_byte_order_mark() noexcept {
+std::size_t BlockReader::without_mark(std::vector<char>& bytes, std::size_t end) noexcept {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
-    if (started_ || (end_ < mark.size() && mark.starts_with(std::string_view(buffer_.data(), end_)) && end_ > 0)) {
-        return; // past it, or not yet whole
+    const std::string_view text(bytes.data(), end);
+    if (started_ || (end < mark.size() && mark.starts_with(text) && end > 0)) {
+        return end; // past it, or not yet whole
     }
     started_ = true;
-    if (std::string_view(buffer_.data(), end_).starts_with(mark)) {
-        begin_ = mark.size();
+    if (!text.starts_with(mark)) {
+        return end;
     }
+    std::copy(bytes.begin() + mark.size(), bytes.begin() + static_cast<std::ptrdiff_t>(end), bytes.begin());
+    return end - mark.size();
+}
+
+void BlockReader::cut(Block& block, std::size_t size, std::size_t end) {
+    held_ = end - size;
+    rest_.resize(std::max(rest_.size(), held_));
+    std::copy_n(block.bytes.data() + size, held_, rest_.data());
+    block.text = {block.bytes.data(), size};
+    block.first_line = line_;
+    line_ += row_size_ > 0 ? size / row_size_ : count_newlines(block.text);
 }
 
 Line next_line(std::string_view& text) noexcept {

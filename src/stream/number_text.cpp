@@ -1,5 +1,6 @@
 #include "number_text.hpp"
 
+#include <bit>
 #include <charconv>
 #include <cmath>
 
@@ -50,6 +51,11 @@ std::string_view trimmed(std::string_view text) noexcept {
 }
 
 NumberFault read_number(std::string_view text, double& value) noexcept {
+    const char* const whole_end = text.data() + text.size();
+    if (const auto [stop, error] = std::from_chars(text.data(), whole_end, value);
+        stop == whole_end && error == std::errc{}) {
+        return NumberFault::none; // as nearly all are
+    }
     text = trimmed(text);
     if (text.starts_with('+')) {
         text.remove_prefix(1);
@@ -89,6 +95,13 @@ void append_number(Buffer& to, double value, int precision) {
     to.try_reserve(to.size() + longest);
     const char* end = fmt::format_to(to.data() + to.size(), FMT_COMPILE("{}"), value);
     to.try_resize(static_cast<std::size_t>(end - to.data()));
+}
+
+static_assert(std::endian::native == std::endian::little, "f64 is little-endian");
+
+void append_bytes(Buffer& to, std::span<const double> numbers) {
+    const auto bytes = std::as_bytes(numbers);
+    append(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 } // namespace rotconv::stream

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -25,5 +26,8 @@ inline void append(Buffer& to, std::string_view text) { to.append(text.data(), t
 
 /// Shortest text that reads back to the same double, or `precision` significant digits where that is not 0.
 void append_number(Buffer& to, double value, int precision);
+
+/// The numbers as they are in memory, little-endian.
+void append_bytes(Buffer& to, std::span<const double> numbers);
 
 } // namespace rotconv::stream

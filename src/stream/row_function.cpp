@@ -147,6 +147,7 @@ RowFunction propagation_function(const PropagationRows& rows) {
             .kept = 1,
             .names = column_names(rows.to),
             .attitude = rows.to,
+            .in_order = true,
             .run = [state = std::make_shared<Propagation>(rows)](const NumberRows& given, std::span<double> out,
                                                                  std::span<Report> reports) {
                 return state->run(given, out, reports);
@@ -159,6 +160,7 @@ RowFunction reading_function(const Spec& from, double tolerance,
     return {.inputs = from.size(),
             .names = column_names(Spec{}),
             .attitude = Spec{},
+            .in_order = true,
             .run = [conversion, take = std::move(take)](const NumberRows& rows, std::span<double> out,
                                                         std::span<Report> reports) {
                 conversion.run(rows.numbers, out, reports);

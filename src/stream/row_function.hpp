@@ -26,6 +26,7 @@ struct RowFunction {
     std::size_t kept = 0;           ///< how many of the first of them also pass to the output as they are
     std::vector<std::string> names; ///< the columns of the result
     std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
+    bool in_order = false;          ///< all rows must come to it in their order; else each copy may answer any of them
 
     /// Answers rows of `inputs` numbers with names.size() numbers and a report each.
     /// @return how many of the rows are answered, all where none may wait; the others come first in the next call

@@ -114,6 +114,7 @@ void RowText::write(Buffer& to, const ConvertedRow& row) const {
     case Format::csv: write_csv(to, row); break;
     case Format::json: write_json(to, row); break;
     case Format::pretty: write_pretty(to, row); break;
+    case Format::f64: write_f64(to, row); break;
     }
 }
 
@@ -247,6 +248,24 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
         });
     }
     to.push_back('\n');
+}
+
+void RowText::write_f64(Buffer& to, const ConvertedRow& row) const {
+    const auto result = [&] {
+        append_bytes(to, row.result);
+        if (options_->diagnostic_columns) {
+            append_bytes(to, figures_of(row));
+        }
+    };
+    if (options_->width == 0) { // the other fields are text
+        result();
+    } else if (options_->append) {
+        append(to, row.line.text);
+        result();
+    } else {
+        for_each_output(
+            *layout_, row.fields.size(), [&](std::size_t i) { append(to, row.fields[i]); }, result);
+    }
 }
 
 } // namespace rotconv::stream

@@ -33,6 +33,7 @@ private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
     void write_json(Buffer& to, const ConvertedRow& row) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
+    void write_f64(Buffer& to, const ConvertedRow& row) const;
     /// The result and, if asked for, the four diagnostic columns.
     void write_result(Buffer& to, const ConvertedRow& row) const;
     void write_number(Buffer& to, double value, std::size_t column) const;
@@ -46,6 +47,9 @@ private:
 
 /// The diagnostics of a row, in order of kind, with their figures.
 template <class Visit> void for_each_diagnostic(const Report& report, std::size_t line, const Visit& visit) {
+    if (report.notes.empty()) {
+        return;
+    }
     for (std::size_t i = 0; i < kind_count; ++i) {
         const auto kind = static_cast<Kind>(i);
         if (report.notes.has(kind)) {

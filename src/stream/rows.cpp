@@ -1,13 +1,14 @@
 #include "rows.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <utility>
 
 namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout)
-    : options_(&options), layout_(&layout), row_text_(options, layout),
+    : options_(&options), layout_(&layout), function_(options.function), row_text_(options, layout),
       nans_(options.function.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
@@ -25,7 +26,6 @@ void RowTransformer::finish(Output& output) {
 }
 
 void RowTransformer::work_off(std::string_view text, std::size_t line, bool held_first, bool is_end, Output& output) {
-    const RowFunction& function = options_->function;
     const char* const end = text.data() + text.size();
     std::size_t limit = batch;
     while (!text.empty() && !output.stopped) {
@@ -35,9 +35,9 @@ void RowTransformer::work_off(std::string_view text, std::size_t line, bool held
         const bool waits_long = held_first && static_cast<std::size_t>(text.data() - begin) >= most_waiting;
         const bool at_fault = options_->on_error == OnError::stop && !faults_.empty();
         reports_.resize(lines_.size());
-        results_.resize(lines_.size() * function.names.size());
+        results_.resize(lines_.size() * function_.names.size());
         const std::size_t answered =
-            function.run({numbers_, lines_, at_fault || waits_long || (is_end && is_whole)}, results_, reports_);
+            function_.run({numbers_, lines_, at_fault || waits_long || (is_end && is_whole)}, results_, reports_);
         const auto held = std::ranges::find_if(
             rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
         held_first = held != rows_.end();
@@ -62,6 +62,10 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     faults_.clear();
     numbers_.clear();
     lines_.clear();
+    if (options_->width > 0) {
+        gather_binary(text, line, limit);
+        return;
+    }
     const char* const begin = text.data();
     while (!text.empty() && rows_.size() < limit && static_cast<std::size_t>(text.data() - begin) < most_waiting) {
         const Line current = next_line(text);
@@ -79,9 +83,58 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     }
 }
 
+void RowTransformer::gather_binary(std::string_view& text, std::size_t& line, std::size_t limit) {
+    const std::size_t row_size = options_->width * sizeof(double);
+    const std::size_t count = std::min(limit, text.size() / row_size);
+    rows_.resize(count);
+    lines_.resize(count);
+    numbers_.resize(count * function_.inputs);
+    for (std::size_t i = 0; i < count; ++i) {
+        rows_[i] = Row{.line = {text.substr(i * row_size, row_size), {}}, .number = line, .index = i};
+        lines_[i] = line++;
+    }
+    if (layout_->positions.empty()) {
+        std::memcpy(numbers_.data(), text.data(), count * row_size);
+    } else {
+        for (std::size_t i = 0; i < numbers_.size(); ++i) {
+            const std::size_t row = i / function_.inputs;
+            const std::size_t position = layout_->positions[i % function_.inputs];
+            std::memcpy(&numbers_[i], text.data() + row * row_size + position * sizeof(double), sizeof(double));
+        }
+    }
+    text.remove_prefix(count * row_size);
+}
+
+void RowTransformer::make_fields(Row& row) {
+    const std::string_view bytes = row.line.text;
+    fields_.clear();
+    row.first_field = 0;
+    row.field_count = options_->width;
+    if (options_->format == Format::f64) {
+        for (std::size_t i = 0; i < options_->width; ++i) {
+            fields_.push_back(bytes.substr(i * sizeof(double), sizeof(double)));
+        }
+        return;
+    }
+    constexpr std::size_t room = 40; // of a number and the delimiter, so that nothing moves
+    made_.clear();
+    made_.reserve(room * (options_->width + 1));
+    for (std::size_t i = 0; i < options_->width; ++i) {
+        if (i > 0) {
+            made_.push_back(layout_->delimiter.text());
+        }
+        double number = 0.0;
+        std::memcpy(&number, bytes.data() + i * sizeof(double), sizeof(double));
+        const std::size_t begin = made_.size();
+        append_number(made_, number, 0);
+        fields_.emplace_back(made_.data() + begin, made_.size() - begin);
+    }
+    row.line.text = {made_.data(), made_.size()};
+}
+
 void RowTransformer::read_row(Row& row) {
     using What = RowFault::What;
-    const std::size_t needed = options_->function.inputs;
+    const std::size_t needed = function_.inputs;
     const std::size_t first_number = numbers_.size();
     row.index = lines_.size();
     const bool closed = layout_->delimiter.split(row.line.text, fields_);
@@ -105,11 +158,14 @@ void RowTransformer::read_row(Row& row) {
                          .expected = *missing + 1});
         return;
     }
-    numbers_.resize(first_number + needed);
     for (std::size_t i = 0; i < needed; ++i) {
         const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
         const std::string_view field = fields_[row.first_field + position];
-        const NumberFault fault = read_number(field_text(field), numbers_[first_number + i]);
+        double& number = numbers_.emplace_back();
+        NumberFault fault = read_number(field, number);
+        if (fault == NumberFault::not_a_number) { // or quoted
+            fault = read_number(field_text(field), number);
+        }
         if (fault != NumberFault::none) {
             note_fault(row, {.what = fault == NumberFault::too_large ? What::too_large : What::not_a_number,
                              .text = std::string(field)});
@@ -127,7 +183,12 @@ void RowTransformer::note_fault(Row& row, RowFault fault) {
 }
 
 void RowTransformer::write(Output& output) {
-    for (const Row& row : rows_) {
+    if (options_->width > 0 && options_->format == Format::f64 && !has_other_fields() &&
+        !options_->diagnostic_columns) {
+        write_doubles(output);
+        return;
+    }
+    for (Row& row : rows_) {
         if (row.passed) {
             if (options_->format == Format::csv) {
                 append(output.bytes, row.line.text);
@@ -142,8 +203,29 @@ void RowTransformer::write(Output& output) {
     }
 }
 
-void RowTransformer::write_row(const Row& row, Output& output) {
-    const std::size_t size = options_->function.names.size();
+void RowTransformer::write_doubles(Output& output) {
+    const std::size_t size = function_.names.size();
+    const auto is_remarkable = [this](const Row& row) {
+        const Report& report = reports_[row.index];
+        return report.fault != Fault::none || !report.notes.empty();
+    };
+    auto row = rows_.begin();
+    while (row != rows_.end() && !output.stopped) {
+        const auto end = std::find_if(row, rows_.end(), is_remarkable);
+        const auto count = static_cast<std::size_t>(end - row) * size;
+        append_bytes(output.bytes, std::span(results_).subspan(row->index * size, count));
+        row = end;
+        if (row != rows_.end()) {
+            write_row(*row++, output);
+        }
+    }
+}
+
+void RowTransformer::write_row(Row& row, Output& output) {
+    if (options_->width > 0 && has_other_fields()) {
+        make_fields(row);
+    }
+    const std::size_t size = function_.names.size();
     const Report* const report = row.has_numbers() ? &reports_[row.index] : nullptr;
     const bool failed = report == nullptr || report->fault != Fault::none;
     const ConvertedRow converted{.line = row.line,
@@ -176,15 +258,24 @@ void RowTransformer::write_row(const Row& row, Output& output) {
 }
 
 std::string RowTransformer::selected_text(const Row& row) const {
-    if (layout_->positions.empty()) {
-        return std::string(row.line.text);
-    }
     std::string text;
-    for (const std::size_t position : layout_->positions) {
+    const auto add = [&](std::string_view field) {
         if (!text.empty()) {
             text += layout_->delimiter.text();
         }
-        text += fields_[row.first_field + position];
+        text += field;
+    };
+    if (options_->width > 0) {
+        for (const double number : std::span(numbers_).subspan(row.index * function_.inputs, function_.inputs)) {
+            add(fmt::format("{}", number));
+        }
+        return text;
+    }
+    if (layout_->positions.empty()) {
+        return std::string(row.line.text);
+    }
+    for (const std::size_t position : layout_->positions) {
+        add(fields_[row.first_field + position]);
     }
     return text;
 }

@@ -47,14 +47,23 @@ private:
     /// Reads a batch of rows off the text, under `stop` none after a fault.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
+    /// Likewise a batch of binary rows.
+    void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
+    /// The fields of a binary row: its numbers' bytes, or text where the output is text.
+    void make_fields(Row& row);
     /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(const Row& row) const;
     void write(Output& output);
-    void write_row(const Row& row, Output& output);
+    /// Rows that are their results alone, as many at once as there is nothing to tell of.
+    void write_doubles(Output& output);
+    /// The output has fields of the input beside the result.
+    [[nodiscard]] bool has_other_fields() const noexcept { return options_->append || !layout_->replaced.empty(); }
+    void write_row(Row& row, Output& output);
     void note_fault(Row& row, RowFault fault);
 
     const Options* options_;
     const Layout* layout_;
+    RowFunction function_; ///< a copy, for it may have room of its own to work in
     RowText row_text_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
@@ -66,6 +75,7 @@ private:
     std::vector<std::size_t> lines_; ///< of the rows with numbers
     std::vector<double> results_;
     std::vector<Report> reports_;
+    Buffer made_;              ///< the text of a binary row
     std::vector<double> nans_; ///< the result of a row that failed
 };
 

@@ -1,6 +1,16 @@
 #include "run.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "lines.hpp"
 #include "rows.hpp"
@@ -8,61 +18,246 @@
 namespace rotconv::stream {
 namespace {
 
-/// Writes the block's bytes and then reports its events; false where the run is over.
-bool hand_on(Sink& sink, const Output& output, const std::function<void(const Event&)>& report, Ending& ending) {
-    if (const int error = sink.write({output.bytes.data(), output.bytes.size()}); error != 0) {
-        ending.reader_left = error == EPIPE;
-        if (!ending.reader_left) {
-            ending.fault = StreamFault{StreamFault::What::write, 0, error, {}};
+/// More could not be fed by one reader, and would not fit into the memory that a stream may take.
+constexpr std::size_t most_threads = 16;
+/// Blocks under way beside one for each thread, so that nobody has to wait for a slow one.
+constexpr std::size_t spare_jobs = 2;
+/// Bytes of a block that is worth another thread.
+constexpr std::size_t large = BlockReader::block_size / 2;
+
+/// A block on its way from the input to the output.
+struct Job {
+    Block block;
+    std::string_view rest; ///< its data rows, not yet converted...
+    std::size_t line = 1;  ///< ...and the line of the first
+    Output output;
+    bool done = false;
+};
+
+/// A stream that is worked on by threads which are all alike: each writes the oldest block if that is converted, else
+/// reads a block and converts it. Reading is for one at a time, and writing too; so blocks leave in the order in which
+/// they came. Nobody waits for input while blocks are under way, so that their end is the end of the run at once.
+class Run {
+public:
+    Run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
+        : sink_(&sink), options_(&options), report_(&report), reader_(source, options.width * sizeof(double)),
+          preamble_(options),
+          most_(options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads)) {}
+
+    Ending operator()();
+
+private:
+    using Lock = std::unique_lock<std::mutex>;
+    using Transformer = std::optional<RowTransformer>; ///< nothing before a thread's first data row
+
+    /// What each thread does, until the end of the stream or of the run.
+    void work(Transformer& transformer, bool is_first);
+    /// The same, for a thread that was added.
+    void help();
+    void add_thread();
+    [[nodiscard]] bool can_write() const { return !writing_ && !jobs_.empty() && jobs_.front()->done; }
+    [[nodiscard]] bool can_read() const;
+    void write_oldest(Lock& lock);
+    void read_and_convert(Lock& lock, Transformer& transformer, bool is_first);
+    /// Reads a block, and takes off it what stands before the first data row.
+    /// @return false where nothing comes after it
+    bool read(Job& job);
+    void convert(Job& job, Transformer& transformer) const;
+    void end_run(std::exception_ptr exception);
+    [[nodiscard]] std::unique_ptr<Job> idle_job();
+    /// Writes the bytes and then reports the events; false where the run is over.
+    bool hand_on(const Output& output);
+    void finish(Transformer& transformer);
+
+    Sink* sink_;
+    const Options* options_;
+    const std::function<void(const Event&)>* report_;
+    BlockReader reader_; ///< of the thread that reads
+    Preamble preamble_;  ///< likewise; the layout is settled before the first data row
+    bool has_layout_ = false;
+    Ending ending_; ///< of the thread that writes
+
+    std::mutex mutex_; ///< of all that follows
+    std::condition_variable changed_;
+    std::deque<std::unique_ptr<Job>> jobs_; ///< under way, in the order of the stream
+    std::vector<std::unique_ptr<Job>> idle_;
+    std::vector<std::thread> helpers_; ///< of the first thread
+    std::size_t most_;                 ///< threads, the first among them
+    bool reading_ = false;
+    bool writing_ = false;
+    bool all_read_ = false;
+    bool over_ = false; ///< nothing more is to be written
+    std::exception_ptr exception_;
+};
+
+Ending Run::operator()() {
+    Transformer transformer;
+    try {
+        work(transformer, true);
+    } catch (...) {
+        end_run(std::current_exception());
+    }
+    std::ranges::for_each(helpers_, &std::thread::join);
+    if (exception_) {
+        std::rethrow_exception(exception_);
+    }
+    if (!over_) {
+        finish(transformer);
+    }
+    return ending_;
+}
+
+void Run::work(Transformer& transformer, bool is_first) {
+    Lock lock(mutex_);
+    while (!over_ && !(all_read_ && jobs_.empty())) {
+        if (can_write()) {
+            write_oldest(lock);
+        } else if (can_read()) {
+            read_and_convert(lock, transformer, is_first);
+        } else {
+            changed_.wait(lock);
+        }
+    }
+    changed_.notify_all();
+}
+
+void Run::help() {
+    try {
+        Transformer transformer;
+        work(transformer, false);
+    } catch (...) {
+        end_run(std::current_exception());
+    }
+}
+
+void Run::add_thread() {
+    if (helpers_.size() + 1 < most_) {
+        try {
+            helpers_.emplace_back(&Run::help, this);
+        } catch (const std::system_error&) { // the system gives no more
+            most_ = helpers_.size() + 1;
+        }
+    }
+}
+
+bool Run::can_read() const {
+    return !reading_ && !all_read_ && jobs_.size() < most_ + spare_jobs && (jobs_.empty() || reader_.is_ready());
+}
+
+void Run::write_oldest(Lock& lock) {
+    writing_ = true;
+    const Job& job = *jobs_.front();
+    lock.unlock();
+    const bool goes_on = hand_on(job.output);
+    lock.lock();
+    writing_ = false;
+    over_ = over_ || !goes_on;
+    idle_.push_back(std::move(jobs_.front()));
+    jobs_.pop_front();
+    changed_.notify_one();
+}
+
+void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) {
+    reading_ = true;
+    auto made = idle_job();
+    Job& job = *made;
+    lock.unlock();
+    const bool goes_on = read(job);
+    lock.lock();
+    all_read_ = !goes_on;
+    if (job.block.text.empty()) {
+        idle_.push_back(std::move(made));
+        reading_ = false;
+        return;
+    }
+    jobs_.push_back(std::move(made));
+    const bool shared = job.block.text.size() >= large;
+    if (shared) {
+        reading_ = false;
+        if (is_first) {
+            add_thread();
+        }
+        changed_.notify_one();
+    }
+    lock.unlock();
+    convert(job, transformer);
+    lock.lock();
+    job.done = true;
+    reading_ = reading_ && shared; // a small block was not worth waking another to read on
+}
+
+bool Run::read(Job& job) {
+    const bool goes_on = reader_.read(job.block);
+    job.rest = job.block.text;
+    job.line = job.block.first_line;
+    job.output.clear();
+    job.done = false;
+    if (!has_layout_ && !job.rest.empty()) {
+        has_layout_ = preamble_.read(job.rest, job.line, job.output);
+    }
+    if (preamble_.fault()) {
+        job.rest = {};
+        return false;
+    }
+    return goes_on;
+}
+
+void Run::convert(Job& job, Transformer& transformer) const {
+    if (job.rest.empty()) {
+        return;
+    }
+    if (!transformer) {
+        transformer.emplace(*options_, preamble_.layout());
+    }
+    transformer->transform(job.rest, job.line, job.output);
+}
+
+void Run::end_run(std::exception_ptr exception) {
+    const Lock lock(mutex_);
+    exception_ = std::move(exception);
+    over_ = true;
+    changed_.notify_all();
+}
+
+std::unique_ptr<Job> Run::idle_job() {
+    if (idle_.empty()) {
+        return std::make_unique<Job>();
+    }
+    auto job = std::move(idle_.back());
+    idle_.pop_back();
+    return job;
+}
+
+bool Run::hand_on(const Output& output) {
+    if (const int error = sink_->write({output.bytes.data(), output.bytes.size()}); error != 0) {
+        ending_.reader_left = error == EPIPE;
+        if (!ending_.reader_left) {
+            ending_.fault = StreamFault{StreamFault::What::write, 0, error, {}};
         }
         return false;
     }
-    for (const Event& event : output.events) {
-        report(event);
-    }
-    ending.stopped = output.stopped;
+    std::ranges::for_each(output.events, *report_);
+    ending_.stopped = output.stopped;
     return !output.stopped;
+}
+
+void Run::finish(Transformer& transformer) {
+    const auto& fault = preamble_.fault() ? preamble_.fault() : reader_.fault();
+    Output output;
+    if (transformer) {
+        transformer->finish(output);
+    } else if (!fault) {
+        preamble_.finish(output);
+    }
+    if (hand_on(output)) {
+        ending_.fault = fault;
+    }
 }
 
 } // namespace
 
 Ending run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report) {
-    BlockReader reader(source);
-    Preamble preamble(options);
-    std::optional<RowTransformer> transformer;
-    Output output;
-    Ending ending;
-    while (const auto block = reader.next()) {
-        std::string_view rest = block->text;
-        std::size_t line = block->first_line;
-        output.clear();
-        if (!transformer && preamble.read(rest, line, output)) {
-            transformer.emplace(options, preamble.layout());
-        }
-        if (transformer) {
-            transformer->transform(rest, line, output);
-        }
-        if (!hand_on(sink, output, report, ending)) {
-            return ending;
-        }
-        if (preamble.fault()) {
-            ending.fault = preamble.fault();
-            return ending;
-        }
-    }
-    output.clear();
-    if (transformer) {
-        transformer->finish(output);
-    } else if (!reader.fault()) {
-        preamble.finish(output);
-    }
-    if (!hand_on(sink, output, report, ending)) {
-        return ending;
-    }
-    if (reader.fault() && !ending.fault) {
-        ending.fault = reader.fault();
-    }
-    return ending;
+    return Run(source, sink, options, report)();
 }
 
 } // namespace rotconv::stream

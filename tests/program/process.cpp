@@ -246,14 +246,23 @@ Result Process::finish() {
     return wait();
 }
 
-long Process::peak_memory_kib() const {
+void Process::interrupt() const {
+    ::kill(id_, SIGSTOP);
+    ::kill(id_, SIGCONT);
+}
+
+long Process::peak_memory_kib() const { return status("VmHWM:"); }
+
+long Process::threads() const { return status("Threads:"); }
+
+long Process::status(std::string_view name) const {
     std::ifstream status("/proc/" + std::to_string(id_) + "/status");
     for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("VmHWM:")) {
-            return std::stol(line.substr(6));
+        if (line.starts_with(name)) {
+            return std::stol(line.substr(name.size()));
         }
     }
-    throw std::runtime_error("/proc does not tell the memory of the program");
+    throw std::runtime_error("/proc does not tell of the program: " + std::string(name));
 }
 
 Result run(const Words& arguments, std::string_view input, const Surroundings& surroundings) {

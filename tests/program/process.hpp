@@ -60,10 +60,16 @@ public:
 
     /// The largest amount of memory that it has held so far.
     [[nodiscard]] long peak_memory_kib() const;
+    /// The threads that it has now.
+    [[nodiscard]] long threads() const;
+    /// Stops it and lets it go on, which interrupts calls of the system.
+    void interrupt() const;
 
 private:
     /// Waits for something to happen on the pipes, at most until the time limit, and takes in what came.
     void step(std::string_view& to_write, std::chrono::milliseconds at_most);
+    /// A number of /proc/ID/status.
+    [[nodiscard]] long status(std::string_view name) const;
 
     pid_t id_ = -1;
     int input_ = -1;
