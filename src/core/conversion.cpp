@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "angles.hpp"
@@ -148,12 +147,12 @@ void Conversion::run_method(const double* in, const Rotations& rotations, std::s
         }
     }
     if (from_.unit == AngleUnit::degrees) {
-        std::for_each_n(active.begin(), rows * in_size, [](double& v) { v *= std::numbers::pi / 180.0; });
+        std::for_each_n(active.begin(), rows * in_size, [](double& v) { v *= radians_per_degree; });
     }
     settings_.method->run(to_.sequence, active.data(), rows, out);
     const std::size_t out_size = to_.size();
     if (to_.unit == AngleUnit::degrees) {
-        std::for_each_n(out, rows * out_size, [](double& v) { v *= 180.0 / std::numbers::pi; });
+        std::for_each_n(out, rows * out_size, [](double& v) { v *= degrees_per_radian; });
     }
     Readings answers; // NOLINT(*-member-init)
     out_door_->read(to_, out, rows, answers);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "door.hpp"
 #include "rate_door.hpp"
@@ -14,8 +13,6 @@ namespace {
 
 using Numbers = std::array<double, 9>;
 using Eigen::Vector3d;
-
-constexpr double per_degree = std::numbers::pi / 180.0;
 
 bool all_finite(const double* numbers, std::size_t count) noexcept {
     return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
@@ -83,7 +80,7 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
     const Frame frame = spec_.passive ? inverse_of(settings_.frame) : settings_.frame;
     const double sign = spec_.passive ? -1.0 : 1.0;
 
-    const double radians = settings_.degrees ? per_degree : 1.0;
+    const double radians = settings_.degrees ? radians_per_degree : 1.0;
     if (settings_.inverse) {
         const Vector3d w = equation.angular_velocity(spec_, numbers.data(), rates.data(), frame);
         for (Eigen::Index i = 0; i < 3; ++i) {

@@ -6,8 +6,6 @@
 namespace rotconv {
 namespace {
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
 /// (1, tan(hi + lo)), with the sum's denominator moved to the cosine: large tangents keep their digits.
 HalfAngle tangent_of(double hi, double lo) noexcept {
     const double tangent = std::tan(hi);
@@ -40,7 +38,7 @@ HalfAngle half_of_degrees(DoubleDouble angle) noexcept {
     if (std::fabs(rest.hi) == 90.0 && rest.lo == 0.0) {
         return turned({1.0, std::copysign(1.0, rest.hi)}, quadrants);
     }
-    constexpr double half_radians_per_degree = std::numbers::pi / 360.0;
+    constexpr double half_radians_per_degree = 0.5 * radians_per_degree;
     return turned(tangent_of(rest.hi * half_radians_per_degree, rest.lo * half_radians_per_degree), quadrants);
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include <rotconv/quaternion.hpp>
@@ -41,7 +40,7 @@ Report failed(Fault fault) {
 class Propagation {
 public:
     explicit Propagation(const PropagationRows& rows)
-        : velocity_unit_(rows.degrees ? std::numbers::pi / 180.0 : 1.0), tolerance_(rows.conversion.tolerance),
+        : velocity_unit_(rows.degrees ? radians_per_degree : 1.0), tolerance_(rows.conversion.tolerance),
           stop_at_fault_(rows.stop_at_fault), propagator_(rows.settings),
           conversion_(conversion_to(rows.to, rows.conversion)) {}
 

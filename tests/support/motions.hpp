@@ -37,7 +37,8 @@ Motion symmetric_body();
 Motion gentle();
 /// Pitch grows steadily: exactly through the lock of euler:ZYX, first at 1.57 s.
 Motion through_lock();
-/// Up to 3 rad/s about changing axes, through half-turns and, in 20 s, past the lock of euler:ZYX at 0.0370 rad (3.907 s).
+/// Up to 3 rad/s about changing axes, through half-turns and, in 20 s, past the lock of euler:ZYX at 0.0370 rad (3.907
+/// s).
 Motion tumbling();
 
 } // namespace motions
