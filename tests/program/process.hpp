@@ -13,6 +13,12 @@
 /// Runs the program as a user does: a real process with real pipes.
 namespace program {
 
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+inline constexpr bool is_sanitized = true; // with memory of its own
+#else
+inline constexpr bool is_sanitized = false;
+#endif
+
 using Words = std::vector<std::string>;
 
 /// How the program ended and what it said.

@@ -283,7 +283,7 @@ TEST_CASE("the memory of propagate does not grow with the stream") {
             process.wait_until_read();
             before = part == 0 ? process.peak_memory_kib() : before;
         }
-        CHECK(process.peak_memory_kib() <= before + 256);
+        CHECK((is_sanitized || process.peak_memory_kib() <= before + 256));
         CHECK(count_rows(process.finish().out) == 60000);
     }
 }
@@ -304,7 +304,7 @@ TEST_CASE("rows that are refused do not keep the one before them waiting for eve
             before = part == 0 ? process.peak_memory_kib() : before;
         }
         process.write("7 0 0 1e-3\n8 0 0 1e-3\n");
-        CHECK(process.peak_memory_kib() <= before + 512);
+        CHECK((is_sanitized || process.peak_memory_kib() <= before + 512));
         const auto result = process.finish();
         CHECK(count_rows(result.out) == (row[0] == '#' ? 90004 : 4));
         CHECK(result.out.substr(result.out.find("\n8 ") + 1, 2) == "8 ");

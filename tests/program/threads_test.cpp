@@ -11,11 +11,6 @@ using namespace program;
 
 namespace {
 
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr bool is_sanitized = true; // with memory of its own
-#else
-constexpr bool is_sanitized = false;
-#endif
 constexpr const char* thread_counts[] = {"2", "3", "8"};
 
 struct Kinds {
