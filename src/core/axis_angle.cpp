@@ -33,9 +33,7 @@ Reading to_rotation(const AxisAngle& value) noexcept {
 AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     std::array<double, 4> numbers{};
     Notes notes;
-    Rotations one; // NOLINT(*-member-init): written before it is read
-    one.set(0, rotation);
-    write(one, 1, unit, numbers.data(), &notes);
+    write(OneRotation(rotation), 1, unit, numbers.data(), &notes);
     return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
 }
 
@@ -43,7 +41,6 @@ void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double*
     VectorParts parts; // NOLINT(*-member-init): written before it is read
     take_apart(rotations, rows, parts);
     Angles angles; // NOLINT(*-member-init)
-    parts.half.set_sines(rows);
     angles_of(parts.half, rows, unit, angles);
     for (std::size_t i = 0; i < rows; ++i) {
         const DoubleDouble inverse = quotient(1.0, 0.0, parts.length(i));

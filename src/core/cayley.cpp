@@ -19,11 +19,9 @@ double infinite_along(double component) noexcept {
 } // namespace
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
-    Rotations one; // NOLINT(*-member-init): written before it is read
-    one.set(0, rotation);
     Eigen::Vector3d c;
     Notes notes;
-    write(one, 1, c.data(), &notes);
+    write(OneRotation(rotation), 1, c.data(), &notes);
     return c;
 }
 

@@ -29,10 +29,8 @@ struct Door {
 
     /// One row, with nothing given up to lock.
     void write_row(const Spec& spec, const Rotation& rotation, double* numbers) const noexcept {
-        Rotations one; // NOLINT(*-member-init)
         Notes notes;
-        one.set(0, rotation);
-        write(spec, 0.0, one, 1, numbers, &notes);
+        write(spec, 0.0, OneRotation(rotation), 1, numbers, &notes);
     }
 };
 

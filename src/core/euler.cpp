@@ -215,9 +215,7 @@ EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, Angl
                           double lock_margin) noexcept {
     EulerAngles result{.sequence = sequence, .unit = unit};
     Notes notes;
-    Rotations one; // NOLINT(*-member-init): written before it is read
-    one.set(0, rotation);
-    write(one, 1, sequence, unit, lock_margin, result.angles.data(), &notes);
+    write(OneRotation(rotation), 1, sequence, unit, lock_margin, result.angles.data(), &notes);
     return result;
 }
 

@@ -29,6 +29,13 @@ struct Rotations {
     }
 };
 
+/// A block of one row.
+struct OneRotation : Rotations {
+    explicit OneRotation(const Rotation& rotation) noexcept {
+        set(0, rotation);
+    } // NOLINT(*-member-init): the other rows
+};
+
 /// A block of what numbers describe; see Reading.
 struct Readings : Rotations {
     Lane defect;

@@ -39,11 +39,9 @@ Reading to_rotation(const Eigen::Vector3d& m) noexcept {
 }
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
-    Rotations one; // NOLINT(*-member-init): written before it is read
-    one.set(0, rotation);
     Eigen::Vector3d m;
     Notes notes;
-    write(one, 1, m.data(), &notes);
+    write(OneRotation(rotation), 1, m.data(), &notes);
     return m;
 }
 

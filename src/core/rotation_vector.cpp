@@ -122,9 +122,7 @@ void read(const double* numbers, std::size_t rows, AngleUnit unit, Readings& rea
 RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     RotationVector result{.unit = unit};
     Notes notes;
-    Rotations one; // NOLINT(*-member-init)
-    one.set(0, rotation);
-    write(one, 1, unit, result.vector.data(), &notes);
+    write(OneRotation(rotation), 1, unit, result.vector.data(), &notes);
     return result;
 }
 
@@ -134,7 +132,6 @@ void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double*
     VectorParts parts; // NOLINT(*-member-init): written before it is read
     take_apart(rotations, rows, parts);
     Angles angles; // NOLINT(*-member-init)
-    parts.half.set_sines(rows);
     angles_of(parts.half, rows, unit, angles);
     // Degrees are brought to the size of radians by a power of two.
     const double scale = unit == AngleUnit::degrees ? 64.0 : 1.0;

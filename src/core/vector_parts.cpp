@@ -28,6 +28,7 @@ void take_apart(const Rotations& rotations, std::size_t rows, VectorParts& parts
             parts.half.x[i] = 0.0;
         }
     }
+    parts.half.set_sines(rows);
 }
 
 } // namespace rotconv

@@ -18,6 +18,21 @@ Options options_of(const char* from, const char* to) {
     return Options(Conversion(std::get<Spec>(parse_spec(from)), std::get<Spec>(parse_spec(to))));
 }
 
+/// Hands the text on in pieces of so many lines as `piece` says each time: take(text, first line).
+template <class Piece, class Take> void in_pieces(std::string_view text, Piece piece, Take take) {
+    std::size_t line = 1;
+    while (!text.empty()) {
+        std::size_t end = 0;
+        std::size_t count = 0;
+        for (const std::size_t lines = piece(); count < lines && end < text.size(); ++count) {
+            end = text.find('\n', end) + 1;
+        }
+        take(text.substr(0, end), line);
+        text.remove_prefix(end);
+        line += count;
+    }
+}
+
 /// A stream with comments, blank rows, faults and diagnostics in it.
 std::string rows(int count) {
     std::mt19937_64 engine(91);
@@ -80,18 +95,11 @@ TEST_CASE("a stream cut at any line becomes the same") {
         RowTransformer first(options, layout);
         RowTransformer second(options, layout);
         Output output;
-        std::string_view rest = text;
-        std::size_t line = 1;
-        while (!rest.empty()) {
-            std::size_t end = 0;
-            std::size_t count = 0;
-            for (const auto lines = 1 + engine() % 300; count < lines && end < rest.size(); ++count) {
-                end = rest.find('\n', end) + 1;
-            }
-            (engine() % 2 == 0 ? first : second).transform(rest.substr(0, end), line, output);
-            rest.remove_prefix(end);
-            line += count;
-        }
+        in_pieces(
+            text, [&engine] { return 1 + engine() % 300; },
+            [&](std::string_view piece, std::size_t line) {
+                (engine() % 2 == 0 ? first : second).transform(piece, line, output);
+            });
         CHECK(fmt::to_string(output.bytes) == fmt::to_string(expected.bytes));
         CHECK(all_of(output) == all_of(expected));
     }
@@ -121,18 +129,8 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
         layout.select_all(4, 1);
         RowTransformer transformer(options, layout);
         Output output;
-        std::string_view rest = text;
-        std::size_t line = 1;
-        while (!rest.empty()) {
-            std::size_t end = 0;
-            std::size_t count = 0;
-            for (const std::size_t lines = piece(); count < lines && end < rest.size(); ++count) {
-                end = rest.find('\n', end) + 1;
-            }
-            transformer.transform(rest.substr(0, end), line, output);
-            rest.remove_prefix(end);
-            line += count;
-        }
+        in_pieces(text, piece,
+                  [&](std::string_view some, std::size_t line) { transformer.transform(some, line, output); });
         transformer.finish(output);
         return all_of(output);
     };
