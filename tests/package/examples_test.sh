@@ -44,4 +44,19 @@ printf '%s\n' "$motion" | awk '/off by at most/ && $14 < 1e-4 { found = 1 } END 
     echo "FAILED: survey-and-propagate.sh does not come back to the attitudes"
     failed=1
 }
+
+# The command of the example for Spark, run on pieces of the rows (the last one empty) as Spark runs it on partitions.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+command=$(sed -n 's/^COMMAND = "\(.*\)"$/\1/p' euroc-with-spark.py)
+grep -v '^#' data/euroc_v102.csv | split -l 5 - "$work/part-"
+: > "$work/part-empty"
+for part in "$work"/part-*; do
+    $command < "$part" || failed=1
+done > "$work/pieces"
+rotconv -f quat -t rpy:deg --columns q_RS_w,q_RS_x,q_RS_y,q_RS_z < data/euroc_v102.csv | sed 1d | cmp - "$work/pieces" || failed=1
+! echo "1,0,0,0,1,0,0,lost" | $command 2>/dev/null || {
+    echo "FAILED: the example for Spark does not notice a bad row"
+    failed=1
+}
 exit "$failed"
