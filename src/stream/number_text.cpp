@@ -1,9 +1,13 @@
 #include "number_text.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
+#include <dragonbox/dragonbox_to_chars.h>
 #include <fmt/compile.h>
 
 namespace rotconv::stream {
@@ -38,6 +42,48 @@ bool is_large(std::string_view digits) noexcept {
         return negative ? magnitude > value : magnitude > -value;
     }
     return magnitude > 0;
+}
+
+// Dragonbox writes the shortest digits as d.dddE-1 in half of the time of fmt; most numbers of attitudes and angles
+// need no more than the point moved to have the form of fmt's {}.
+
+/// From 1e-4 to below 1.
+char* write_fraction(char* to, double magnitude) noexcept {
+    constexpr std::ptrdiff_t exponent_size = 3; // E-1 to E-4
+    const std::ptrdiff_t exponent = 1 + (magnitude < 0.1) + (magnitude < 0.01) + (magnitude < 0.001);
+    std::memset(to, '0', 5);
+    char* const digits = to + exponent; // so that those behind the point are in their place
+    const char* const end = jkj::dragonbox::to_chars_n(magnitude, digits) - exponent_size;
+    digits[1] = std::exchange(digits[0], '0');
+    to[1] = '.';
+    return to + std::max(end - to, exponent + 2);
+}
+
+/// From 1 to below 1000; null where the digits end before the point.
+char* write_whole(char* to, double magnitude) noexcept {
+    constexpr std::ptrdiff_t exponent_size = 2; // E0 to E2
+    const std::ptrdiff_t exponent = (magnitude >= 10) + (magnitude >= 100);
+    char* const end = jkj::dragonbox::to_chars_n(magnitude, to) - exponent_size;
+    if (end - to > exponent + 2) {
+        std::copy_n(to + 2, exponent, to + 1);
+        to[exponent + 1] = '.';
+        return end;
+    }
+    return end == to + 1 && exponent == 0 ? end : nullptr;
+}
+
+/// The shortest digits in the form of fmt's {}.
+char* write_shortest(char* to, double value) {
+    const double magnitude = std::abs(value);
+    if (magnitude >= 1e-4 && magnitude < 1e3) {
+        char* const unsigned_to = to + std::signbit(value);
+        *to = '-';
+        char* const end = magnitude < 1 ? write_fraction(unsigned_to, magnitude) : write_whole(unsigned_to, magnitude);
+        if (end != nullptr) {
+            return end;
+        }
+    }
+    return fmt::format_to(to, FMT_COMPILE("{}"), value);
 }
 
 } // namespace
@@ -93,7 +139,7 @@ void append_number(Buffer& to, double value, int precision) {
     }
     constexpr std::size_t longest = 32; // -2.2250738585072014e-308 has 24
     to.try_reserve(to.size() + longest);
-    const char* end = fmt::format_to(to.data() + to.size(), FMT_COMPILE("{}"), value);
+    const char* end = write_shortest(to.data() + to.size(), value);
     to.try_resize(static_cast<std::size_t>(end - to.data()));
 }
 

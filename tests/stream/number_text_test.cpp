@@ -93,6 +93,33 @@ TEST_CASE("the shortest text reads back to the same double") {
     CHECK(text_of(-2.2250738585072014e-308) == "-2.2250738585072014e-308");
 }
 
+// Would catch: a point, a sign or a zero in the wrong place, at the borders of the forms above all.
+TEST_CASE("the shortest text has the form of fmt's {}") {
+    const auto check = [](double value) {
+        for (const double signed_value : {value, -value}) {
+            REQUIRE(text_of(signed_value) == fmt::format("{}", signed_value));
+        }
+    };
+    for (int tens = -7; tens < 19; ++tens) {
+        const double power = std::pow(10, tens);
+        for (const double digits : {1.0, 1.2, 1.23, 1.234, 2.0, 9.0, 9.9, 9.99, 9.999}) {
+            check(power * digits);
+            check(std::nextafter(power * digits, 0.0));
+            check(std::nextafter(power * digits, 1e20));
+        }
+    }
+    for (int i = 0; i <= 2000; ++i) {
+        check(i);
+        check(i / 1000.0);
+        check(i / 16.0);
+    }
+    std::mt19937_64 engine(72);
+    std::uniform_real_distribution<double> exponent(-6, 4);
+    for (int i = 0; i < 50000; ++i) {
+        check(std::pow(10, exponent(engine)));
+    }
+}
+
 // Would catch: digits after the point in the place of significant ones.
 TEST_CASE("precision counts significant digits") {
     CHECK(text_of(1.0 / 3, 3) == "0.333");
