@@ -83,7 +83,7 @@ char* write_shortest(char* to, double value) {
             return end;
         }
     }
-    return fmt::format_to(to, FMT_COMPILE("{}"), value);
+    return fmt::format_to(to, FMT_COMPILE("{}"), std::isnan(value) ? magnitude : value); // no sign for nan
 }
 
 } // namespace
@@ -129,17 +129,25 @@ bool is_number(std::string_view text) noexcept {
 }
 
 void append_number(Buffer& to, double value, int precision) {
-    if (std::isnan(value)) {
+    if (precision == 0) {
+        append_numbers(to, {&value, 1}, ' ');
+    } else if (std::isnan(value)) {
         append(to, "nan"); // whatever its sign bit
-        return;
-    }
-    if (precision != 0) {
+    } else {
         fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.{}g}"), value, precision);
-        return;
     }
+}
+
+void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter) {
     constexpr std::size_t longest = 32; // -2.2250738585072014e-308 has 24
-    to.try_reserve(to.size() + longest);
-    const char* end = write_shortest(to.data() + to.size(), value);
+    to.try_reserve(to.size() + longest * numbers.size());
+    char* end = to.data() + to.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0) {
+            *end++ = delimiter;
+        }
+        end = write_shortest(end, numbers[i]);
+    }
     to.try_resize(static_cast<std::size_t>(end - to.data()));
 }
 

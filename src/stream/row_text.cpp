@@ -126,11 +126,15 @@ void RowText::write_number(Buffer& to, double value, std::size_t column) const {
 
 void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    for (std::size_t i = 0; i < row.result.size(); ++i) {
-        if (i > 0) {
-            to.push_back(delimiter);
+    if (options_->precision == 0) {
+        append_numbers(to, row.result, delimiter);
+    } else {
+        for (std::size_t i = 0; i < row.result.size(); ++i) {
+            if (i > 0) {
+                to.push_back(delimiter);
+            }
+            write_number(to, row.result[i], i);
         }
-        write_number(to, row.result[i], i);
     }
     if (!options_->diagnostic_columns) {
         return;

@@ -1,6 +1,7 @@
 #include "rows.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -9,6 +10,7 @@ namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout)
     : options_(&options), layout_(&layout), function_(options.function), row_text_(options, layout),
+      has_plain_rows_(!has_other_fields() && !layout.delimiter.is_blanks()),
       nans_(options.function.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
@@ -137,6 +139,10 @@ void RowTransformer::read_row(Row& row) {
     const std::size_t needed = function_.inputs;
     const std::size_t first_number = numbers_.size();
     row.index = lines_.size();
+    if (has_plain_rows_ && read_plain(row.line.text)) {
+        lines_.push_back(row.number);
+        return;
+    }
     const bool closed = layout_->delimiter.split(row.line.text, fields_);
     row.field_count = fields_.size() - row.first_field;
     if (!closed) {
@@ -174,6 +180,23 @@ void RowTransformer::read_row(Row& row) {
         }
     }
     lines_.push_back(row.number);
+}
+
+bool RowTransformer::read_plain(std::string_view text) {
+    const std::size_t first = numbers_.size();
+    numbers_.resize(first + function_.inputs);
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = first; i < numbers_.size(); ++i) {
+        const auto [stop, error] = std::from_chars(at, end, numbers_[i]);
+        const bool is_last = i + 1 == numbers_.size();
+        if (error != std::errc{} || (stop == end) != is_last || (!is_last && *stop != layout_->delimiter.text())) {
+            numbers_.resize(first);
+            return false;
+        }
+        at = stop + 1;
+    }
+    return true;
 }
 
 void RowTransformer::note_fault(Row& row, RowFault fault) {

@@ -20,11 +20,12 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/compile.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "stream/number_text.hpp"
 
 namespace {
 
@@ -33,11 +34,9 @@ const std::string program = ROTCONV_PROGRAM;
 
 // The bare loops, which run in a process of their own: stdin to stdout.
 
-void print(fmt::memory_buffer& out, const double* numbers, int count) {
-    for (int i = 0; i < count; ++i) {
-        fmt::format_to(std::back_inserter(out), FMT_COMPILE("{}"), numbers[i]);
-        out.push_back(i < count - 1 ? ',' : '\n');
-    }
+void print(fmt::memory_buffer& out, const double* numbers, std::size_t count) {
+    rotconv::stream::append_numbers(out, {numbers, count}, ',');
+    out.push_back('\n');
 }
 
 void to_dcm(fmt::memory_buffer& out, const double* q) {
