@@ -16,9 +16,13 @@ using Columns = Eigen::Matrix<double, 3, 2>;
 namespace columns {
 
 /// Gram-Schmidt that keeps the first column's direction: e1 = c1/|c1|, e2 along c2 - (e1.c2) e1, e3 = e1 x e2.
-/// Columns of any length. Faults: not_finite, rank_deficient. Defect: largest singular value of M - (polar factor of
-/// M).
+/// Columns of any length. Faults: not_finite, rank_deficient. The defect is exact only above `reported_defect`; below,
+/// it is an upper bound. See defect().
 [[nodiscard]] Reading to_rotation(const Columns& m) noexcept;
+
+/// Largest singular value of M - (polar factor of M).
+/// @pre to_rotation(m).ok()
+[[nodiscard]] double defect(const Columns& m) noexcept;
 
 /// The first two columns of the matrix.
 [[nodiscard]] inline Columns from_rotation(const Rotation& rotation) noexcept {
@@ -49,6 +53,10 @@ using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 /// r11 = sqrt 2 (y'y - 1)/(y'y + 1), the other five 2 sqrt 2 y/(y'y + 1), then as columns::to_rotation().
 [[nodiscard]] Reading to_rotation(const Vector5& y) noexcept;
+
+/// That of the columns.
+/// @pre to_rotation(y).ok()
+[[nodiscard]] double defect(const Vector5& y) noexcept;
 
 /// In the homogeneous form the denominator (sqrt 2 - 1)(w^2 + x^2) + (sqrt 2 + 1)(y^2 + z^2) has no cancellation.
 [[nodiscard]] Vector5 from_rotation(const Rotation& rotation) noexcept;

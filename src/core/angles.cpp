@@ -24,7 +24,7 @@ DoubleDouble half_turn_in(AngleUnit unit) noexcept {
     return unit == AngleUnit::degrees ? DoubleDouble{180.0, 0.0} : DoubleDouble{std::numbers::pi, pi_low};
 }
 
-void PlaneVectors::set_sines(std::size_t rows) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void PlaneVectors::set_sines(std::size_t rows) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         const double x_size = std::fabs(x[i]);
         const double y_size = std::fabs(y[i]);
@@ -32,7 +32,8 @@ void PlaneVectors::set_sines(std::size_t rows) noexcept {
     }
 }
 
-void angles_of(const PlaneVectors& vectors, std::size_t rows, AngleUnit unit, Angles& angles) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void angles_of(const PlaneVectors& vectors, std::size_t rows, AngleUnit unit,
+                                          Angles& angles) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         angles.hi[i] = std::asin(vectors.sine[i]);
     }

@@ -37,7 +37,8 @@ AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
 }
 
-void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers,
+                                      Notes* notes) noexcept {
     VectorParts parts; // NOLINT(*-member-init): written before it is read
     take_apart(rotations, rows, parts);
     Angles angles; // NOLINT(*-member-init)

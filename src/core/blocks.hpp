@@ -17,6 +17,18 @@ namespace dcm {
 void read(const double* numbers, std::size_t rows, Readings& readings) noexcept;
 }
 
+namespace quaternion {
+void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept;
+}
+
+namespace columns {
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept;
+}
+
+namespace hopf {
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept;
+}
+
 namespace axis_angle {
 void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept;
 }

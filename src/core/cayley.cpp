@@ -25,7 +25,8 @@ Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     return c;
 }
 
-void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void write(const Rotations& rotations, std::size_t rows, double* numbers,
+                                      Notes* notes) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         numbers[3 * i] = rotations.x[i] / rotations.w[i];
         numbers[3 * i + 1] = rotations.y[i] / rotations.w[i];

@@ -1,6 +1,7 @@
 #include <rotconv/columns.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,7 @@
 
 #include <rotconv/dcm.hpp>
 
+#include "blocks.hpp"
 #include "davenport.hpp"
 #include "double_double.hpp"
 #include "nearest_velocity.hpp"
@@ -17,22 +19,6 @@ namespace rotconv {
 namespace {
 
 using std::numbers::sqrt2;
-
-/// Largest |s - 1| over the singular values s of a 3x2 matrix, from the eigenvalues of M'M - I.
-double columns_defect(const Columns& m) noexcept {
-    const auto scale = PowerOfTwo::to_unit(std::max(1.0, m.cwiseAbs().maxCoeff()));
-    const Columns scaled = m.unaryExpr(scale);
-    const double unit = scale(1.0);
-    const double a = scaled.col(0).squaredNorm() - unit * unit;
-    const double b = scaled.col(1).squaredNorm() - unit * unit;
-    const double c = scaled.col(0).dot(scaled.col(1));
-    const double mean = 0.5 * (a + b);
-    const double radius = std::hypot(0.5 * (a - b), c);
-    const auto from_one = [unit](double square_excess) {
-        return std::fabs(square_excess) / (unit + std::sqrt(std::max(0.0, unit * unit + square_excess)));
-    };
-    return scale.undone(std::max(from_one(mean + radius), from_one(mean - radius)));
-}
 
 /// The rotation of two nonzero directions, or a fault; columns of any finite length.
 Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
@@ -60,6 +46,46 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
     return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z)};
 }
 
+/// Two columns of each row, the first above the second.
+using ColumnLanes = std::array<Lane, 6>;
+
+/// Gram-Schmidt on columns that are orthonormal but for `square`, the sum of the squares of what is missing. It leaves
+/// an orthogonal matrix, and one power step its polar factor, where that is at most clean_square.
+ROTCONV_FOR_EACH_PROCESSOR
+void read_clean(const ColumnLanes& m, std::size_t rows, Readings& readings, Lane& square) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double a0 = m[0][i];
+        const double a1 = m[1][i];
+        const double a2 = m[2][i];
+        const double along = (a0 * m[3][i] + a1 * m[4][i]) + a2 * m[5][i];
+        const double b0 = m[3][i] - along * a0;
+        const double b1 = m[4][i] - along * a1;
+        const double b2 = m[5][i] - along * a2;
+        const double a_excess = ((a0 * a0 + a1 * a1) + a2 * a2) - 1.0;
+        const double b_excess = ((b0 * b0 + b1 * b1) + b2 * b2) - 1.0;
+        const std::array matrix{a0, b0, a1 * b2 - a2 * b1, a1, b1, a2 * b0 - a0 * b2, a2, b2, a0 * b1 - a1 * b0};
+        const Davenport k(matrix.data());
+        const Quaternion q = k.power_step(k.pivot_column());
+        readings.w[i] = q.w;
+        readings.x[i] = q.x;
+        readings.y[i] = q.y;
+        readings.z[i] = q.z;
+        readings.defect[i] = clean_defect;
+        square[i] = (a_excess * a_excess + b_excess * b_excess) + along * along;
+    }
+}
+
+/// Reads the rows that are not clean by `read_any`.
+template <class ReadAny>
+void read_others(const Lane& square, std::size_t rows, Readings& readings, const ReadAny& read_any) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        readings.fault[i] = Fault::none;
+        if (!(square[i] <= clean_square)) [[unlikely]] {
+            readings.set(i, read_any(i));
+        }
+    }
+}
+
 /// The rates of two columns that turn as a rigid pair.
 Columns turned(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
     Eigen::Vector3d axis = w;
@@ -77,16 +103,48 @@ Columns turned(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept
 } // namespace
 
 namespace columns {
+namespace {
 
-Reading to_rotation(const Columns& m) noexcept {
+Reading read_any(const Columns& m) noexcept {
     if (!m.allFinite()) {
         return Reading::failed(Fault::not_finite);
     }
     Reading reading = gram_schmidt(m.col(0), m.col(1));
     if (reading.ok()) {
-        reading.defect = columns_defect(m);
+        reading.defect = defect(m);
     }
     return reading;
+}
+
+} // namespace
+
+Reading to_rotation(const Columns& m) noexcept {
+    Readings one; // NOLINT(*-member-init): written before it is read
+    read(m.data(), 1, one);
+    return one.reading(0);
+}
+
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    Lane square; // NOLINT(*-member-init): written before it is read
+    read_clean(to_lanes<6>(numbers, rows), rows, readings, square);
+    read_others(square, rows, readings,
+                [numbers](std::size_t i) { return read_any(Eigen::Map<const Columns>(numbers + 6 * i)); });
+}
+
+// From the eigenvalues of M'M - I.
+double defect(const Columns& m) noexcept {
+    const auto scale = PowerOfTwo::to_unit(std::max(1.0, m.cwiseAbs().maxCoeff()));
+    const Columns scaled = m.unaryExpr(scale);
+    const double unit = scale(1.0);
+    const double a = scaled.col(0).squaredNorm() - unit * unit;
+    const double b = scaled.col(1).squaredNorm() - unit * unit;
+    const double c = scaled.col(0).dot(scaled.col(1));
+    const double mean = 0.5 * (a + b);
+    const double radius = std::hypot(0.5 * (a - b), c);
+    const auto from_one = [unit](double square_excess) {
+        return std::fabs(square_excess) / (unit + std::sqrt(std::max(0.0, unit * unit + square_excess)));
+    };
+    return scale.undone(std::max(from_one(mean + radius), from_one(mean - radius)));
 }
 
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = sqrt2}; }
@@ -100,25 +158,75 @@ Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates, Frame f
 } // namespace columns
 
 namespace hopf {
+namespace {
 
-Reading to_rotation(const Vector5& y) noexcept {
+/// The columns of Hopf's numbers.
+ROTCONV_FOR_EACH_PROCESSOR
+ColumnLanes columns_of(const double* numbers, std::size_t rows) noexcept {
+    ColumnLanes m; // NOLINT(*-member-init): as many rows as there are
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double* const y = numbers + 5 * i;
+        const double square = ((y[0] * y[0] + y[1] * y[1]) + (y[2] * y[2] + y[3] * y[3])) + y[4] * y[4];
+        const double factor = 2.0 * sqrt2 / (square + 1.0);
+        m[0][i] = (0.5 * factor) * (square - 1.0);
+        m[1][i] = factor * y[0];
+        m[2][i] = factor * y[1];
+        m[3][i] = factor * y[2];
+        m[4][i] = factor * y[3];
+        m[5][i] = factor * y[4];
+    }
+    return m;
+}
+
+/// y times a power of two f, so that y'y cannot overflow: (f^2 y'y - f^2, 2 f fy) is parallel to the two columns.
+struct Scaled {
+    explicit Scaled(const Vector5& number) noexcept {
+        const auto scale = PowerOfTwo::to_unit(std::max(1.0, number.cwiseAbs().maxCoeff()));
+        f = scale(1.0);
+        y = number.unaryExpr(scale);
+        square = y.squaredNorm();
+    }
+
+    [[nodiscard]] Eigen::Vector3d first() const noexcept { return {square - f * f, 2.0 * f * y[0], 2.0 * f * y[1]}; }
+    [[nodiscard]] Columns columns() const noexcept {
+        Columns m;
+        m << first(), (2.0 * f) * y.tail<3>();
+        return m * (sqrt2 / (square + f * f));
+    }
+
+    Vector5 y;
+    double f, square;
+};
+
+Reading read_any(const Vector5& y) noexcept {
     if (!y.allFinite()) {
         return Reading::failed(Fault::not_finite);
     }
-    // Times a power of two f, so that y'y cannot overflow: (f^2 y'y - f^2, 2 f fy) is parallel to the two columns.
-    const auto scale = PowerOfTwo::to_unit(std::max(1.0, y.cwiseAbs().maxCoeff()));
-    const double f = scale(1.0);
-    const Vector5 fy = y.unaryExpr(scale);
-    const double square = fy.squaredNorm();
-    const Eigen::Vector3d first{square - f * f, 2.0 * f * fy[0], 2.0 * f * fy[1]};
-    Reading reading = gram_schmidt(first, fy.tail<3>()); // of the second column only the direction counts
+    const Scaled scaled(y);
+    Reading reading =
+        gram_schmidt(scaled.first(), scaled.y.tail<3>()); // of the second column only the direction counts
     if (reading.ok()) {
-        Columns m;
-        m << first, (2.0 * f) * fy.tail<3>();
-        reading.defect = columns_defect(m * (sqrt2 / (square + f * f)));
+        reading.defect = columns::defect(scaled.columns());
     }
     return reading;
 }
+
+} // namespace
+
+Reading to_rotation(const Vector5& y) noexcept {
+    Readings one; // NOLINT(*-member-init): written before it is read
+    read(y.data(), 1, one);
+    return one.reading(0);
+}
+
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    Lane square; // NOLINT(*-member-init): written before it is read
+    read_clean(columns_of(numbers, rows), rows, readings, square);
+    read_others(square, rows, readings,
+                [numbers](std::size_t i) { return read_any(Eigen::Map<const Vector5>(numbers + 5 * i)); });
+}
+
+double defect(const Vector5& y) noexcept { return columns::defect(Scaled(y).columns()); }
 
 Vector5 from_rotation(const Rotation& rotation) noexcept {
     const double w = rotation.w();

@@ -6,21 +6,21 @@
 
 namespace rotconv {
 
+/// A squared distance from where on one power step serves, and a bound on the defect there.
+inline constexpr double clean_square = 0x1p-58;
+inline constexpr double clean_defect = 0x1p-27;
+
 /// Davenport's symmetric 4x4 matrix K of a 3x3 matrix M, plus the identity. The unit quaternion q that maximises
 /// trace(R(q)' M) is its eigenvector to the largest eigenvalue, and R(q) the polar factor of M where det M > 0. For a
-/// rotation K + I = 4 q q'. `Real` is double, or several numbers of which each belongs to another matrix.
-template <class Real> class Davenport {
+/// rotation K + I = 4 q q'.
+class Davenport {
 public:
-    struct Vector {
-        Real w, x, y, z;
-    };
-
     /// @param m nine numbers, row by row
-    template <class Numbers> explicit Davenport(const Numbers& m) noexcept {
-        const Real plus = 1.0 + m[0];
-        const Real minus = 1.0 - m[0];
-        const Real sum = m[4] + m[8];
-        const Real difference = m[4] - m[8];
+    explicit Davenport(const double* m) noexcept {
+        const double plus = 1.0 + m[0];
+        const double minus = 1.0 - m[0];
+        const double sum = m[4] + m[8];
+        const double difference = m[4] - m[8];
         ww = plus + sum;
         xx = plus - sum;
         yy = minus + difference;
@@ -35,12 +35,12 @@ public:
 
     /// A quarter of the column with the largest diagonal element: parallel to q for a rotation, near it for a matrix
     /// near one. Its length is then between 1/2 and 1.
-    [[nodiscard]] Vector pivot_column() const noexcept {
-        const auto w_first = ww >= xx;
-        const auto y_first = yy >= zz;
-        const Real wx_pivot = w_first ? ww : xx;
-        const Real yz_pivot = y_first ? yy : zz;
-        const auto wx_first = wx_pivot >= yz_pivot;
+    [[nodiscard]] Quaternion pivot_column() const noexcept {
+        const bool w_first = ww >= xx;
+        const bool y_first = yy >= zz;
+        const double wx_pivot = w_first ? ww : xx;
+        const double yz_pivot = y_first ? yy : zz;
+        const bool wx_first = wx_pivot >= yz_pivot;
         return {0.25 * (wx_first ? (w_first ? ww : wx) : (y_first ? wy : wz)),
                 0.25 * (wx_first ? (w_first ? wx : xx) : (y_first ? xy : xz)),
                 0.25 * (wx_first ? (w_first ? wy : xy) : (y_first ? yy : yz)),
@@ -48,7 +48,7 @@ public:
     }
 
     /// (K + I) q / 4: keeps the eigenvector, reduces all else by about the matrix's defect.
-    [[nodiscard]] Vector power_step(const Vector& q) const noexcept {
+    [[nodiscard]] Quaternion power_step(const Quaternion& q) const noexcept {
         return {0.25 * ((ww * q.w + wx * q.x) + (wy * q.y + wz * q.z)),
                 0.25 * ((wx * q.w + xx * q.x) + (xy * q.y + xz * q.z)),
                 0.25 * ((wy * q.w + xy * q.x) + (yy * q.y + yz * q.z)),
@@ -56,7 +56,7 @@ public:
     }
 
     /// The same with exact products, each component rounded once: for the last step, whose rounding remains.
-    [[nodiscard]] Vector exact_power_step(const Vector& q) const noexcept {
+    [[nodiscard]] Quaternion exact_power_step(const Quaternion& q) const noexcept {
         const Split w = split(q.w);
         const Split x = split(q.x);
         const Split y = split(q.y);
@@ -74,15 +74,14 @@ public:
     }
 
 private:
-    Real ww, xx, yy, zz, wx, wy, wz, xy, xz, yz; // of K + I
+    double ww, xx, yy, zz, wx, wy, wz, xy, xz, yz; // of K + I
 };
 
 /// The quaternion of nine numbers, row by row, that are a rotation to rounding: the polar factor to a few tenths of an
 /// eps.
 inline Quaternion quaternion_of_rotation(const double* m) noexcept {
-    const Davenport<double> k(m);
-    const auto q = k.exact_power_step(k.pivot_column());
-    return {q.w, q.x, q.y, q.z};
+    const Davenport k(m);
+    return k.exact_power_step(k.pivot_column());
 }
 
 } // namespace rotconv

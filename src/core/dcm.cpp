@@ -23,13 +23,6 @@ namespace {
 /// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
 constexpr double near_rotation = 0.05;
 
-/// A squared distance from where on one power step serves, and a bound on the defect there.
-constexpr double clean_square = 0x1p-58;
-constexpr double clean_defect = 0x1p-27;
-
-/// A number of each of two rows.
-using Pair = double __attribute__((vector_size(16)));
-
 /// M'M - I.
 Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
 
@@ -38,26 +31,26 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
 /// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
-template <class Numbers> auto squared_distance(const Numbers& m) noexcept {
-    const auto cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
-    const auto cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
-    const auto cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
-    const auto first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
-    const auto second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
-    const auto both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
+double squared_distance(const std::array<double, 9>& m) noexcept {
+    const double cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
+    const double cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
+    const double cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
+    const double first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
+    const double second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
+    const double both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
     return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
            ((first * first + second * second) + both * both);
 }
 
 /// All that a clean matrix needs.
-template <class Real> struct PowerStep {
-    template <class Numbers> explicit PowerStep(const Numbers& m) noexcept : square(squared_distance(m)) {
-        const Davenport<Real> k(m);
+struct PowerStep {
+    explicit PowerStep(const std::array<double, 9>& m) noexcept : square(squared_distance(m)) {
+        const Davenport k(m.data());
         q = k.power_step(k.pivot_column());
     }
 
-    Real square;
-    typename Davenport<Real>::Vector q;
+    double square;
+    Quaternion q;
 };
 
 /// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
@@ -163,7 +156,7 @@ Reading read_unclean(const double* numbers, double square) noexcept {
     if (!(bound <= near_rotation)) {
         return far_from_rotation(matrix);
     }
-    const Davenport<double> k(numbers);
+    const Davenport k(numbers);
     auto q = k.power_step(k.pivot_column());
     for (double remaining = bound * bound; remaining > 0x1p-56; remaining *= bound) {
         q = k.power_step(q);
@@ -175,37 +168,32 @@ Reading read_unclean(const double* numbers, double square) noexcept {
 } // namespace
 
 Reading to_rotation(const Dcm& matrix) noexcept {
-    const RowMajor numbers = matrix;
-    const PowerStep<double> step(numbers.data());
+    std::array<double, 9> numbers; // NOLINT(*-member-init)
+    Eigen::Map<RowMajor>{numbers.data()} = matrix;
+    const PowerStep step(numbers);
     if (step.square <= clean_square) [[likely]] {
         return {.rotation = Rotation::near_unit(step.q.w, step.q.x, step.q.y, step.q.z), .defect = clean_defect};
     }
     return read_unclean(numbers.data(), step.square);
 }
 
+ROTCONV_FOR_EACH_PROCESSOR
 void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    // Two rows at a time, since the compiler does not gather numbers that stand nine apart; a last odd row is its own
-    // pair.
-    for (std::size_t i = 0; i < rows; i += 2) {
-        const std::array<std::size_t, 2> pair{i, std::min(i + 1, rows - 1)};
-        const double* const first = numbers + 9 * pair[0];
-        const double* const second = numbers + 9 * pair[1];
-        std::array<Pair, 9> both; // NOLINT(*-member-init)
-        for (std::size_t k = 0; k < 9; ++k) {
-            both[k] = Pair{first[k], second[k]};
-        }
-        const PowerStep<Pair> step(both);
-        for (const int which : {0, 1}) {
-            const std::size_t row = pair[static_cast<std::size_t>(which)];
-            readings.w[row] = step.q.w[which];
-            readings.x[row] = step.q.x[which];
-            readings.y[row] = step.q.y[which];
-            readings.z[row] = step.q.z[which];
-            readings.defect[row] = clean_defect;
-            readings.fault[row] = Fault::none;
-            if (!(step.square[which] <= clean_square)) [[unlikely]] {
-                readings.set(row, read_unclean(numbers + 9 * row, step.square[which]));
-            }
+    const auto m = to_lanes<9>(numbers, rows);
+    Lane square; // NOLINT(*-member-init): written before it is read
+    for (std::size_t i = 0; i < rows; ++i) {
+        const PowerStep step({m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i], m[8][i]});
+        square[i] = step.square;
+        readings.w[i] = step.q.w;
+        readings.x[i] = step.q.x;
+        readings.y[i] = step.q.y;
+        readings.z[i] = step.q.z;
+        readings.defect[i] = clean_defect;
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        readings.fault[i] = Fault::none;
+        if (!(square[i] <= clean_square)) [[unlikely]] {
+            readings.set(i, read_unclean(numbers + 9 * i, square[i]));
         }
     }
 }

@@ -39,8 +39,19 @@ struct DcmRow : PlainRow<RowMajor, &dcm::to_rotation, &dcm::from_rotation, &dcm:
     static double exact_defect(const double* v) noexcept { return dcm::defect(Map<const RowMajor>(v)); }
 };
 
-using SixDRow = PlainRow<Columns, &columns::to_rotation, &columns::from_rotation, &columns::figures>;
-using FiveDRow = PlainRow<hopf::Vector5, &hopf::to_rotation, &hopf::from_rotation, &hopf::figures>;
+struct SixDRow : PlainRow<Columns, &columns::to_rotation, &columns::from_rotation, &columns::figures> {
+    static void read_block(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+        columns::read(numbers, rows, readings);
+    }
+    static double exact_defect(const double* v) noexcept { return columns::defect(Map<const Columns>(v)); }
+};
+
+struct FiveDRow : PlainRow<hopf::Vector5, &hopf::to_rotation, &hopf::from_rotation, &hopf::figures> {
+    static void read_block(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+        hopf::read(numbers, rows, readings);
+    }
+    static double exact_defect(const double* v) noexcept { return hopf::defect(Map<const hopf::Vector5>(v)); }
+};
 
 struct CayleyRow : PlainRow<Vector3d, &cayley::to_rotation, &cayley::from_rotation, &cayley::figures> {
     static void write_block(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
@@ -62,12 +73,9 @@ struct QuatRow {
         return quaternion::to_rotation({v[0], v[1], v[2], v[3]});
     }
     static double exact_defect(const double* v) noexcept { return quaternion::defect({v[0], v[1], v[2], v[3]}); }
-    static void write(const Rotation& r, double* v) noexcept {
-        const Quaternion q = quaternion::from_rotation(r);
-        v[0] = q.w;
-        v[1] = q.x;
-        v[2] = q.y;
-        v[3] = q.z;
+    static void write_block(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
+                            double* numbers, Notes* notes) noexcept {
+        quaternion::write(rotations, rows, numbers, notes);
     }
     static Figures figures(const Spec& /*spec*/, const Rotation& r) noexcept { return quaternion::figures(r); }
 };

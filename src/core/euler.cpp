@@ -219,8 +219,8 @@ EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, Angl
     return result;
 }
 
-void write(const Rotations& rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit, double lock_margin,
-           double* numbers, Notes* notes) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void write(const Rotations& rotations, std::size_t rows, EulerSequence sequence,
+                                      AngleUnit unit, double lock_margin, double* numbers, Notes* notes) noexcept {
     if (rows == 0) {
         return;
     }

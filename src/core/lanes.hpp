@@ -5,6 +5,15 @@
 
 #include <rotconv/reading.hpp>
 
+/// For a loop over lanes: it is compiled twice, for every x86-64 machine and for those with AVX2, and the program's
+/// start chooses. Nothing is contracted, so that both give the same bytes.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
+    !defined(__SANITIZE_THREAD__)
+#define ROTCONV_FOR_EACH_PROCESSOR __attribute__((target_clones("avx2", "default")))
+#else
+#define ROTCONV_FOR_EACH_PROCESSOR
+#endif
+
 namespace rotconv {
 
 /// Rows that are worked on together: loops over them vectorise, and what they hold stays in the first cache.
@@ -12,6 +21,17 @@ inline constexpr std::size_t block = 128;
 
 /// One number of each row of a block.
 using Lane = std::array<double, block>;
+
+/// Takes rows of N numbers apart, since compilers do not gather numbers that stand far from each other.
+template <std::size_t N> [[nodiscard]] std::array<Lane, N> to_lanes(const double* numbers, std::size_t rows) noexcept {
+    std::array<Lane, N> lanes; // NOLINT(*-member-init): as many rows as there are
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t k = 0; k < N; ++k) {
+            lanes[k][i] = numbers[N * i + k];
+        }
+    }
+    return lanes;
+}
 
 /// The attitudes of a block; not set at first.
 struct Rotations {

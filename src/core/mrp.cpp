@@ -45,7 +45,8 @@ Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     return m;
 }
 
-void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void write(const Rotations& rotations, std::size_t rows, double* numbers,
+                                      Notes* notes) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         const double sign = rotations.at(i).sign();
         const Split w = split(rotations.w[i] * sign);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "blocks.hpp"
 #include "finite.hpp"
 #include "scaling.hpp"
 
@@ -15,6 +16,18 @@ Reading to_rotation_of_any_size(const Quaternion& q) noexcept {
         return Reading::failed(Fault::zero_quaternion);
     }
     return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z), .defect = defect(q)};
+}
+
+ROTCONV_FOR_EACH_PROCESSOR
+void write(const Rotations& rotations, std::size_t rows, double* numbers, Notes* notes) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Quaternion q = from_rotation(rotations.at(i));
+        numbers[4 * i] = q.w;
+        numbers[4 * i + 1] = q.x;
+        numbers[4 * i + 2] = q.y;
+        numbers[4 * i + 3] = q.z;
+    }
+    std::fill_n(notes, rows, Notes{});
 }
 
 double defect(const Quaternion& q) noexcept {

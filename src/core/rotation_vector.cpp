@@ -88,7 +88,8 @@ Reading to_rotation(const RotationVector& value) noexcept {
     return readings.reading(0);
 }
 
-void read(const double* numbers, std::size_t rows, AngleUnit unit, Readings& readings) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void read(const double* numbers, std::size_t rows, AngleUnit unit,
+                                     Readings& readings) noexcept {
     Lane length, length_low, inverse, cosine, sine; // NOLINT(*-member-init): written before they are read
     for (std::size_t i = 0; i < rows; ++i) {
         const Root root = length_of(split(numbers[3 * i]), split(numbers[3 * i + 1]), split(numbers[3 * i + 2]));
@@ -126,7 +127,8 @@ RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept 
     return result;
 }
 
-void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers, Notes* notes) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers,
+                                      Notes* notes) noexcept {
     // The length counts twice, in the angle and in the direction: near pi its rounding would be the largest part of the
     // error.
     VectorParts parts; // NOLINT(*-member-init): written before it is read

@@ -4,7 +4,7 @@
 
 namespace rotconv {
 
-void take_apart(const Rotations& rotations, std::size_t rows, VectorParts& parts) noexcept {
+ROTCONV_FOR_EACH_PROCESSOR void take_apart(const Rotations& rotations, std::size_t rows, VectorParts& parts) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         const double sign = std::copysign(1.0, rotations.w[i]);
         const Split x = split(rotations.x[i] * sign);

@@ -226,7 +226,7 @@ void polar(const double* m, double* q) noexcept {
 /// Davenport 1968 (the matrix K), products after Dekker 1971: the largest column of K + I and two power steps, the
 /// second with exact products. Without more steps a defect d leaves an error of the order of d^3.
 void compensated(const double* m, double* q) noexcept {
-    const Davenport<double> k(m);
+    const Davenport k(m);
     const auto p = k.exact_power_step(k.power_step(k.pivot_column()));
     const double norm = std::sqrt((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
     set(q, p.w / norm, p.x / norm, p.y / norm, p.z / norm);
