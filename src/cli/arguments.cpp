@@ -14,18 +14,12 @@ bool begins_with_number(std::string_view word) {
     return stream::is_number(text);
 }
 
-/// The command of that name, or null.
-const CLI::App* find_command(const CLI::App& app, const std::string& word) {
-    const auto found = app.get_subcommands([&word](const CLI::App* command) { return command->get_name() == word; });
-    return found.empty() ? nullptr : found.front();
-}
-
 /// The words of a command, of which the first is its name. Where it names its arguments itself they are no VALUEs.
 Arguments sort_command(const CLI::App& command, int argc, const char* const* argv) {
     const auto named = command.get_options([](const CLI::Option* option) { return option->get_positional(); });
     Arguments sorted;
     if (named.empty()) {
-        sorted = sort_arguments(command, argc, argv);
+        sorted = sort_arguments(command, argc, argv, {});
     } else {
         sorted.options.assign(argv + 1, argv + argc);
     }
@@ -52,14 +46,15 @@ std::string awaiting_short(const CLI::App& app, const std::string& word) {
 
 } // namespace
 
-Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv) {
+Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv, const AddCommand& add_command) {
     Arguments sorted;
     bool only_values = false;
     for (int i = 1; i < argc; ++i) {
         std::string word = argv[i];
         const bool is_value = only_values || begins_with_number(word) || word.empty() || word[0] != '-' || word == "-";
         if (is_value) {
-            const CLI::App* command = sorted.values.empty() && !only_values ? find_command(app, word) : nullptr;
+            const bool may_name = add_command && sorted.values.empty() && !only_values;
+            const CLI::App* command = may_name ? add_command(word) : nullptr;
             if (command != nullptr) {
                 Arguments after = sort_command(*command, argc - i, argv + i);
                 after.options.insert(after.options.begin(), sorted.options.begin(), sorted.options.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,13 @@ struct Arguments {
     std::string command;      ///< the first word, where it names one: it also stands in `options`
 };
 
+/// Adds the command of that name to the app and returns it, or null where there is none.
+using AddCommand = std::function<const CLI::App*(const std::string& name)>;
+
 /// CLI11 takes `-.5` for an option and `-inf` for `-i nf`, and an option's argument `-1` for an option. Here a word
 /// that reads as a number, or begins with one before a comma or blank, is a VALUE except where an option awaits its
 /// argument.
-[[nodiscard]] Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv);
+[[nodiscard]] Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv,
+                                       const AddCommand& add_command);
 
 } // namespace rotconv::cli

@@ -1,6 +1,7 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -41,9 +42,35 @@ public:
     }
 };
 
+void set_help(CLI::App& app) { app.set_help_flag("-h,--help", "Print this help and exit"); }
+
+void define_list(CLI::App& app, Texts& texts) { app.add_option("NAME", texts.listed, "A representation, or methods"); }
+
+/// A command beside the conversion.
+struct Entry {
+    const char* name;
+    const char* description;
+    void (*define)(CLI::App& app, Texts& texts);
+};
+
+constexpr std::array<Entry, 4> commands{
+    {{"list", "List the representations, or explain one; list methods: the methods", define_list},
+     {"rates", "Rates of the numbers from the angular velocity, and back", define_rates},
+     {"propagate", "Integrate angular velocities to attitudes", define_propagate},
+     {"survey", "Which sets serve a motion, and the smallest", define_survey}}};
+
+const CLI::App* add(const Entry& entry, CLI::App& app, Texts& texts) {
+    CLI::App* command = app.add_subcommand(entry.name, entry.description);
+    entry.define(*command, texts);
+    set_help(*command); // anew, so that it is the last
+    return command;
+}
+
+/// The conversion, without the commands: to define them all takes longer than the rest of a start, and a command line
+/// names one at most.
 void define(CLI::App& app, Texts& texts) {
     app.formatter(std::make_shared<Formatter>());
-    app.set_help_flag("-h,--help", "Print this help and exit");
+    set_help(app);
     app.set_version_flag("--version", "rotconv " ROTCONV_VERSION, "Print the version and exit");
     define_from(app, texts);
     define_to(app, texts);
@@ -53,16 +80,18 @@ void define(CLI::App& app, Texts& texts) {
     app.add_option("--method", texts.method,
                    "A published formula in the place of rotconv's own; see rotconv list methods")
         ->type_name("NAME");
-    auto* list = app.add_subcommand("list", "List the representations, or explain one; list methods: the methods");
-    list->add_option("NAME", texts.listed, "A representation, or methods");
-    define_rates(*app.add_subcommand("rates", "Rates of the numbers from the angular velocity, and back"), texts);
-    define_propagate(*app.add_subcommand("propagate", "Integrate angular velocities to attitudes"), texts);
-    define_survey(*app.add_subcommand("survey", "Which sets serve a motion, and the smallest"), texts);
-    for (CLI::App* command : app.get_subcommands({})) {
-        command->set_help_flag("-h,--help", "Print this help and exit");
-    }
     app.require_subcommand(0, 1);
-    app.footer(help_footer());
+}
+
+/// The help of the command that is named, which the options of others would not change; else that of the program.
+std::string help(CLI::App& app, Texts& texts) {
+    if (app.get_subcommands({}).empty()) {
+        for (const Entry& entry : commands) {
+            add(entry, app, texts);
+        }
+        app.footer(help_footer());
+    }
+    return app.help();
 }
 
 /// The method of the pair, or null for rotconv's own.
@@ -89,8 +118,8 @@ RowsCommand convert_command(const Texts& texts, const Values& values) {
 
 /// A word that CLI11 did not know, with the nearest option of the command that it was given to.
 std::string unexpected(const CLI::App& app) {
-    const auto commands = app.get_subcommands();
-    const CLI::App& command = commands.empty() ? app : *commands.front();
+    const auto named = app.get_subcommands();
+    const CLI::App& command = named.empty() ? app : *named.front();
     const std::string word = app.remaining(true).front();
     if (!word.starts_with('-')) {
         return "unexpected argument " + words::quoted(word);
@@ -137,7 +166,10 @@ Command read_command_line(int argc, const char* const* argv) {
     CLI::App app("Converts rotations from any representation into any other.", "rotconv");
     Texts texts;
     define(app, texts);
-    Arguments arguments = sort_arguments(app, argc, argv);
+    Arguments arguments = sort_arguments(app, argc, argv, [&](const std::string& word) {
+        const auto* const entry = std::ranges::find(commands, word, &Entry::name);
+        return entry == commands.end() ? nullptr : add(*entry, app, texts);
+    });
     if (!arguments.empty_option.empty()) {
         return UsageError{arguments.empty_option + " has an empty argument"};
     }
@@ -151,7 +183,7 @@ Command read_command_line(int argc, const char* const* argv) {
         const CLI::Option* input = command.get_option_no_throw("--input");
         return command_of(arguments.command, texts, {arguments.values, input != nullptr && input->count() > 0});
     } catch (const CLI::CallForHelp&) {
-        return PrintCommand{app.help()};
+        return PrintCommand{help(app, texts)};
     } catch (const CLI::CallForVersion& version) {
         return PrintCommand{std::string(version.what()) + "\n"};
     } catch (const CLI::ExtrasError&) {

@@ -13,9 +13,10 @@ void show(std::string_view text) { static_cast<void>(stream::File(STDERR_FILENO)
 
 } // namespace
 
-Progress::Progress(stream::File& file, bool wanted) : file_(&file), next_(Clock::now() + interval) {
+Progress::Progress(stream::File& file, bool wanted) : file_(&file) {
     if (wanted && ::isatty(STDERR_FILENO) != 0 && static_cast<double>(file.size()) >= large) {
         size_ = static_cast<double>(file.size());
+        next_ = Clock::now() + interval;
     }
 }
 
