@@ -37,7 +37,7 @@ void to_written_order(const Spec& spec, double* numbers, std::size_t rows) noexc
     const auto order = spec.order();
     const std::size_t size = spec.size();
     for (std::size_t row = 0; row < rows; ++row, numbers += size) {
-        std::array<double, widest> own{};
+        std::array<double, widest> own; // NOLINT(*-member-init): as many as there are
         std::copy_n(numbers, size, own.begin());
         for (std::size_t i = 0; i < size; ++i) {
             numbers[i] = own[order[i]];

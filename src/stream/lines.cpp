@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <span>
+#include <utility>
 
 namespace rotconv::stream {
 namespace {
@@ -27,9 +28,9 @@ bool BlockReader::read(Block& block) {
     if (fault_ || finished_) {
         return false;
     }
-    block.bytes.swap(rest_);
+    std::swap(block.bytes, rest_);
     make_room(block.bytes);
-    const auto count = source_->read(std::span(block.bytes).subspan(held_));
+    const auto count = source_->read(std::span(block.bytes.data(), block.bytes.size()).subspan(held_));
     if (count < 0) {
         fault_ = StreamFault{StreamFault::What::read, line_, errno, {}};
         return false;
@@ -51,7 +52,7 @@ bool BlockReader::cut_lines(Block& block, std::size_t end) {
     if (finished_) {
         cut(block, end, end);
     } else if (newline == std::string_view::npos) {
-        block.bytes.swap(rest_);
+        std::swap(block.bytes, rest_);
         held_ = end;
     } else {
         cut(block, unread.rfind('\n') + 1, end);
@@ -68,18 +69,22 @@ bool BlockReader::cut_rows(Block& block, std::size_t end) {
     return true;
 }
 
-void BlockReader::make_room(std::vector<char>& bytes) const {
-    if (held_ < block_size) {
-        if (bytes.size() != block_size) {
-            bytes.resize(block_size);
-            bytes.shrink_to_fit();
+void BlockReader::make_room(Buffer& bytes) const {
+    if (held_ >= block_size_) {
+        if (held_ == bytes.size()) {
+            bytes.resize(std::min(2 * held_, longest_line + block_size_));
         }
-    } else if (held_ == bytes.size()) {
-        bytes.resize(std::min(2 * held_, longest_line + block_size));
+        return;
     }
+    if (bytes.size() > block_size_) { // a long line is over
+        Buffer usual;
+        append(usual, {bytes.data(), held_});
+        bytes = std::move(usual);
+    }
+    bytes.resize(block_size_);
 }
 
-std::size_t BlockReader::without_mark(std::vector<char>& bytes, std::size_t end) noexcept {
+std::size_t BlockReader::without_mark(Buffer& bytes, std::size_t end) noexcept {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     const std::string_view text(bytes.data(), end);
     if (started_ || (end < mark.size() && mark.starts_with(text) && end > 0)) {
@@ -89,7 +94,7 @@ std::size_t BlockReader::without_mark(std::vector<char>& bytes, std::size_t end)
     if (!text.starts_with(mark)) {
         return end;
     }
-    std::copy(bytes.begin() + mark.size(), bytes.begin() + static_cast<std::ptrdiff_t>(end), bytes.begin());
+    std::copy(bytes.data() + mark.size(), bytes.data() + end, bytes.data());
     return end - mark.size();
 }
 

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "event.hpp"
 #include "file.hpp"
@@ -12,8 +11,8 @@ namespace rotconv::stream {
 
 /// Whole lines as they came in one read, each with its line end but perhaps the last of the stream.
 struct Block {
-    std::vector<char> bytes; ///< room, used again
-    std::string_view text;   ///< the lines in it; empty where none is whole yet
+    Buffer bytes;          ///< room, used again
+    std::string_view text; ///< the lines in it; empty where none is whole yet
     std::size_t first_line = 1;
 };
 
@@ -21,11 +20,12 @@ struct Block {
 /// handed on before more is waited for. A UTF-8 byte order mark at the start is left out.
 class BlockReader {
 public:
-    static constexpr std::size_t block_size = std::size_t{64} << 10U;
+    static constexpr std::size_t largest_block = std::size_t{64} << 10U;
     static constexpr std::size_t longest_line = std::size_t{4} << 20U;
 
-    /// Rows are lines, or where `row_size` is not 0 that many bytes each.
-    explicit BlockReader(Source& source, std::size_t row_size = 0) : source_(&source), row_size_(row_size) {}
+    /// Rows are lines, or where `row_size` is not 0 that many bytes each. One read brings up to `block_size` bytes.
+    explicit BlockReader(Source& source, std::size_t row_size = 0, std::size_t block_size = largest_block)
+        : source_(&source), row_size_(row_size), block_size_(block_size) {}
 
     /// Reads once.
     /// @return false at the end or at a fault: there is nothing more to read
@@ -38,16 +38,17 @@ private:
     bool cut_lines(Block& block, std::size_t end);
     bool cut_rows(Block& block, std::size_t end);
     /// Room for what is held and more, of the usual size unless a long line needs more.
-    void make_room(std::vector<char>& bytes) const;
+    void make_room(Buffer& bytes) const;
     /// The end of the bytes without the mark, past which it is remembered not to look for it.
-    [[nodiscard]] std::size_t without_mark(std::vector<char>& bytes, std::size_t end) noexcept;
+    [[nodiscard]] std::size_t without_mark(Buffer& bytes, std::size_t end) noexcept;
     /// Makes the first `size` of the block's `end` bytes its text and holds the others.
     void cut(Block& block, std::size_t size, std::size_t end);
 
     Source* source_;
     std::size_t row_size_;
-    std::vector<char> rest_; ///< the beginning of a line...
-    std::size_t held_ = 0;   ///< ...of this many bytes
+    std::size_t block_size_;
+    Buffer rest_;          ///< the beginning of a line...
+    std::size_t held_ = 0; ///< ...of this many bytes
     std::size_t line_ = 1;
     bool started_ = false;
     bool finished_ = false;

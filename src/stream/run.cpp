@@ -22,8 +22,17 @@ namespace {
 constexpr std::size_t most_threads = 16;
 /// Blocks under way beside one for each thread, so that nobody has to wait for a slow one.
 constexpr std::size_t spare_jobs = 2;
-/// Bytes of a block that is worth another thread.
-constexpr std::size_t large = BlockReader::block_size / 2;
+/// Bytes of all blocks under way: what they become can be many times as long.
+constexpr std::size_t most_under_way = 2 * BlockReader::largest_block;
+
+std::size_t thread_limit(const Options& options) {
+    return options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
+}
+
+/// Bytes of a block: the more threads, the smaller.
+std::size_t block_size(const Options& options) {
+    return std::min(BlockReader::largest_block, most_under_way / (thread_limit(options) + spare_jobs));
+}
 
 /// A block on its way from the input to the output.
 struct Job {
@@ -40,9 +49,9 @@ struct Job {
 class Run {
 public:
     Run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
-        : sink_(&sink), options_(&options), report_(&report), reader_(source, options.width * sizeof(double)),
-          preamble_(options),
-          most_(options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads)) {}
+        : sink_(&sink), options_(&options), report_(&report),
+          reader_(source, options.width * sizeof(double), block_size(options)), preamble_(options),
+          large_(block_size(options) / 2), most_(thread_limit(options)) {}
 
     Ending operator()();
 
@@ -75,7 +84,8 @@ private:
     BlockReader reader_; ///< of the thread that reads
     Preamble preamble_;  ///< likewise; the layout is settled before the first data row
     bool has_layout_ = false;
-    Ending ending_; ///< of the thread that writes
+    std::size_t large_; ///< bytes of a block that is worth another thread
+    Ending ending_;     ///< of the thread that writes
 
     std::mutex mutex_; ///< of all that follows
     std::condition_variable changed_;
@@ -171,7 +181,7 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
         return;
     }
     jobs_.push_back(std::move(made));
-    const bool shared = job.block.text.size() >= large;
+    const bool shared = job.block.text.size() >= large_;
     if (shared) {
         reading_ = false;
         if (is_first) {
