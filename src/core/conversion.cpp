@@ -32,12 +32,11 @@ void to_own_order(const Spec& spec, const double* written, std::size_t rows, dou
     }
 }
 
-/// The way back, in place.
-void to_written_order(const Spec& spec, double* numbers, std::size_t rows) noexcept {
+/// The way back, in place, of rows of so many numbers.
+template <std::size_t size> void to_written_order(const Spec& spec, double* numbers, std::size_t rows) noexcept {
     const auto order = spec.order();
-    const std::size_t size = spec.size();
     for (std::size_t row = 0; row < rows; ++row, numbers += size) {
-        std::array<double, widest> own; // NOLINT(*-member-init): as many as there are
+        std::array<double, size> own; // NOLINT(*-member-init)
         std::copy_n(numbers, size, own.begin());
         for (std::size_t i = 0; i < size; ++i) {
             numbers[i] = own[order[i]];
@@ -119,7 +118,7 @@ void Conversion::run_block(const double* in, double* out, std::span<Report> repo
         out[i] += 0.0; // -0 becomes 0
     }
     if (reordered(to_)) {
-        to_written_order(to_, out, rows);
+        (to_.size() == 4 ? to_written_order<4> : to_written_order<9>)(to_, out, rows); // a quaternion or a matrix
     }
     const double unremarkable = settings_.figures ? -1.0 : std::min(settings_.tolerance, reported_defect);
     for (std::size_t i = 0; i < rows; ++i) {

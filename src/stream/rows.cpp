@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -14,7 +13,9 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout)
       nans_(options.function.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
-    if (waiting_.empty()) {
+    if (is_doubles_alone()) {
+        transform_doubles(text, line, output);
+    } else if (waiting_.empty()) {
         work_off(text, line, false, false, output);
     } else {
         const std::string joined = std::exchange(waiting_, {}).append(text);
@@ -83,55 +84,6 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
             return;
         }
     }
-}
-
-void RowTransformer::gather_binary(std::string_view& text, std::size_t& line, std::size_t limit) {
-    const std::size_t row_size = options_->width * sizeof(double);
-    const std::size_t count = std::min(limit, text.size() / row_size);
-    rows_.resize(count);
-    lines_.resize(count);
-    numbers_.resize(count * function_.inputs);
-    for (std::size_t i = 0; i < count; ++i) {
-        rows_[i] = Row{.line = {text.substr(i * row_size, row_size), {}}, .number = line, .index = i};
-        lines_[i] = line++;
-    }
-    if (layout_->positions.empty()) {
-        std::memcpy(numbers_.data(), text.data(), count * row_size);
-    } else {
-        for (std::size_t i = 0; i < numbers_.size(); ++i) {
-            const std::size_t row = i / function_.inputs;
-            const std::size_t position = layout_->positions[i % function_.inputs];
-            std::memcpy(&numbers_[i], text.data() + row * row_size + position * sizeof(double), sizeof(double));
-        }
-    }
-    text.remove_prefix(count * row_size);
-}
-
-void RowTransformer::make_fields(Row& row) {
-    const std::string_view bytes = row.line.text;
-    fields_.clear();
-    row.first_field = 0;
-    row.field_count = options_->width;
-    if (options_->format == Format::f64) {
-        for (std::size_t i = 0; i < options_->width; ++i) {
-            fields_.push_back(bytes.substr(i * sizeof(double), sizeof(double)));
-        }
-        return;
-    }
-    constexpr std::size_t room = 40; // of a number and the delimiter, so that nothing moves
-    made_.clear();
-    made_.reserve(room * (options_->width + 1));
-    for (std::size_t i = 0; i < options_->width; ++i) {
-        if (i > 0) {
-            made_.push_back(layout_->delimiter.text());
-        }
-        double number = 0.0;
-        std::memcpy(&number, bytes.data() + i * sizeof(double), sizeof(double));
-        const std::size_t begin = made_.size();
-        append_number(made_, number, 0);
-        fields_.emplace_back(made_.data() + begin, made_.size() - begin);
-    }
-    row.line.text = {made_.data(), made_.size()};
 }
 
 void RowTransformer::read_row(Row& row) {
@@ -206,11 +158,6 @@ void RowTransformer::note_fault(Row& row, RowFault fault) {
 }
 
 void RowTransformer::write(Output& output) {
-    if (options_->width > 0 && options_->format == Format::f64 && !has_other_fields() &&
-        !options_->diagnostic_columns) {
-        write_doubles(output);
-        return;
-    }
     for (Row& row : rows_) {
         if (row.passed) {
             if (options_->format == Format::csv) {
@@ -222,24 +169,6 @@ void RowTransformer::write(Output& output) {
         write_row(row, output);
         if (output.stopped) {
             return;
-        }
-    }
-}
-
-void RowTransformer::write_doubles(Output& output) {
-    const std::size_t size = function_.names.size();
-    const auto is_remarkable = [this](const Row& row) {
-        const Report& report = reports_[row.index];
-        return report.fault != Fault::none || !report.notes.empty();
-    };
-    auto row = rows_.begin();
-    while (row != rows_.end() && !output.stopped) {
-        const auto end = std::find_if(row, rows_.end(), is_remarkable);
-        const auto count = static_cast<std::size_t>(end - row) * size;
-        append_bytes(output.bytes, std::span(results_).subspan(row->index * size, count));
-        row = end;
-        if (row != rows_.end()) {
-            write_row(*row++, output);
         }
     }
 }

@@ -42,6 +42,10 @@ private:
         [[nodiscard]] bool has_numbers() const noexcept { return !passed && fault == no_fault; }
     };
 
+    /// Doubles in and nothing but the result out.
+    [[nodiscard]] bool is_doubles_alone() const noexcept;
+    /// Of those rows as many are written at once as there is nothing to tell of.
+    void transform_doubles(std::string_view text, std::size_t line, Output& output);
     /// `held_first`: the first row is one that was held back.
     void work_off(std::string_view text, std::size_t line, bool held_first, bool is_end, Output& output);
     /// Reads a batch of rows off the text, under `stop` none after a fault.
@@ -56,8 +60,6 @@ private:
     /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(const Row& row) const;
     void write(Output& output);
-    /// Rows that are their results alone, as many at once as there is nothing to tell of.
-    void write_doubles(Output& output);
     /// The output has fields of the input beside the result.
     [[nodiscard]] bool has_other_fields() const noexcept { return options_->append || !layout_->replaced.empty(); }
     void write_row(Row& row, Output& output);

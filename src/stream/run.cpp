@@ -22,15 +22,18 @@ namespace {
 constexpr std::size_t most_threads = 16;
 /// Blocks under way beside one for each thread, so that nobody has to wait for a slow one.
 constexpr std::size_t spare_jobs = 2;
-/// Bytes of all blocks under way: what they become can be many times as long.
+/// Bytes of all blocks under way, where what they become can be many times as long.
 constexpr std::size_t most_under_way = 2 * BlockReader::largest_block;
 
 std::size_t thread_limit(const Options& options) {
     return options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
 }
 
-/// Bytes of a block: the more threads, the smaller.
+/// Bytes of a block: the more threads, the smaller, but for doubles that remain doubles.
 std::size_t block_size(const Options& options) {
+    if (options.width > 0 && options.format == Format::f64) {
+        return BlockReader::largest_block;
+    }
     return std::min(BlockReader::largest_block, most_under_way / (thread_limit(options) + spare_jobs));
 }
 

@@ -1,0 +1,97 @@
+#include "rows.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+// What RowTransformer does with rows of doubles.
+
+namespace rotconv::stream {
+
+void RowTransformer::gather_binary(std::string_view& text, std::size_t& line, std::size_t limit) {
+    const std::size_t row_size = options_->width * sizeof(double);
+    const std::size_t count = std::min(limit, text.size() / row_size);
+    rows_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        rows_.push_back({.line = {text.substr(i * row_size, row_size), {}}, .number = line, .index = i});
+        lines_.push_back(line++);
+    }
+    numbers_.resize(count * function_.inputs);
+    if (layout_->positions.empty()) {
+        std::memcpy(numbers_.data(), text.data(), count * row_size);
+    } else {
+        for (std::size_t i = 0; i < numbers_.size(); ++i) {
+            const std::size_t row = i / function_.inputs;
+            const std::size_t position = layout_->positions[i % function_.inputs];
+            std::memcpy(&numbers_[i], text.data() + row * row_size + position * sizeof(double), sizeof(double));
+        }
+    }
+    text.remove_prefix(count * row_size);
+}
+
+void RowTransformer::make_fields(Row& row) {
+    const std::string_view bytes = row.line.text;
+    fields_.clear();
+    row.first_field = 0;
+    row.field_count = options_->width;
+    if (options_->format == Format::f64) {
+        for (std::size_t i = 0; i < options_->width; ++i) {
+            fields_.push_back(bytes.substr(i * sizeof(double), sizeof(double)));
+        }
+        return;
+    }
+    constexpr std::size_t room = 40; // of a number and the delimiter, so that nothing moves
+    made_.clear();
+    made_.reserve(room * (options_->width + 1));
+    for (std::size_t i = 0; i < options_->width; ++i) {
+        if (i > 0) {
+            made_.push_back(layout_->delimiter.text());
+        }
+        double number = 0.0;
+        std::memcpy(&number, bytes.data() + i * sizeof(double), sizeof(double));
+        const std::size_t begin = made_.size();
+        append_number(made_, number, 0);
+        fields_.emplace_back(made_.data() + begin, made_.size() - begin);
+    }
+    row.line.text = {made_.data(), made_.size()};
+}
+
+bool RowTransformer::is_doubles_alone() const noexcept {
+    return options_->width > 0 && options_->format == Format::f64 && !has_other_fields() &&
+           !options_->diagnostic_columns && !function_.in_order;
+}
+
+void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output) {
+    const std::size_t row_size = options_->width * sizeof(double);
+    const std::size_t width = function_.names.size();
+    const auto is_remarkable = [](const Report& report) {
+        return report.fault != Fault::none || !report.notes.empty();
+    };
+    while (!text.empty() && !output.stopped) {
+        const std::size_t rows = std::min(batch, text.size() / row_size);
+        numbers_.resize(rows * function_.inputs);
+        std::memcpy(numbers_.data(), text.data(), rows * row_size);
+        lines_.resize(rows);
+        std::iota(lines_.begin(), lines_.end(), line);
+        reports_.resize(rows);
+        results_.resize(rows * width);
+        function_.run({numbers_, lines_, false}, results_, reports_);
+        std::size_t next = 0;
+        while (next < rows && !output.stopped) {
+            const auto found =
+                std::find_if(reports_.begin() + static_cast<std::ptrdiff_t>(next), reports_.end(), is_remarkable);
+            const auto end = static_cast<std::size_t>(found - reports_.begin());
+            append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
+            next = end;
+            if (next < rows) {
+                Row row{.line = {text.substr(next * row_size, row_size), {}}, .number = line + next, .index = next};
+                write_row(row, output);
+                ++next;
+            }
+        }
+        text.remove_prefix(rows * row_size);
+        line += rows;
+    }
+}
+
+} // namespace rotconv::stream

@@ -1,0 +1,67 @@
+// bare_loop dcm|euler: quaternions from stdin to stdout, read and printed by the program's own libraries, with no
+// check, no other field and no line counted.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include <unistd.h>
+
+#include "stream/number_text.hpp"
+
+namespace {
+
+using rotconv::stream::Buffer;
+
+void print(Buffer& out, std::span<const double> numbers) {
+    rotconv::stream::append_numbers(out, numbers, ',');
+    out.push_back('\n');
+}
+
+void to_dcm(Buffer& out, double w, double x, double y, double z) {
+    const double m[9] = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
+                         2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+                         2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+    print(out, m);
+}
+
+void to_euler(Buffer& out, double w, double x, double y, double z) {
+    const double angles[3] = {std::atan2(2 * (x * y + w * z), w * w + x * x - y * y - z * z),
+                              std::asin(std::clamp(2 * (w * y - x * z), -1.0, 1.0)),
+                              std::atan2(2 * (y * z + w * x), w * w - x * x - y * y + z * z)};
+    print(out, angles);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const auto convert = argc > 1 && std::string_view(argv[1]) == "euler" ? to_euler : to_dcm;
+    std::vector<char> block(std::size_t{64} << 10U);
+    Buffer out;
+    std::size_t held = 0;
+    while (true) {
+        const auto count = ::read(STDIN_FILENO, block.data() + held, block.size() - held);
+        if (count <= 0) {
+            return 0;
+        }
+        const std::size_t filled = held + static_cast<std::size_t>(count);
+        const std::size_t end = std::string_view(block.data(), filled).rfind('\n') + 1;
+        const char* at = block.data();
+        while (at < block.data() + end) {
+            double q[4];
+            for (double& component : q) {
+                at = std::from_chars(at, block.data() + end, component).ptr + 1;
+            }
+            convert(out, q[0], q[1], q[2], q[3]);
+        }
+        held = filled - end;
+        std::memmove(block.data(), block.data() + end, held);
+        if (::write(STDOUT_FILENO, out.data(), out.size()) < 0) {
+            return 1;
+        }
+        out.clear();
+    }
+}

@@ -1,0 +1,132 @@
+// bench_numbers: libraries that print and read doubles, on numbers of attitudes: components of unit quaternions, all of
+// their digits. fast_float and double-conversion take part where they are installed.
+
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include "processes.hpp"
+#include "stream/number_text.hpp"
+
+#ifdef HAS_FAST_FLOAT
+#include <fast_float/fast_float.h>
+#endif
+#ifdef HAS_DOUBLE_CONVERSION
+#include <double-conversion/double-conversion.h>
+#endif
+
+namespace {
+
+/// So many that the processor cannot learn their digits.
+const std::vector<double>& numbers() {
+    static const auto made = [] {
+        std::vector<double> all;
+        Attitudes attitudes;
+        for (int i = 0; i < 100'000; ++i) {
+            const auto q = attitudes.next();
+            all.insert(all.end(), {q.w, q.x, q.y, q.z});
+        }
+        return all;
+    }();
+    return made;
+}
+
+const std::vector<std::string>& texts() {
+    static const auto made = [] {
+        std::vector<std::string> all;
+        for (const double number : numbers()) {
+            all.push_back(fmt::format("{:.17g}", number));
+        }
+        return all;
+    }();
+    return made;
+}
+
+template <class Print> void time_printing(benchmark::State& state, const Print& print) {
+    char text[64];
+    for (auto _ : state) {
+        for (const double number : numbers()) {
+            benchmark::DoNotOptimize(print(text, number));
+            benchmark::ClobberMemory();
+        }
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(numbers().size()));
+}
+
+template <class Read> void time_reading(benchmark::State& state, const Read& read) {
+    double number = 0.0;
+    for (auto _ : state) {
+        for (const std::string& text : texts()) {
+            read(text.data(), text.data() + text.size(), number);
+            benchmark::DoNotOptimize(number);
+        }
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(texts().size()));
+}
+
+void print_fmt(benchmark::State& state) {
+    time_printing(state, [](char* text, double number) { return fmt::format_to(text, FMT_COMPILE("{}"), number); });
+}
+
+void print_std(benchmark::State& state) {
+    time_printing(state, [](char* text, double number) { return std::to_chars(text, text + 64, number).ptr; });
+}
+
+/// As the program prints.
+void print_dragonbox(benchmark::State& state) {
+    rotconv::stream::Buffer buffer;
+    time_printing(state, [&buffer](char* /*text*/, double number) {
+        buffer.clear();
+        rotconv::stream::append_number(buffer, number, 0);
+        return buffer.size();
+    });
+}
+
+void read_std(benchmark::State& state) {
+    time_reading(state,
+                 [](const char* begin, const char* end, double& number) { std::from_chars(begin, end, number); });
+}
+
+BENCHMARK(print_fmt);
+BENCHMARK(print_std);
+BENCHMARK(print_dragonbox);
+BENCHMARK(read_std);
+
+#ifdef HAS_FAST_FLOAT
+void read_fast_float(benchmark::State& state) {
+    time_reading(
+        state, [](const char* begin, const char* end, double& number) { fast_float::from_chars(begin, end, number); });
+}
+BENCHMARK(read_fast_float);
+#endif
+
+#ifdef HAS_DOUBLE_CONVERSION
+void print_double_conversion(benchmark::State& state) {
+    time_printing(state, [](char* text, double number) {
+        double_conversion::StringBuilder builder(text, 64);
+        double_conversion::DoubleToStringConverter::EcmaScriptConverter().ToShortest(number, &builder);
+        const int size = builder.position();
+        builder.Finalize();
+        return size;
+    });
+}
+BENCHMARK(print_double_conversion);
+
+void read_double_conversion(benchmark::State& state) {
+    const double_conversion::StringToDoubleConverter converter(0, 0.0, 0.0, "inf", "nan");
+    time_reading(state, [&converter](const char* begin, const char* end, double& number) {
+        int used = 0;
+        number = converter.StringToDouble(begin, static_cast<int>(end - begin), &used);
+    });
+}
+BENCHMARK(read_double_conversion);
+#endif
+
+} // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,100 @@
+// bench_scaling OUT.csv: rows per second of quaternions to matrices, as text and as doubles from one pipe to another,
+// by threads and by the number of other fields in a row.
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "processes.hpp"
+#include "stream/file.hpp"
+
+namespace {
+
+constexpr int numbers = 4; ///< of a quaternion
+
+struct Form {
+    const char* name;
+    const char* options;
+    int rows; ///< where a row has no other field
+};
+constexpr Form text{"text", "", 1'000'000};
+constexpr Form doubles{"doubles", "--input-format f64 --format f64", 4'000'000};
+
+/// The number of rows shrinks as they get wider.
+int rows_of(const Form& form, int others) { return form.rows * numbers / (numbers + others); }
+
+/// Quaternions, each followed by `others` numbers.
+void write_input(const std::string& path, const Form& form, int others) {
+    Attitudes attitudes;
+    std::ofstream file(path, std::ios::binary);
+    for (int i = 0; i < rows_of(form, others); ++i) {
+        if (form.name == doubles.name) {
+            const auto q = attitudes.next();
+            file.write(reinterpret_cast<const char*>(&q), sizeof q);
+            for (int k = 0; k < others; ++k) {
+                const double other = k;
+                file.write(reinterpret_cast<const char*>(&other), sizeof other);
+            }
+        } else {
+            file << attitudes.next_row();
+            for (int k = 0; k < others; ++k) {
+                file << ",12.34" << k % 10;
+            }
+            file << '\n';
+        }
+    }
+}
+
+double rows_per_second(const std::string& path, const Form& form, int others, int threads) {
+    const std::string width = form.name == doubles.name ? fmt::format("--width {}", numbers + others) : "";
+    const std::string command =
+        fmt::format("exec {} -f quat -t dcm --diagnostics off --columns 1-4 --threads {} {} {} < {} > /dev/null",
+                    ROTCONV_PROGRAM, threads, form.options, width, path);
+    Time time = time_of(command);
+    for (int round = 1; round < 5; ++round) {
+        time = least(time, time_of(command));
+    }
+    return rows_of(form, others) / time.clock;
+}
+
+void measure(const std::string& out) {
+    std::ofstream csv(out);
+    csv << "form,threads,others,rows_per_second\n";
+    const Folder folder;
+    const std::string input = folder / "input";
+    const auto add = [&](const Form& form, int others, int threads) {
+        csv << fmt::format("{},{},{},{:.4g}\n", form.name, threads, others,
+                           rows_per_second(input, form, others, threads))
+            << std::flush;
+    };
+    const int processors = static_cast<int>(rotconv::stream::processors());
+    for (const Form& form : {text, doubles}) {
+        for (const int others : {0, 1, 4, 16, 64, 256}) {
+            write_input(input, form, others);
+            add(form, others, 1);
+            for (int threads = 2; threads <= (others == 0 ? 2 * processors : processors); ++threads) {
+                add(form, others, threads);
+            }
+        }
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::puts("usage: bench_scaling OUT.csv");
+        return 2;
+    }
+    try {
+        measure(argv[1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench_scaling: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
