@@ -58,10 +58,11 @@ void read_clean(const ColumnLanes& m, std::size_t rows, Readings& readings, Lane
         const double a1 = m[1][i];
         const double a2 = m[2][i];
         const double along = (a0 * m[3][i] + a1 * m[4][i]) + a2 * m[5][i];
-        const double b0 = m[3][i] - along * a0;
-        const double b1 = m[4][i] - along * a1;
-        const double b2 = m[5][i] - along * a2;
         const double a_excess = ((a0 * a0 + a1 * a1) + a2 * a2) - 1.0;
+        const double share = along - along * a_excess; // along/|a|^2
+        const double b0 = m[3][i] - share * a0;
+        const double b1 = m[4][i] - share * a1;
+        const double b2 = m[5][i] - share * a2;
         const double b_excess = ((b0 * b0 + b1 * b1) + b2 * b2) - 1.0;
         const std::array matrix{a0, b0, a1 * b2 - a2 * b1, a1, b1, a2 * b0 - a0 * b2, a2, b2, a0 * b1 - a1 * b0};
         const Davenport k(matrix.data());

@@ -166,7 +166,7 @@ void drift(std::ostream& csv, const Motion& motion) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
+    if (argc != 2 || argv[1][0] == '-') {
         std::fputs("usage: bench_kinematics OUT.csv\n", stderr);
         return 2;
     }

@@ -73,7 +73,7 @@ void write_pair(std::ostream& csv, const Pair& pair, const Times& times) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
+    if (argc != 2 || argv[1][0] == '-') {
         std::fputs("usage: bench_methods OUT.csv\n", stderr);
         return 2;
     }

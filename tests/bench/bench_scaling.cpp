@@ -61,8 +61,7 @@ double rows_per_second(const std::string& path, const Form& form, int others, in
     return rows_of(form, others) / time.clock;
 }
 
-void measure(const std::string& out) {
-    std::ofstream csv(out);
+void measure(std::ostream& csv) {
     csv << "form,threads,others,rows_per_second\n";
     const Folder folder;
     const std::string input = folder / "input";
@@ -86,12 +85,17 @@ void measure(const std::string& out) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::puts("usage: bench_scaling OUT.csv");
+    if (argc != 2 || argv[1][0] == '-') {
+        std::fputs("usage: bench_scaling OUT.csv\n", stderr);
         return 2;
     }
+    std::ofstream csv(argv[1]);
+    if (!csv) {
+        std::perror(argv[1]);
+        return 1;
+    }
     try {
-        measure(argv[1]);
+        measure(csv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_scaling: %s\n", error.what());
         return 1;
