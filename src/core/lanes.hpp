@@ -8,8 +8,8 @@
 /// For a function that loops over lanes: it is compiled twice, for every x86-64 processor and for those with AVX2, and
 /// the program's start chooses. Nothing is contracted, so that both give the same bytes.
 #ifndef ROTCONV_FOR_EACH_PROCESSOR
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
-    !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&                           \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define ROTCONV_FOR_EACH_PROCESSOR __attribute__((target_clones("avx2", "default")))
 #else
 #define ROTCONV_FOR_EACH_PROCESSOR

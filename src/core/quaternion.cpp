@@ -1,5 +1,8 @@
 #include <rotconv/quaternion.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 #include "blocks.hpp"

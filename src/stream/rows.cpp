@@ -146,7 +146,7 @@ bool RowTransformer::read_plain(std::string_view text) {
             numbers_.resize(first);
             return false;
         }
-        at = stop + 1;
+        at = is_last ? end : stop + 1;
     }
     return true;
 }

@@ -24,6 +24,8 @@ constexpr std::size_t most_threads = 16;
 constexpr std::size_t spare_jobs = 2;
 /// Bytes of all blocks under way, where what they become can be many times as long.
 constexpr std::size_t most_under_way = 2 * BlockReader::largest_block;
+/// From so many bytes on no block joins them: lines are longer than blocks.
+constexpr std::size_t too_long = 32 * BlockReader::largest_block;
 
 std::size_t thread_limit(const Options& options) {
     return options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
@@ -93,6 +95,7 @@ private:
     std::mutex mutex_; ///< of all that follows
     std::condition_variable changed_;
     std::deque<std::unique_ptr<Job>> jobs_; ///< under way, in the order of the stream
+    std::size_t under_way_ = 0;             ///< bytes of their blocks
     std::vector<std::unique_ptr<Job>> idle_;
     std::vector<std::thread> helpers_; ///< of the first thread
     std::size_t most_;                 ///< threads, the first among them
@@ -154,7 +157,8 @@ void Run::add_thread() {
 }
 
 bool Run::can_read() const {
-    return !reading_ && !all_read_ && jobs_.size() < most_ + spare_jobs && (jobs_.empty() || reader_.is_ready());
+    return !reading_ && !all_read_ && jobs_.size() < most_ + spare_jobs && under_way_ < too_long &&
+           (jobs_.empty() || reader_.is_ready());
 }
 
 void Run::write_oldest(Lock& lock) {
@@ -165,6 +169,7 @@ void Run::write_oldest(Lock& lock) {
     lock.lock();
     writing_ = false;
     over_ = over_ || !goes_on;
+    under_way_ -= job.block.text.size();
     idle_.push_back(std::move(jobs_.front()));
     jobs_.pop_front();
     changed_.notify_one();
@@ -184,6 +189,7 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
         return;
     }
     jobs_.push_back(std::move(made));
+    under_way_ += job.block.text.size();
     const bool shared = job.block.text.size() >= large_;
     if (shared) {
         reading_ = false;

@@ -55,6 +55,27 @@ TEST_CASE("tiny angles keep their relative accuracy") {
     }
 }
 
+// Would catch: a projection by 1 in the place of a length that is nearly 1, which is lost beside a turn of ordinary
+// size.
+TEST_CASE("matrices and columns that are nearly clean keep the relative accuracy of a small angle") {
+    strata::Source source(22);
+    for (const std::string from : {"dcm", "6d"}) {
+        const auto convert = accuracy::own(spec(from), spec("quat"));
+        double worst = 0.0;
+        for (int i = 0; i < 2000; ++i) {
+            const auto angle = pow(oracle::Real(10), oracle::Real(source.uniform(-12, -1)));
+            auto row = oracle::numbers(spec(from), oracle::about(source.axis(), angle));
+            for (double& number : row) {
+                number += 5e-10 * source.uniform(-1, 1);
+            }
+            const auto exact = oracle::attitude(spec(from), row);
+            worst = std::max(worst, oracle::relative_error_in_eps(exact, oracle::attitude(spec("quat"), convert(row))));
+        }
+        INFO(from);
+        CHECK(worst <= 8.0);
+    }
+}
+
 // Would catch: an argument reduction that fails for huge angles. sin and cos of 1e22 are Payne and Hanek's example;
 // the digits come from 60-digit arithmetic.
 TEST_CASE("angles of any finite size are taken modulo the full turn") {
