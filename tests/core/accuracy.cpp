@@ -52,9 +52,9 @@ const std::vector<Way>& ways() {
         {"quat", "quat", 1, 0.84},     {"quat", "dcm", 1, 0.89},          {"quat", "6d", 1.5, 1.21},
         {"quat", "5d", 4, 2.6},        {"quat", "rotvec", 3, 2.7},        {"quat", "axis-angle", 3.5, 3.01},
         {"quat", "cayley", 1, 0.93},   {"quat", "mrp", 1.5, 0.94},        {"quat", "euler", 4, 3.44},
-        {"dcm", "quat", 2.5, 2.21},    {"6d", "quat", 2.5, 1.61},         {"5d", "quat", 4, 2.01},
+        {"dcm", "quat", 2.5, 2.21},    {"6d", "quat", 2.5, 2.1},          {"5d", "quat", 4, 2.4},
         {"cayley", "quat", 1.5, 0.82}, {"mrp", "quat", 2, 1.13},          {"euler", "quat", 2.5, 2.11},
-        {"rotvec", "quat", 2.5, 2.13}, {"axis-angle", "quat", 2.5, 2.12}, {"rotvec", "dcm", 2.5, 2.06},
+        {"rotvec", "quat", 2.5, 2.32}, {"axis-angle", "quat", 2.5, 2.12}, {"rotvec", "dcm", 2.5, 2.06},
     };
     return table;
 }

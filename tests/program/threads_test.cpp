@@ -156,7 +156,7 @@ TEST_CASE("large inputs have their threads, small and slow ones have one") {
         large.write(rows);
         most = std::max(most, static_cast<std::size_t>(large.threads()));
     }
-    CHECK(most == 3);
+    CHECK((most == 3 || (is_sanitized && most == 4))); // ThreadSanitizer has a thread of its own
     CHECK(large.finish().exit_code == 0);
 
     Process small(words_of("-f quat -t dcm --threads 3"));
@@ -232,16 +232,20 @@ TEST_CASE("interrupted threads lose nothing") {
     CHECK((process.finish() == expected));
 }
 
-TEST_CASE("memory does not grow with the stream on two threads") {
-    // Catches blocks that pile up where the reader is slow.
+TEST_CASE("memory does not grow with the stream, and little with the threads") {
+    // Catches blocks that pile up where the reader is slow, and short rows that become long ones in each of many
+    // blocks.
+    const auto [threads, rows] = GENERATE(std::pair("2", std::size_t{300'000}), std::pair("16", std::size_t{100'000}));
     const Folder folder;
     const auto file = folder / "rows";
-    write_file(file, repeated("0.1 0.2 0.3 0.4\n0.4 0.3 0.2 0.1\n", 300'000));
-    Process process(words_of("-f quat -t dcm --diagnostics off --tolerance inf --threads 2"), {.input_file = file});
-    CHECK(count_rows(process.read_rows(100'000)) == 100'000);
+    write_file(file, repeated("1 2 3 4\n4 3 2 1\n", rows));
+    Process process(words_of("-f quat -t dcm --diagnostics columns --format json --tolerance inf --threads " +
+                             std::string(threads)),
+                    {.input_file = file});
+    CHECK(count_rows(process.read_rows(rows / 3)) == rows / 3);
     const long before = process.peak_memory_kib();
-    CHECK(count_rows(process.read_rows(400'000)) == 400'000);
+    CHECK(count_rows(process.read_rows(rows)) == rows);
     CHECK(process.peak_memory_kib() - before < 4096);
-    CHECK((is_sanitized || before < 16384));
+    CHECK((is_sanitized || process.peak_memory_kib() < 16384));
     CHECK(process.finish().exit_code == 0);
 }
