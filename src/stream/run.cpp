@@ -18,11 +18,11 @@
 namespace rotconv::stream {
 namespace {
 
-/// More could not be fed by one reader, and would not fit into the memory that a stream may take.
+/// More could not be fed by one reader.
 constexpr std::size_t most_threads = 16;
 /// Blocks under way beside one for each thread, so that nobody has to wait for a slow one.
 constexpr std::size_t spare_jobs = 2;
-/// Bytes of all blocks under way, where what they become can be many times as long.
+/// Bytes of all blocks of text under way: what they become can be many times as long.
 constexpr std::size_t most_under_way = 2 * BlockReader::largest_block;
 /// From so many bytes on no block joins them: lines are longer than blocks.
 constexpr std::size_t too_long = 32 * BlockReader::largest_block;
