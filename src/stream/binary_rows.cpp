@@ -58,7 +58,7 @@ void RowTransformer::make_fields(Row& row) {
 
 bool RowTransformer::is_doubles_alone() const noexcept {
     return options_->width > 0 && options_->format == Format::f64 && !has_other_fields() &&
-           !options_->diagnostic_columns && !function_.in_order;
+           !options_->diagnostic_columns;
 }
 
 void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output) {

@@ -9,7 +9,6 @@ namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout)
     : options_(&options), layout_(&layout), function_(options.function), row_text_(options, layout),
-      has_plain_rows_(!has_other_fields() && !layout.delimiter.is_blanks()),
       nans_(options.function.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
@@ -91,7 +90,7 @@ void RowTransformer::read_row(Row& row) {
     const std::size_t needed = function_.inputs;
     const std::size_t first_number = numbers_.size();
     row.index = lines_.size();
-    if (has_plain_rows_ && read_plain(row.line.text)) {
+    if (!has_other_fields() && read_plain(row.line.text)) {
         lines_.push_back(row.number);
         return;
     }

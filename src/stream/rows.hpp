@@ -51,7 +51,7 @@ private:
     /// Reads a batch of rows off the text, under `stop` none after a fault.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
-    /// Rows of numbers alone, as most are, need no fields.
+    /// Reads a row of nothing but plain numbers, as most are, which needs no fields; false for any other.
     bool read_plain(std::string_view text);
     /// Likewise a batch of binary rows.
     void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
@@ -69,7 +69,6 @@ private:
     const Layout* layout_;
     RowFunction function_; ///< a copy, for it may have room of its own to work in
     RowText row_text_;
-    bool has_plain_rows_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
     // One batch, reused: nothing is allocated per row once they have grown.
