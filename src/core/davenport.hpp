@@ -6,7 +6,7 @@
 
 namespace rotconv {
 
-/// A squared distance from where on one power step serves, and a bound on the defect there.
+/// A squared distance up to which one power step serves, and a bound on the defect there.
 inline constexpr double clean_square = 0x1p-58;
 inline constexpr double clean_defect = 0x1p-27;
 
@@ -16,22 +16,10 @@ inline constexpr double clean_defect = 0x1p-27;
 class Davenport {
 public:
     /// @param m nine numbers, row by row
-    explicit Davenport(const double* m) noexcept {
-        const double plus = 1.0 + m[0];
-        const double minus = 1.0 - m[0];
-        const double sum = m[4] + m[8];
-        const double difference = m[4] - m[8];
-        ww = plus + sum;
-        xx = plus - sum;
-        yy = minus + difference;
-        zz = minus - difference;
-        wx = m[7] - m[5];
-        wy = m[2] - m[6];
-        wz = m[3] - m[1];
-        xy = m[1] + m[3];
-        xz = m[2] + m[6];
-        yz = m[5] + m[7];
-    }
+    explicit Davenport(const double* m) noexcept
+        : ww((1.0 + m[0]) + (m[4] + m[8])), xx((1.0 + m[0]) - (m[4] + m[8])), yy((1.0 - m[0]) + (m[4] - m[8])),
+          zz((1.0 - m[0]) - (m[4] - m[8])), wx(m[7] - m[5]), wy(m[2] - m[6]), wz(m[3] - m[1]), xy(m[1] + m[3]),
+          xz(m[2] + m[6]), yz(m[5] + m[7]) {}
 
     /// A quarter of the column with the largest diagonal element: parallel to q for a rotation, near it for a matrix
     /// near one. Its length is then between 1/2 and 1.

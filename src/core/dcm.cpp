@@ -158,8 +158,10 @@ Reading read_unclean(const double* numbers, double square) noexcept {
     }
     const Davenport k(numbers);
     auto q = k.power_step(k.pivot_column());
-    for (double remaining = bound * bound; remaining > 0x1p-56; remaining *= bound) {
+    double remaining = bound * bound;
+    while (remaining > 0x1p-56) {
         q = k.power_step(q);
+        remaining *= bound;
     }
     return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z),
             .defect = bound <= reported_defect ? bound : defect(matrix)};

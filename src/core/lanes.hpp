@@ -53,9 +53,8 @@ struct Rotations {
 
 /// A block of one row.
 struct OneRotation : Rotations {
-    explicit OneRotation(const Rotation& rotation) noexcept {
-        set(0, rotation);
-    } // NOLINT(*-member-init): the other rows
+    // NOLINTNEXTLINE(*-member-init): the other rows
+    explicit OneRotation(const Rotation& rotation) noexcept { set(0, rotation); }
 };
 
 /// A block of what numbers describe; see Reading.

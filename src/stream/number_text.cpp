@@ -50,7 +50,7 @@ bool is_large(std::string_view digits) noexcept {
 /// From 1e-4 to below 1.
 char* write_fraction(char* to, double magnitude) noexcept {
     constexpr std::ptrdiff_t exponent_size = 3; // E-1 to E-4
-    const std::ptrdiff_t exponent = 1 + (magnitude < 0.1) + (magnitude < 0.01) + (magnitude < 0.001);
+    const std::ptrdiff_t exponent = magnitude >= 0.1 ? 1 : magnitude >= 0.01 ? 2 : magnitude >= 0.001 ? 3 : 4;
     std::memset(to, '0', 5);
     char* const digits = to + exponent; // so that those behind the point are in their place
     const char* const end = jkj::dragonbox::to_chars_n(magnitude, digits) - exponent_size;
@@ -62,7 +62,7 @@ char* write_fraction(char* to, double magnitude) noexcept {
 /// From 1 to below 1000; null where the digits end before the point.
 char* write_whole(char* to, double magnitude) noexcept {
     constexpr std::ptrdiff_t exponent_size = 2; // E0 to E2
-    const std::ptrdiff_t exponent = (magnitude >= 10) + (magnitude >= 100);
+    const std::ptrdiff_t exponent = magnitude < 10 ? 0 : magnitude < 100 ? 1 : 2;
     char* const end = jkj::dragonbox::to_chars_n(magnitude, to) - exponent_size;
     if (end - to > exponent + 2) {
         std::copy_n(to + 2, exponent, to + 1);
@@ -76,7 +76,7 @@ char* write_whole(char* to, double magnitude) noexcept {
 char* write_shortest(char* to, double value) {
     const double magnitude = std::abs(value);
     if (magnitude >= 1e-4 && magnitude < 1e3) {
-        char* const unsigned_to = to + std::signbit(value);
+        char* const unsigned_to = to + (std::signbit(value) ? 1 : 0);
         *to = '-';
         char* const end = magnitude < 1 ? write_fraction(unsigned_to, magnitude) : write_whole(unsigned_to, magnitude);
         if (end != nullptr) {
@@ -155,7 +155,7 @@ static_assert(std::endian::native == std::endian::little, "f64 is little-endian"
 
 void append_bytes(Buffer& to, std::span<const double> numbers) {
     const auto bytes = std::as_bytes(numbers);
-    append(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    append(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}); // NOLINT(*-reinterpret-cast)
 }
 
 } // namespace rotconv::stream

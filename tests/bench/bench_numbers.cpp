@@ -10,7 +10,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include "processes.hpp"
+#include "inputs.hpp"
 #include "stream/number_text.hpp"
 
 #ifdef HAS_FAST_FLOAT

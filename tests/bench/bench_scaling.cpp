@@ -1,5 +1,5 @@
-// bench_scaling OUT.csv: rows per second of quaternions to matrices, as text and as doubles from one pipe to another,
-// by threads and by the number of other fields in a row.
+// bench_scaling OUT.csv: rows per second of quaternions to matrices, as text and as doubles, by threads
+// and by the number of other fields in a row.
 
 #include <algorithm>
 #include <cstdio>
@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "inputs.hpp"
 #include "processes.hpp"
 #include "stream/file.hpp"
 
@@ -18,11 +19,11 @@ constexpr int numbers = 4; ///< of a quaternion
 
 struct Form {
     const char* name;
-    const char* options;
+    bool is_doubles;
     int rows; ///< where a row has no other field
 };
-constexpr Form text{"text", "", 1'000'000};
-constexpr Form doubles{"doubles", "--input-format f64 --format f64", 4'000'000};
+constexpr Form text{"text", false, 1'000'000};
+constexpr Form doubles{"doubles", true, 4'000'000};
 
 /// The number of rows shrinks as they get wider.
 int rows_of(const Form& form, int others) { return form.rows * numbers / (numbers + others); }
@@ -32,7 +33,7 @@ void write_input(const std::string& path, const Form& form, int others) {
     Attitudes attitudes;
     std::ofstream file(path, std::ios::binary);
     for (int i = 0; i < rows_of(form, others); ++i) {
-        if (form.name == doubles.name) {
+        if (form.is_doubles) {
             const auto q = attitudes.next();
             file.write(reinterpret_cast<const char*>(&q), sizeof q);
             for (int k = 0; k < others; ++k) {
@@ -50,10 +51,11 @@ void write_input(const std::string& path, const Form& form, int others) {
 }
 
 double rows_per_second(const std::string& path, const Form& form, int others, int threads) {
-    const std::string width = form.name == doubles.name ? fmt::format("--width {}", numbers + others) : "";
+    const std::string options =
+        form.is_doubles ? fmt::format("--input-format f64 --format f64 --width {}", numbers + others) : "";
     const std::string command =
-        fmt::format("exec {} -f quat -t dcm --diagnostics off --columns 1-4 --threads {} {} {} < {} > /dev/null",
-                    ROTCONV_PROGRAM, threads, form.options, width, path);
+        fmt::format("exec {} -f quat -t dcm --diagnostics off --columns 1-4 --threads {} {} < {} > /dev/null",
+                    ROTCONV_PROGRAM, threads, options, path);
     Time time = time_of(command);
     for (int round = 1; round < 5; ++round) {
         time = least(time, time_of(command));

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "inputs.hpp"
 #include "processes.hpp"
 
 namespace {

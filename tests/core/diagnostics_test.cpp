@@ -199,6 +199,20 @@ TEST_CASE("the defect is the largest deviation of a singular value") {
     CHECK(report_of("rotvec", "quat", {1, 2, 3}, with_figures).defect == 0.0);
 }
 
+// Would catch: a test of clean columns that leaves out one length, or their angle.
+TEST_CASE("each way in which columns can be off is seen") {
+    for (const std::size_t entry : {0, 4, 3}) { // first length, second length, angle
+        std::vector<double> row{1, 0, 0, 0, 1, 0};
+        row[entry] += 0.01;
+        CHECK(report_of("6d", "quat", row, {}).fault == Fault::defect);
+        row[entry] -= 0.0099;
+        const auto report = report_of("6d", "quat", row, {});
+        CHECK(report.fault == Fault::none);
+        CHECK(report.notes.has(Kind::normalized));
+        CHECK(report.defect == Approx(static_cast<double>(oracle::defect(spec("6d"), row))));
+    }
+}
+
 // Would catch: a crash, or an answer, where there is no attitude.
 TEST_CASE("numbers without an attitude are faults") {
     const rotconv::Settings any{.tolerance = infinity};
