@@ -15,6 +15,7 @@ bool begins_with_number(std::string_view word) {
 }
 
 /// The words of a command, of which the first is its name. Where it names its arguments itself they are no VALUEs.
+// NOLINTNEXTLINE(misc-no-recursion): a command has no commands
 Arguments sort_command(const CLI::App& command, int argc, const char* const* argv) {
     const auto named = command.get_options([](const CLI::Option* option) { return option->get_positional(); });
     Arguments sorted;
@@ -46,6 +47,7 @@ std::string awaiting_short(const CLI::App& app, const std::string& word) {
 
 } // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): likewise
 Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv, const AddCommand& add_command) {
     Arguments sorted;
     bool only_values = false;

@@ -21,7 +21,7 @@ namespace {
 class Formatter : public CLI::Formatter {
 public:
     std::string make_usage(const CLI::App* app, std::string /*name*/) const override {
-        const std::string name = app->get_name();
+        const std::string& name = app->get_name();
         if (name == "list") {
             return "Usage: rotconv list [NAME]\n";
         }
