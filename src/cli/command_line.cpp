@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,23 +19,45 @@
 namespace rotconv::cli {
 namespace {
 
+void set_help(CLI::App& app) { app.set_help_flag("-h,--help", "Print this help and exit"); }
+
+void define_list(CLI::App& app, Texts& texts) { app.add_option("NAME", texts.listed, "A representation, or methods"); }
+
+/// A command beside the conversion.
+struct Entry {
+    std::string_view name;
+    const char* description;
+    const char* usage;
+    void (*define)(CLI::App& app, Texts& texts);
+    Command (*command)(const Texts& texts, const Values& values);
+};
+
+constexpr std::array<Entry, 4> commands{
+    {{"list", "List the representations, or explain one; list methods: the methods", "Usage: rotconv list [NAME]\n",
+      define_list, [](const Texts& texts, const Values& /*values*/) -> Command { return ListCommand{texts.listed}; }},
+     {"rates", "Rates of the numbers from the angular velocity, and back",
+      "Usage: rotconv rates -f SPEC [OPTION]... [VALUE]...\n"
+      "       rotconv rates -f SPEC [OPTION]... < IN > OUT\n",
+      define_rates, [](const Texts& texts, const Values& values) -> Command { return rates_command(texts, values); }},
+     {"propagate", "Integrate angular velocities to attitudes",
+      "Usage: rotconv propagate -t SPEC [OPTION]... < IN > OUT\n", define_propagate,
+      [](const Texts& texts, const Values& values) -> Command { return propagate_command(texts, values); }},
+     {"survey", "Which sets serve a motion, and the smallest", "Usage: rotconv survey -f SPEC [OPTION]... < IN\n",
+      define_survey,
+      [](const Texts& texts, const Values& values) -> Command { return survey_command(texts, values); }}}};
+
+/// The command of that name, or null.
+const Entry* find_command(std::string_view name) {
+    const auto* const found = std::ranges::find(commands, name, &Entry::name);
+    return found == commands.end() ? nullptr : found;
+}
+
 /// CLI11 does not know of VALUEs.
 class Formatter : public CLI::Formatter {
 public:
     std::string make_usage(const CLI::App* app, std::string /*name*/) const override {
-        const std::string& name = app->get_name();
-        if (name == "list") {
-            return "Usage: rotconv list [NAME]\n";
-        }
-        if (name == "rates") {
-            return "Usage: rotconv rates -f SPEC [OPTION]... [VALUE]...\n"
-                   "       rotconv rates -f SPEC [OPTION]... < IN > OUT\n";
-        }
-        if (name == "propagate") {
-            return "Usage: rotconv propagate -t SPEC [OPTION]... < IN > OUT\n";
-        }
-        if (name == "survey") {
-            return "Usage: rotconv survey -f SPEC [OPTION]... < IN\n";
+        if (const Entry* entry = find_command(app->get_name())) {
+            return entry->usage;
         }
         return "Usage: rotconv -f FROM -t TO [OPTION]... [VALUE]...\n"
                "       rotconv -f FROM -t TO [OPTION]... < IN > OUT\n"
@@ -42,25 +66,8 @@ public:
     }
 };
 
-void set_help(CLI::App& app) { app.set_help_flag("-h,--help", "Print this help and exit"); }
-
-void define_list(CLI::App& app, Texts& texts) { app.add_option("NAME", texts.listed, "A representation, or methods"); }
-
-/// A command beside the conversion.
-struct Entry {
-    const char* name;
-    const char* description;
-    void (*define)(CLI::App& app, Texts& texts);
-};
-
-constexpr std::array<Entry, 4> commands{
-    {{"list", "List the representations, or explain one; list methods: the methods", define_list},
-     {"rates", "Rates of the numbers from the angular velocity, and back", define_rates},
-     {"propagate", "Integrate angular velocities to attitudes", define_propagate},
-     {"survey", "Which sets serve a motion, and the smallest", define_survey}}};
-
 const CLI::App* add(const Entry& entry, CLI::App& app, Texts& texts) {
-    CLI::App* command = app.add_subcommand(entry.name, entry.description);
+    CLI::App* command = app.add_subcommand(std::string(entry.name), entry.description);
     entry.define(*command, texts);
     set_help(*command); // anew, so that it is the last
     return command;
@@ -105,7 +112,10 @@ const Method* method_of(const Spec& from, const Spec& to, const std::string& tex
 
 RowsCommand convert_command(const Texts& texts, const Values& values) {
     if (texts.from.empty() && texts.to.empty() && !values.words.empty() && !stream::is_number(values.words[0])) {
-        throw Usage(words::no_such_word("command", values.words[0], {"list", "propagate", "rates", "survey"}));
+        std::vector<std::string_view> names;
+        std::ranges::transform(commands, std::back_inserter(names), &Entry::name);
+        std::ranges::sort(names);
+        throw Usage(words::no_such_word("command", values.words[0], names));
     }
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const Spec to = spec_of("--to", texts.to, texts.degrees);
@@ -143,23 +153,6 @@ void refuse_before(const CLI::App& app, const std::string& command) {
     }
 }
 
-/// The command of that name; none is the conversion.
-Command command_of(const std::string& name, const Texts& texts, const Values& values) {
-    if (name == "list") {
-        return ListCommand{texts.listed};
-    }
-    if (name == "rates") {
-        return rates_command(texts, values);
-    }
-    if (name == "propagate") {
-        return propagate_command(texts, values);
-    }
-    if (name == "survey") {
-        return survey_command(texts, values);
-    }
-    return convert_command(texts, values);
-}
-
 } // namespace
 
 Command read_command_line(int argc, const char* const* argv) {
@@ -167,8 +160,8 @@ Command read_command_line(int argc, const char* const* argv) {
     Texts texts;
     define(app, texts);
     Arguments arguments = sort_arguments(app, argc, argv, [&](const std::string& word) {
-        const auto* const entry = std::ranges::find(commands, word, &Entry::name);
-        return entry == commands.end() ? nullptr : add(*entry, app, texts);
+        const Entry* entry = find_command(word);
+        return entry == nullptr ? nullptr : add(*entry, app, texts);
     });
     if (!arguments.empty_option.empty()) {
         return UsageError{arguments.empty_option + " has an empty argument"};
@@ -181,7 +174,9 @@ Command read_command_line(int argc, const char* const* argv) {
         }
         const CLI::App& command = arguments.command.empty() ? app : *app.get_subcommand(arguments.command);
         const CLI::Option* input = command.get_option_no_throw("--input");
-        return command_of(arguments.command, texts, {arguments.values, input != nullptr && input->count() > 0});
+        const Values values{arguments.values, input != nullptr && input->count() > 0};
+        const Entry* entry = find_command(arguments.command);
+        return entry == nullptr ? convert_command(texts, values) : entry->command(texts, values);
     } catch (const CLI::CallForHelp&) {
         return PrintCommand{help(app, texts)};
     } catch (const CLI::CallForVersion& version) {
