@@ -31,10 +31,12 @@ struct SetSurvey {
 /// Follows a stream of attitudes in every set at once: dcm, 6d, 5d, quat, axis-angle, rotvec, the twelve intrinsic
 /// Euler sequences (the extrinsic ones are the same angles read backwards), cayley, mrp. Constant memory.
 ///
-/// A jump is counted where the parameters, in the ranges in which they are printed, do not follow the motion: on the
-/// shortest rotation from one row to the next there is an arc on which they change by more than 1 (radian) and by more
-/// than twice what the greater condition of the two rows explains. These are the wraps of angles and rotation vectors,
-/// shadow switches, changes of sign, and steps across gimbal lock; however far apart the rows are.
+/// A jump is counted where the parameters, in the ranges in which they are printed, do not follow the motion. The
+/// shortest rotation from one row to the next is halved, and always that half again on which they change more (of
+/// equals the first), until they change by 1 (radian) at most; it is a jump where, on the whole or on one of these
+/// parts, they change by more than 1 and by more than twice the part's angle times the greater condition of the two
+/// rows (1e15 at most). These are the wraps of angles and rotation vectors, shadow switches, changes of sign, and steps
+/// across gimbal lock; however far apart the rows are.
 class Survey {
 public:
     Survey();

@@ -14,6 +14,8 @@ using Numbers = std::array<double, 9>;
 
 /// A change of parameters that may be a jump: each one has at least the size 2 (a switch to the shadow, a new sign).
 constexpr double least_jump = 1.0;
+/// A greater condition explains no more: the arcs that it would need are rounding.
+constexpr double greatest_explanation = 1e15;
 
 Rotation unit(const Rotation& rotation) noexcept {
     const Quaternion q = quaternion::from_rotation(rotation);
@@ -63,9 +65,9 @@ struct Arc {
     }
 };
 
-/// Halves the arc, keeping the half with the larger step, until the step is small or more than `condition` explains.
+/// As Survey says: halves the arc, keeping the half with the larger step.
 bool has_jump(const Spec& set, Arc arc, Numbers from, Numbers to, double condition) noexcept {
-    condition = std::min(condition, 1e15); // arcs that are shorter are rounding
+    condition = std::min(condition, greatest_explanation);
     double angle = arc.angle();
     double step = distance(from, to);
     while (step > least_jump) {

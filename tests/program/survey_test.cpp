@@ -64,6 +64,14 @@ TEST_CASE("survey has a line for each set with what was met and where") {
     CHECK(line_of(result.out, "5d").back() == "yes");
 }
 
+TEST_CASE("survey counts a jump only where its halving comes to one") {
+    // Catches a search that differs from the manual's rule: past the lock of YZX one part is
+    // steep enough, but the halves in which the angles change more do not lead to it.
+    const auto result = run("survey -f quat:tum", "0.0403 0.0545 0.7745 0.6289\n0.0463 0.0544 0.6954 0.7150\n");
+    CHECK(result.exit_code == 0);
+    CHECK(line_of(result.out, "euler:YZX").at(6) == "0");
+}
+
 TEST_CASE("survey does not let Euler angles through lock serve") {
     // Catches lock that no row has hit.
     const auto result = run("survey -f rpy:deg", "0 88 0\n0 89.5 0\n0 90.7 0\n0 92 0\n");
