@@ -25,7 +25,8 @@ struct RateSettings {
 
 /// What is known of one row.
 struct RateReport {
-    Fault fault = Fault::none; ///< singular or full_turn where the margin is at most `singular_margin`
+    Fault fault = Fault::none; ///< singular or full_turn where the margin is at most `singular_margin`; overflow of the
+                               ///< result; those of readings
     double defect = 0.0;       ///< as in Report
     Figures figures{};         ///< of the numbers (they differ from the attitude's for a rotation vector past a
                                ///< half-turn); not known with any other fault
@@ -38,8 +39,8 @@ struct RateReport {
 /// Thread-safe: running it changes nothing in it.
 class Rates {
 public:
-    /// @pre has_rates(spec.name)
-    explicit Rates(const Spec& spec, const RateSettings& settings = {}) noexcept;
+    /// Throws std::invalid_argument where not has_rates(spec.name).
+    explicit Rates(const Spec& spec, const RateSettings& settings = {});
 
     /// n numbers and wx, wy, wz; inverse: n numbers and their n rates.
     [[nodiscard]] std::size_t in_size() const noexcept { return spec_.size() + (settings_.inverse ? spec_.size() : 3); }

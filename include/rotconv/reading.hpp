@@ -13,6 +13,7 @@ namespace rotconv {
 enum class Fault : std::uint8_t {
     none,
     not_finite,      ///< a number is nan or infinite
+    overflow,        ///< finite numbers whose result is too large for a double
     zero_quaternion, ///< all four components are 0
     zero_axis,       ///< an axis of length 0 with an angle that is not 0
     not_proper,      ///< a matrix with det <= 0: singular, or a reflection
@@ -46,7 +47,7 @@ enum class Kind : std::uint8_t {
     identity_axis,
     method_error
 };
-inline constexpr std::size_t kind_count = 7;
+inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::method_error) + 1;
 
 /// The kind's name as it stands in the `notes` column, such as "gimbal-lock".
 [[nodiscard]] std::string_view name_of(Kind kind) noexcept;

@@ -15,18 +15,20 @@ namespace rotconv {
 
 /// The representations, in the order in which they are listed.
 enum class Name : std::uint8_t { dcm, six_d, five_d, quat, axis_angle, rotvec, euler, rpy, cayley, mrp };
+inline constexpr std::size_t name_count = static_cast<std::size_t>(Name::mrp) + 1;
 
 /// What changes how a representation's numbers are written down.
 enum class Modifier : std::uint8_t { passive, deg, col, xyzw };
+inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg, Modifier::col, Modifier::xyzw};
 
 /// One line of the table of representations.
 struct Representation {
     Name name;
-    std::string_view text;                   ///< as in a SPEC
-    std::array<std::string_view, 2> aliases; ///< unused ones are empty
-    std::size_t size;                        ///< how many numbers
-    std::array<std::string_view, 9> columns; ///< their names, in order
-    std::array<bool, 4> takes;               ///< which modifiers have a meaning, by Modifier
+    std::string_view text;                        ///< as in a SPEC
+    std::array<std::string_view, 2> aliases;      ///< unused ones are empty
+    std::size_t size;                             ///< how many numbers
+    std::array<std::string_view, 9> columns;      ///< their names, in order
+    std::array<bool, all_modifiers.size()> takes; ///< which modifiers have a meaning, by Modifier
 
     [[nodiscard]] bool accepts(Modifier modifier) const noexcept { return takes[static_cast<std::size_t>(modifier)]; }
     [[nodiscard]] bool has_angles() const noexcept { return accepts(Modifier::deg); }
@@ -46,7 +48,6 @@ struct Preset {
 [[nodiscard]] std::span<const Preset> presets() noexcept;
 [[nodiscard]] const Representation& representation(Name name) noexcept;
 [[nodiscard]] std::string_view name_of(Modifier modifier) noexcept;
-inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg, Modifier::col, Modifier::xyzw};
 
 /// A representation with its conventions resolved: what `NAME[:MODIFIER]...` means.
 struct Spec {

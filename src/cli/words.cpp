@@ -237,6 +237,7 @@ std::string explain(const stream::RowFault& fault, const Subject& subject) {
     switch (fault.fault) {
     case Fault::none: break;
     case Fault::not_finite: return fmt::format("not finite: {}", text);
+    case Fault::overflow: return fmt::format("the result is too large for a double: {}", text);
     case Fault::zero_quaternion: return fmt::format("a zero quaternion has no attitude: {}", text);
     case Fault::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
     case Fault::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);

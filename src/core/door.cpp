@@ -12,6 +12,7 @@
 #include <rotconv/rotation_vector.hpp>
 
 #include "blocks.hpp"
+#include "enum_table.hpp"
 
 // Each struct below fits one room to rows of plain numbers: `read` and `write` of one row, around which `door_for`
 // makes the loops, or `read_block` and `write_block`.
@@ -144,13 +145,26 @@ template <class Row> constexpr Door door_for() noexcept {
     return door;
 }
 
-/// In the order of Name.
-constexpr std::array doors{door_for<DcmRow>(),       door_for<SixDRow>(),   door_for<FiveDRow>(), door_for<QuatRow>(),
-                           door_for<AxisAngleRow>(), door_for<RotvecRow>(), door_for<EulerRow>(), door_for<EulerRow>(),
-                           door_for<CayleyRow>(),    door_for<MrpRow>()};
+struct NamedDoor {
+    Name name;
+    Door door;
+};
+constexpr auto doors = std::to_array<NamedDoor>({
+    {Name::dcm, door_for<DcmRow>()},
+    {Name::six_d, door_for<SixDRow>()},
+    {Name::five_d, door_for<FiveDRow>()},
+    {Name::quat, door_for<QuatRow>()},
+    {Name::axis_angle, door_for<AxisAngleRow>()},
+    {Name::rotvec, door_for<RotvecRow>()},
+    {Name::euler, door_for<EulerRow>()},
+    {Name::rpy, door_for<EulerRow>()},
+    {Name::cayley, door_for<CayleyRow>()},
+    {Name::mrp, door_for<MrpRow>()},
+});
+static_assert(is_indexed(doors, name_count, &NamedDoor::name));
 
 } // namespace
 
-const Door& door_of(Name name) noexcept { return doors[static_cast<std::size_t>(name)]; }
+const Door& door_of(Name name) noexcept { return doors[static_cast<std::size_t>(name)].door; }
 
 } // namespace rotconv

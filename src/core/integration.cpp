@@ -10,6 +10,7 @@
 #include <rotconv/rates.hpp>
 
 #include "door.hpp"
+#include "enum_table.hpp"
 #include "rate_door.hpp"
 
 namespace rotconv {
@@ -26,6 +27,7 @@ constexpr std::array<IntegratorEntry, 3> table{{
     {Integrator::magnus4, "magnus4", 4, 2, 2, {0.5 - root3 / 6.0, 0.5 + root3 / 6.0, 0.0}, true},
     {Integrator::magnus6, "magnus6", 6, 3, 3, {0.5 - root15 / 10.0, 0.5, 0.5 + root15 / 10.0}, true},
 }};
+static_assert(is_indexed(table, static_cast<std::size_t>(Integrator::magnus6) + 1, &IntegratorEntry::integrator));
 
 /// The commutator of [a]_x and [b]_x as a vector, reversed: the published series are for Ydot = A Y, and here
 /// Rdot = R [w]_x.

@@ -12,6 +12,8 @@
 #include <rotconv/rates.hpp>
 #include <rotconv/rotation_vector.hpp>
 
+#include "enum_table.hpp"
+
 // Each struct below fits one room to rows of plain numbers.
 
 namespace rotconv {
@@ -82,21 +84,27 @@ template <class Room> constexpr RateDoor door_for() noexcept {
     }
 }
 
-/// In the order of Name.
-constexpr std::array doors{door_for<DcmRates>(),
-                           door_for<SixDRates>(),
-                           door_for<FiveDRates>(),
-                           door_for<QuatRates>(),
-                           RateDoor{},
-                           door_for<RotvecRates>(),
-                           door_for<EulerRates>(),
-                           door_for<EulerRates>(),
-                           door_for<CayleyRates>(),
-                           door_for<MrpRates>()};
+struct NamedDoor {
+    Name name;
+    RateDoor door;
+};
+constexpr auto doors = std::to_array<NamedDoor>({
+    {Name::dcm, door_for<DcmRates>()},
+    {Name::six_d, door_for<SixDRates>()},
+    {Name::five_d, door_for<FiveDRates>()},
+    {Name::quat, door_for<QuatRates>()},
+    {Name::axis_angle, {}},
+    {Name::rotvec, door_for<RotvecRates>()},
+    {Name::euler, door_for<EulerRates>()},
+    {Name::rpy, door_for<EulerRates>()},
+    {Name::cayley, door_for<CayleyRates>()},
+    {Name::mrp, door_for<MrpRates>()},
+});
+static_assert(is_indexed(doors, name_count, &NamedDoor::name));
 
 } // namespace
 
-const RateDoor& rate_door_of(Name name) noexcept { return doors[static_cast<std::size_t>(name)]; }
+const RateDoor& rate_door_of(Name name) noexcept { return doors[static_cast<std::size_t>(name)].door; }
 
 bool has_rates(Name name) noexcept { return rate_door_of(name).rate != nullptr; }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "door.hpp"
 #include "rate_door.hpp"
@@ -25,7 +26,11 @@ bool at_full_turn(const Spec& spec, const Figures& figures) noexcept {
 
 } // namespace
 
-Rates::Rates(const Spec& spec, const RateSettings& settings) noexcept : spec_(spec), settings_(settings) {}
+Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), settings_(settings) {
+    if (!has_rates(spec.name)) {
+        throw std::invalid_argument("a set without rates");
+    }
+}
 
 void Rates::run(std::span<const double> in, std::span<double> out, std::span<RateReport> reports) const noexcept {
     const double* from = in.data();
@@ -33,7 +38,7 @@ void Rates::run(std::span<const double> in, std::span<double> out, std::span<Rat
     for (RateReport& report : reports) {
         report = run_row(from, to);
         if (report.fault == Fault::none && !all_finite(to, out_size())) {
-            report.fault = Fault::not_finite;
+            report.fault = Fault::overflow;
         }
         if (report.fault != Fault::none) {
             std::fill_n(to, out_size(), std::numeric_limits<double>::quiet_NaN());

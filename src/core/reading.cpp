@@ -2,12 +2,26 @@
 
 #include <array>
 
+#include "enum_table.hpp"
+
 namespace rotconv {
 
 std::string_view name_of(Kind kind) noexcept {
-    static constexpr std::array<std::string_view, kind_count> names{
-        "normalized", "gimbal-lock", "near-gimbal-lock", "half-turn", "infinite", "identity-axis", "method-error"};
-    return names[static_cast<std::size_t>(kind)];
+    struct Line {
+        Kind kind;
+        std::string_view text;
+    };
+    static constexpr auto names = std::to_array<Line>({
+        {Kind::normalized, "normalized"},
+        {Kind::gimbal_lock, "gimbal-lock"},
+        {Kind::near_gimbal_lock, "near-gimbal-lock"},
+        {Kind::half_turn, "half-turn"},
+        {Kind::infinite, "infinite"},
+        {Kind::identity_axis, "identity-axis"},
+        {Kind::method_error, "method-error"},
+    });
+    static_assert(is_indexed(names, kind_count, &Line::kind));
+    return names[static_cast<std::size_t>(kind)].text;
 }
 
 } // namespace rotconv

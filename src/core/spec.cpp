@@ -1,16 +1,19 @@
 #include <rotconv/spec.hpp>
 
 #include <algorithm>
+#include <functional>
+
+#include "enum_table.hpp"
 
 namespace rotconv {
 namespace {
 
-constexpr std::array<bool, 4> plain{true, false, false, false};
-constexpr std::array<bool, 4> with_angles{true, true, false, false};
-constexpr std::array<bool, 4> matrix{true, false, true, false};
-constexpr std::array<bool, 4> scalar_and_vector{true, false, false, true};
+constexpr std::array<bool, all_modifiers.size()> plain{true, false, false, false};
+constexpr std::array<bool, all_modifiers.size()> with_angles{true, true, false, false};
+constexpr std::array<bool, all_modifiers.size()> matrix{true, false, true, false};
+constexpr std::array<bool, all_modifiers.size()> scalar_and_vector{true, false, false, true};
 
-constexpr std::array<Representation, 10> table{{
+constexpr auto table = std::to_array<Representation>({
     {Name::dcm, "dcm", {"matrix"}, 9, {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, matrix},
     {Name::six_d, "6d", {"two-column"}, 6, {"r11", "r21", "r31", "r12", "r22", "r32"}, plain},
     {Name::five_d, "5d", {"hopf"}, 5, {"y1", "y2", "y3", "y4", "y5"}, plain},
@@ -21,7 +24,8 @@ constexpr std::array<Representation, 10> table{{
     {Name::rpy, "rpy", {}, 3, {"roll", "pitch", "yaw"}, with_angles},
     {Name::cayley, "cayley", {"gibbs", "rodrigues"}, 3, {"cx", "cy", "cz"}, plain},
     {Name::mrp, "mrp", {}, 3, {"mx", "my", "mz"}, plain},
-}};
+});
+static_assert(is_indexed(table, name_count, &Representation::name));
 
 constexpr std::array matrices{Name::dcm, Name::six_d, Name::five_d};
 constexpr std::array all_but_euler{Name::dcm,        Name::six_d,  Name::five_d, Name::quat,
@@ -88,7 +92,8 @@ std::span<const Preset> presets() noexcept { return preset_table; }
 const Representation& representation(Name name) noexcept { return table[static_cast<std::size_t>(name)]; }
 
 std::string_view name_of(Modifier modifier) noexcept {
-    static constexpr std::array<std::string_view, 4> names{"passive", "deg", "col", "xyzw"};
+    static constexpr std::array<std::string_view, all_modifiers.size()> names{"passive", "deg", "col", "xyzw"};
+    static_assert(is_indexed(all_modifiers, names.size(), std::identity()) && !names.back().empty());
     return names[static_cast<std::size_t>(modifier)];
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -288,10 +289,12 @@ TEST_CASE("at a singularity there are no rates, and the report says so") {
         CHECK(fault("rotvec", {NAN, 0, 0}, settings) == Fault::not_finite);
         CHECK(fault("rotvec", {0, 0, 0, INFINITY}, settings) == Fault::not_finite);
         // too fast for a double
-        CHECK(fault("mrp", {0.5, 0.5, 0.4, 1.5e308, 1.5e308, 1.5e308}, settings) == Fault::not_finite);
+        CHECK(fault("mrp", {0.5, 0.5, 0.4, 1.5e308, 1.5e308, 1.5e308}, settings) == Fault::overflow);
     }
     CHECK(fault("quat", {1.1, 0, 0, 0}, {.tolerance = 0.2}) == Fault::none);
+    CHECK(fault("mrp", {1e308, 1e308, 0}, {}) == Fault::overflow); // the rate is of the size of |m|^2
     CHECK_FALSE(has_rates(Name::axis_angle));
+    CHECK_THROWS_AS(Rates(spec("axis-angle")), std::invalid_argument);
 }
 
 // Catches normal equations that underflow: the turn is then 0 without a word.

@@ -156,3 +156,12 @@ TEST_CASE("a rotation vector has no rates at a full turn, and is told so") {
     }
     CHECK(missing(run("rates -f rotvec:deg 0 0 180 0 1 0").err, {"half-turn"}) == "");
 }
+
+TEST_CASE("rates that are too large for a double are told so") {
+    // Catches finite numbers that are called not finite.
+    const auto result = run("rates -f mrp 1e308 1e308 0 1 1 1");
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "");
+    CHECK(missing(result.err, {"too large for a double: '1e308 1e308 0 1 1 1'"}) == "");
+    CHECK(missing(run("rates -f mrp 0 0 0 1 nan 1").err, {"not finite: '0 0 0 1 nan 1'"}) == "");
+}
