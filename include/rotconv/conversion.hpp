@@ -14,7 +14,7 @@ struct Settings {
     double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool figures = false;                            ///< margin, condition and the exact defect for every row
-    const Method* method = nullptr;                  ///< of this pair; null: rotconv's own
+    const Method* method = nullptr;                  ///< one that serves this pair; null: rotconv's own
 };
 
 /// What is known of one converted row.
@@ -34,6 +34,7 @@ struct Rotations;
 /// Thread-safe: running it changes nothing in it.
 class Conversion {
 public:
+    /// Throws std::invalid_argument where the method is one of another pair.
     Conversion(const Spec& from, const Spec& to, const Settings& settings = {});
 
     [[nodiscard]] const Spec& from() const noexcept { return from_; }

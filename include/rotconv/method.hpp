@@ -28,12 +28,15 @@ struct Method {
     void (*run)(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept;
     Worst clean{};   ///< on rows that describe an attitude exactly
     Worst hostile{}; ///< on matrices off by up to 5e-4, quaternions of any length, rotation vectors up to 1e14
+
+    /// Whether it is of this pair; rpy counts as euler.
+    [[nodiscard]] bool serves(Name source, Name target) const noexcept;
 };
 
 /// All rows, in the order of their pairs.
 [[nodiscard]] std::span<const Method> methods() noexcept;
 
-/// The rows of a pair (rpy counts as euler); empty where only rotconv's own way is known.
+/// The rows of a pair, see Method::serves(); empty where only rotconv's own way is known.
 [[nodiscard]] std::span<const Method> methods_of(Name from, Name to) noexcept;
 
 /// The method of that name, or null.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "angles.hpp"
@@ -78,7 +79,11 @@ double angle_between(const Rotation& p, const Rotation& q) noexcept {
 } // namespace
 
 Conversion::Conversion(const Spec& from, const Spec& to, const Settings& settings)
-    : from_(from), to_(to), settings_(settings), in_door_(&door_of(from.name)), out_door_(&door_of(to.name)) {}
+    : from_(from), to_(to), settings_(settings), in_door_(&door_of(from.name)), out_door_(&door_of(to.name)) {
+    if (settings.method != nullptr && !settings.method->serves(from.name, to.name)) {
+        throw std::invalid_argument("a method of another pair");
+    }
+}
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::span<Report> reports) const noexcept {
     const double* from = in.data();
@@ -122,11 +127,13 @@ void Conversion::run_block(const double* in, double* out, std::span<Report> repo
     }
     const double unremarkable = settings_.figures ? -1.0 : std::min(settings_.tolerance, reported_defect);
     for (std::size_t i = 0; i < rows; ++i) {
-        reports[i] = {.fault = readings.fault[i], .notes = {}, .defect = readings.defect[i], .figures = {}};
-        if (readings.defect[i] <= unremarkable && readings.fault[i] == Fault::none && notes[i].empty()) {
-            continue;
+        const bool remarkable =
+            !(readings.defect[i] <= unremarkable) || readings.fault[i] != Fault::none || !notes[i].empty();
+        reports[i] = {};
+        reports[i].defect = readings.defect[i];
+        if (remarkable) {
+            reports[i] = report(readings.reading(i), notes[i], in + i * from_.size());
         }
-        reports[i] = report(readings.reading(i), notes[i], in + i * from_.size());
         reports[i].method_error = by_method ? method_errors[i] : 0.0;
         if (reports[i].fault != Fault::none) {
             std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());

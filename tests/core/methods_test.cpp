@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <sstream>
@@ -285,8 +286,25 @@ TEST_CASE("a method's error is reported with its angle") {
     const auto off = report_of("quat", "dcm", "unit", {k * std::sqrt(0.5), 0, 0, k * std::sqrt(0.5)});
     CHECK(off.notes.has(rotconv::Kind::method_error));
     CHECK(off.method_error == Approx(std::atan2(k * k - 1.0, k * k)).epsilon(1e-9));
+    // By less than is reported, on a row with nothing to report: k^2 below 1 + 1e-7.
+    const double close = 1.0 + 4e-8;
+    const auto unremarkable = report_of("quat", "dcm", "unit", {close * std::sqrt(0.5), 0, 0, close * std::sqrt(0.5)});
+    CHECK(unremarkable.notes.empty());
+    CHECK(unremarkable.method_error == Approx(std::atan2(close * close - 1.0, close * close)).epsilon(1e-6));
     // Both are infinite at a half-turn, as the vector is.
     CHECK_FALSE(report_of("dcm", "cayley", "quaternion", half_turn).notes.has(rotconv::Kind::method_error));
     // A row without an attitude stays a fault.
     CHECK(report_of("dcm", "quat", "trace", {0, 0, 0, 0, 0, 0, 0, 0, 0}).fault == rotconv::Fault::not_proper);
+}
+
+// Would catch: a README that counts other methods than there are.
+TEST_CASE("the README counts the methods") {
+    const auto all = rotconv::methods();
+    const auto own = std::ranges::count(all, nullptr, &Method::run);
+    std::ostringstream text;
+    text << "names\n" << static_cast<std::ptrdiff_t>(all.size()) - own << " beside the default of " << own << " pairs";
+    std::ifstream file(ROTCONV_README);
+    const std::string readme{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    INFO(text.str());
+    CHECK(readme.find(text.str()) != std::string::npos);
 }

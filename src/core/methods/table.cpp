@@ -127,12 +127,12 @@ constexpr Name set_of(Name name) noexcept { return name == Name::rpy ? Name::eul
 
 } // namespace
 
+bool Method::serves(Name source, Name target) const noexcept { return from == set_of(source) && to == set_of(target); }
+
 std::span<const Method> methods() noexcept { return table; }
 
 std::span<const Method> methods_of(Name from, Name to) noexcept {
-    const auto of_pair = [from = set_of(from), to = set_of(to)](const Method& method) {
-        return method.from == from && method.to == to;
-    };
+    const auto of_pair = [from, to](const Method& method) { return method.serves(from, to); };
     const auto first = std::ranges::find_if(table, of_pair);
     const auto last = std::find_if_not(first, table.end(), of_pair);
     return {first, last};
