@@ -17,8 +17,8 @@ HalfAngle tangent_of(double hi, double lo) noexcept {
 }
 
 /// Turns by `quadrants` times 90 degrees.
-HalfAngle turned(HalfAngle h, int quadrants) noexcept {
-    switch (static_cast<unsigned>(quadrants) & 3U) {
+HalfAngle turned(HalfAngle h, unsigned quadrants) noexcept {
+    switch (quadrants & 3U) {
     case 1: return {-h.sine, h.cosine};
     case 2: return {-h.cosine, -h.sine};
     case 3: return {h.sine, -h.cosine};
@@ -26,15 +26,25 @@ HalfAngle turned(HalfAngle h, int quadrants) noexcept {
     }
 }
 
+/// An angle less the multiple of a period that is nearest to it, and how many that are, modulo 4.
+struct Reduced {
+    double rest;
+    unsigned quotient;
+};
+
+Reduced reduced(double angle, double period) noexcept {
+    int quotient = 0; // of its size three bits are sure, and what a library puts above them would not bear to be added
+    const double rest = std::remquo(angle, period, &quotient);
+    return {rest, static_cast<unsigned>(quotient) & 3U};
+}
+
 /// Half of hi + lo degrees: each part is reduced exactly to a multiple of 180, half of which are quadrants, and a rest.
 /// The rest's product with pi/180 is off by at most 0.65 ulp, less than a correction would round away.
 HalfAngle half_of_degrees(DoubleDouble angle) noexcept {
-    int quadrants_hi = 0; // std::remquo gives the low three bits of the quotient and its sign
-    int quadrants_lo = 0;
-    const double rest_hi = std::remquo(angle.hi, 180.0, &quadrants_hi);
-    const double rest_lo = std::remquo(angle.lo, 180.0, &quadrants_lo);
-    const DoubleDouble rest = exact_sum(rest_hi, rest_lo);
-    const int quadrants = quadrants_hi + quadrants_lo;
+    const Reduced hi = reduced(angle.hi, 180.0);
+    const Reduced lo = reduced(angle.lo, 180.0);
+    const DoubleDouble rest = exact_sum(hi.rest, lo.rest);
+    const unsigned quadrants = hi.quotient + lo.quotient;
     if (std::fabs(rest.hi) == 90.0 && rest.lo == 0.0) {
         return turned({1.0, std::copysign(1.0, rest.hi)}, quadrants);
     }
@@ -81,9 +91,9 @@ Direction direction_of(double angle, AngleUnit unit) noexcept {
     if (unit == AngleUnit::radians) {
         return {std::cos(angle), std::sin(angle)};
     }
-    int quadrants = 0;
-    const double rest = std::remquo(angle, 90.0, &quadrants) / degrees_per_radian;
-    const HalfAngle whole = turned({std::cos(rest), std::sin(rest)}, quadrants);
+    const Reduced turn = reduced(angle, 90.0);
+    const double rest = turn.rest / degrees_per_radian;
+    const HalfAngle whole = turned({std::cos(rest), std::sin(rest)}, turn.quotient);
     return {whole.cosine, whole.sine};
 }
 
