@@ -31,7 +31,7 @@ namespace dcm {
 [[nodiscard]] double defect(const Dcm& matrix) noexcept;
 
 /// Homogeneous form: (w^2 + x^2 - y^2 - z^2)/|q|^2 on the diagonal, 2(xy - wz)/|q|^2 and so on beside it (Stuelpnagel
-/// section 3, gamma(u) transposed). Exact for quarter turns about the axes.
+/// section 3, gamma(u) transposed). Exact for quarter turns about the axes, whatever flags the caller is compiled with.
 [[nodiscard]] Dcm from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin infinite, condition sqrt 2.
@@ -44,28 +44,6 @@ namespace dcm {
 /// The angular velocity whose rate() is nearest to `rates` (least squares): what is not tangent to the rotations is
 /// left out.
 [[nodiscard]] Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame frame = Frame::body) noexcept;
-
-inline Dcm from_rotation(const Rotation& rotation) noexcept {
-    const double w = rotation.w();
-    const double x = rotation.x();
-    const double y = rotation.y();
-    const double z = rotation.z();
-    const double ww = w * w;
-    const double xx = x * x;
-    const double yy = y * y;
-    const double zz = z * z;
-    Dcm m;
-    m << (ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
-        2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x),  //
-        2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy);
-    const double squared_norm = (ww + xx) + (yy + zz);
-    // An entry is 1 or -1 only where one of these four vanishes; then a division keeps it. Elsewhere the inverse is as
-    // accurate, and quicker.
-    if ((m(0, 0) * m(1, 1)) * (m(0, 1) * m(0, 2)) == 0.0) {
-        return m / squared_norm;
-    }
-    return m * (1.0 / squared_norm);
-}
 
 } // namespace dcm
 } // namespace rotconv

@@ -214,6 +214,29 @@ double defect(const Dcm& matrix) noexcept {
     return std::max(from_one(solver.eigenvalues()[0]), from_one(solver.eigenvalues()[2]));
 }
 
+// Out of line: contracted, the differences would not cancel.
+Dcm from_rotation(const Rotation& rotation) noexcept {
+    const double w = rotation.w();
+    const double x = rotation.x();
+    const double y = rotation.y();
+    const double z = rotation.z();
+    const double ww = w * w;
+    const double xx = x * x;
+    const double yy = y * y;
+    const double zz = z * z;
+    Dcm m;
+    m << (ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
+        2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x),  //
+        2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy);
+    const double squared_norm = (ww + xx) + (yy + zz);
+    // An entry is 1 or -1 only where one of these four vanishes; then a division keeps it. Elsewhere the inverse is as
+    // accurate, and quicker.
+    if ((m(0, 0) * m(1, 1)) * (m(0, 1) * m(0, 2)) == 0.0) {
+        return m / squared_norm;
+    }
+    return m * (1.0 / squared_norm);
+}
+
 Figures figures(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
 
 Dcm rate(const Dcm& matrix, const Eigen::Vector3d& w, Frame frame) noexcept {

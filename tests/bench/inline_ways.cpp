@@ -1,4 +1,4 @@
-// Conversions as a C++ program writes them, inline and one row at a time.
+// Conversions as a C++ program writes them, one row at a time.
 
 #include "ways.hpp"
 
