@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 namespace rotconv::stream {
 namespace {
@@ -32,9 +35,14 @@ void guard_standard_descriptors() noexcept {
 }
 
 std::size_t processors() noexcept {
+#ifdef __linux__
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
-    return ::sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? static_cast<std::size_t>(CPU_COUNT(&allowed)) : 1;
+    if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+        return static_cast<std::size_t>(CPU_COUNT(&allowed));
+    }
+#endif
+    return std::max(1U, std::thread::hardware_concurrency());
 }
 
 std::ptrdiff_t TextSource::read(std::span<char> to) {
@@ -72,8 +80,10 @@ int File::truncate() const noexcept {
 }
 
 void File::widen() const noexcept {
+#ifdef F_SETPIPE_SZ // Linux
     constexpr int size = 1 << 20U;
     ::fcntl(descriptor_, F_SETPIPE_SZ, size); // fails on anything else, and harms nobody
+#endif
 }
 
 int File::close() noexcept {

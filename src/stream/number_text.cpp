@@ -140,7 +140,7 @@ void append_number(Buffer& to, double value, int precision) {
 
 void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter) {
     constexpr std::size_t longest = 32; // -2.2250738585072014e-308 has 24
-    to.try_reserve(to.size() + longest * numbers.size());
+    to.reserve(to.size() + longest * numbers.size());
     char* end = to.data() + to.size();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i > 0) {
@@ -148,7 +148,7 @@ void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter)
         }
         end = write_shortest(end, numbers[i]);
     }
-    to.try_resize(static_cast<std::size_t>(end - to.data()));
+    to.resize(static_cast<std::size_t>(end - to.data()));
 }
 
 static_assert(std::endian::native == std::endian::little, "f64 is little-endian");
