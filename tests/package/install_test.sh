@@ -9,9 +9,17 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 "$cmake" --install "$build" --prefix "$work/usr" > "$work/log"
-for file in bin/rotconv include/rotconv/rotconv.hpp share/man/man1/rotconv.1; do
+for file in bin/rotconv include/rotconv/rotconv.hpp share/man/man1/rotconv.1 share/doc/rotconv/LICENSE \
+    share/doc/rotconv/LGPL-2.1; do
     [ -f "$work/usr/$file" ] || {
         echo "FAILED: $file is not installed"
+        exit 1
+    }
+done
+# Each library of CMakeLists.txt, and the two runtimes, has its notice.
+for library in $(sed -n 's/^find_package(\([A-Za-z]*\).*/\1/p' "$source/CMakeLists.txt" | grep -v Threads) 'libstdc++' 'GNU.C.library'; do
+    grep -qi "^\(the \)\?$library" "$work/usr/share/doc/rotconv/NOTICES" || {
+        echo "FAILED: no notice of $library"
         exit 1
     }
 done
