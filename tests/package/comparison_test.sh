@@ -40,6 +40,11 @@ while IFS='|' read -r _ set _ _ error drift time _; do
 done <<END
 $(grep '^| `' comparison.md | grep -v half-turn)
 END
+sets=$(sed -n 's/^| `\([^`:]*\).*/\1/p' comparison.md | sort -u | wc -l)
+head -n 1 comparison.md | grep -q " eight " && [ "$sets" -eq 8 ] || {
+    echo "$sets sets are listed: $(head -n 1 comparison.md)"
+    exit 1
+}
 [ "$found" -eq 9 ] || {
     echo "$found rows of the table were checked, not 9"
     exit 1
