@@ -107,7 +107,7 @@ Worst worst_error(const Spec& from, const Spec& to, const Convert& convert, cons
         double error = std::numeric_limits<double>::infinity();
         if (finite) {
             error = oracle::error_in_eps(exact, oracle::attitude(to, result));
-        } else if (to.name == Name::cayley) {
+        } else if (to.name == Name::cayley && std::ranges::none_of(result, [](double v) { return std::isnan(v); })) {
             // an infinite vector says that this is a half-turn
             error = static_cast<double>(2 * abs(exact.w())) / oracle::eps;
         }

@@ -42,7 +42,7 @@ Convert own(const rotconv::Spec& from, const rotconv::Spec& to);
 std::vector<std::vector<double>> inputs(const rotconv::Spec& from, const rotconv::Spec& to, int size);
 
 /// Attitude error of `convert` over the rows, against the oracle. An infinite result is an infinite error, but of
-/// cayley, where it says that this is a half-turn: then the error is what the attitude lacks to one.
+/// cayley without a nan, where it says that this is a half-turn: then the error is what the attitude lacks to one.
 Worst worst_error(const rotconv::Spec& from, const rotconv::Spec& to, const Convert& convert,
                   const std::vector<std::vector<double>>& rows);
 

@@ -87,7 +87,7 @@ const std::vector<Known>& known() {
         {"dcm", "cayley", "default", 3, 0, 3.5},
         {"dcm", "cayley", "lu", 4, 1e15, inf},
         {"dcm", "cayley", "polynomial", 3, 1e15, inf},
-        {"dcm", "cayley", "quaternion", 3, 1e11, 1e13},
+        {"dcm", "cayley", "quaternion", 3, 1e11, inf},
         {"quat", "dcm", "default", 1, 0, 1},
         {"quat", "dcm", "unit", 1.4, 1e15, inf},
         {"quat", "dcm", "two-over-norm", 1.7, 0, 1.7},
