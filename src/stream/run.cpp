@@ -265,7 +265,7 @@ void Run::finish(Transformer& transformer) {
     Output output;
     if (transformer) {
         transformer->finish(output);
-    } else if (!fault) {
+    } else if (!has_layout_ && !fault) {
         preamble_.finish(output);
     }
     if (hand_on(output)) {

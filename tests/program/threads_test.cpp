@@ -93,6 +93,33 @@ TEST_CASE("every format and line end gives the same bytes with any number of thr
     }
 }
 
+TEST_CASE("whoever reads what stands before the first row, the bytes are the same, hundreds of times") {
+    // Catches a second header at the end, or none: the first row may come to any of the threads.
+    constexpr int times = 15;
+    const std::string comments = repeated("# c\n", 75'000);
+    const std::string blanks = repeated("\n \t\n", 60'000);
+    const std::string header = "qw,qx,qy,qz\n";
+    for (const std::string mode : {"auto", "yes", "no", "add"}) {
+        for (const auto& before : {comments, blanks, comments + blanks, blanks + header + comments}) {
+            for (const auto& rows : {std::string("1,0,0,0\n"), repeated("0,1,0,0\n", 30'000), std::string()}) {
+                const Folder folder;
+                const auto file = folder / "rows";
+                write_file(file, before + rows);
+                const auto command = "-f quat -t quat:xyzw --on-error nan --diagnostics off --header " + mode;
+                const auto expected = run(command + " --threads 1 " + file.string());
+                INFO(mode << ", " << rows.size() << " bytes of rows");
+                CHECK(count_rows(expected.out) >= count_rows(before + rows));
+                int different = 0;
+                for (int i = 0; i < times; ++i) {
+                    const std::string threads = thread_counts[i % 3];
+                    different += run(command + " --threads " + threads + " " + file.string()) == expected ? 0 : 1;
+                }
+                CHECK(different == 0);
+            }
+        }
+    }
+}
+
 TEST_CASE("rates give the same bytes with any number of threads") {
     // Catches room of the row function that threads share.
     std::string rows;
