@@ -98,9 +98,9 @@ std::string Delimiter::unquoted(std::string_view field) const {
     return text;
 }
 
-std::string_view field_text(std::string_view field) noexcept {
+std::string_view Delimiter::text_of(std::string_view field) const noexcept {
     field = trimmed(field);
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+    if (!is_blanks() && field.size() >= 2 && field.front() == '"' && field.back() == '"') {
         field = trimmed(field.substr(1, field.size() - 2));
     }
     return field;

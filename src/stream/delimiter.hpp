@@ -32,12 +32,13 @@ public:
     /// The field without the quotes around it, doubled ones inside made single; as it is under blanks.
     [[nodiscard]] std::string unquoted(std::string_view field) const;
 
+    /// The field's content: blanks around it, and where fields may be quoted the quotes around it, left out. Doubled
+    /// quotes inside stay.
+    [[nodiscard]] std::string_view text_of(std::string_view field) const noexcept;
+
 private:
     constexpr explicit Delimiter(char c) noexcept : character_(c) {}
     char character_;
 };
-
-/// A field's content: blanks around it, and the quotes of a quoted field, left out. Doubled quotes inside stay.
-[[nodiscard]] std::string_view field_text(std::string_view field) noexcept;
 
 } // namespace rotconv::stream

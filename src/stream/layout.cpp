@@ -149,10 +149,11 @@ bool Preamble::has_selected_fields() const noexcept {
 
 bool Preamble::has_selected_number() const noexcept {
     if (layout_.positions.empty()) {
-        return std::ranges::any_of(header_fields_, [](auto field) { return is_number(field_text(field)); });
+        return std::ranges::any_of(header_fields_,
+                                   [this](auto field) { return is_number(header_delimiter_.text_of(field)); });
     }
-    return std::ranges::any_of(layout_.positions,
-                               [this](std::size_t at) { return is_number(field_text(header_fields_[at])); });
+    return std::ranges::any_of(
+        layout_.positions, [this](std::size_t at) { return is_number(header_delimiter_.text_of(header_fields_[at])); });
 }
 
 void Preamble::write_header(const Line& line, Output& output) const {

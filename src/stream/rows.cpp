@@ -121,7 +121,7 @@ void RowTransformer::read_row(Row& row) {
         double& number = numbers_.emplace_back();
         NumberFault fault = read_number(field, number);
         if (fault == NumberFault::not_a_number) { // or quoted
-            fault = read_number(field_text(field), number);
+            fault = read_number(layout_->delimiter.text_of(field), number);
         }
         if (fault != NumberFault::none) {
             note_fault(row, {.what = fault == NumberFault::too_large ? What::too_large : What::not_a_number,

@@ -151,6 +151,14 @@ TEST_CASE("words that are no decimal numbers are row errors") {
     }
 }
 
+TEST_CASE("nothing is quoted where blanks delimit") {
+    // Catches a quoted number that is read in one place and split in another.
+    const auto result = run("-f quat -t quat --delimiter blank", "\"1\" 0 0 0\n");
+    CHECK(result.exit_code == 2);
+    CHECK(missing(result.err, {"rotconv: -:1: not a number: '\"1\"'"}) == "");
+    CHECK(run("-f quat -t quat", "\"1\",0,\" 0 \",0\n") == done("1,0,0,0\n"));
+}
+
 TEST_CASE("a number too large for a double is an error and one too small is zero") {
     // Catches overflow to inf and underflow taken for an error.
     CHECK(run("-f quat -t quat 1 1e-400 -1e-400 0.0000000000000001e-400") == done("1 0 0 0\n"));

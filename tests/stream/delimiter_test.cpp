@@ -7,7 +7,6 @@
 #include "stream/delimiter.hpp"
 
 using rotconv::stream::Delimiter;
-using rotconv::stream::field_text;
 
 namespace {
 
@@ -66,9 +65,10 @@ TEST_CASE("rows are split after RFC 4180") {
 
 // Would catch: quotes or blanks that stay in a name or number.
 TEST_CASE("a field's content is free of quotes and blanks around it") {
-    CHECK(field_text(" a ") == "a");
-    CHECK(field_text("\"1.5\"") == "1.5");
-    CHECK(field_text(" \" 1 \" ") == "1");
-    CHECK(field_text("\"") == "\"");
-    CHECK(field_text("") == "");
+    CHECK(comma.text_of(" a ") == "a");
+    CHECK(comma.text_of("\"1.5\"") == "1.5");
+    CHECK(comma.text_of(" \" 1 \" ") == "1");
+    CHECK(comma.text_of("\"") == "\"");
+    CHECK(comma.text_of("") == "");
+    CHECK(Delimiter::blanks().text_of("\"1.5\"") == "\"1.5\""); // where nothing is quoted
 }
