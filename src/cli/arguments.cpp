@@ -1,5 +1,7 @@
 #include "arguments.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -29,17 +31,33 @@ Arguments sort_command(const CLI::App& command, int argc, const char* const* arg
     return sorted;
 }
 
-bool takes_argument(const CLI::App& app, const std::string& name) {
-    const CLI::Option* option = app.get_option_no_throw(name);
-    return option != nullptr && option->get_items_expected_max() > 0;
-}
+bool takes_argument(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-/// For `-x` or a cluster `-ab`: the last letter, where it is an option that awaits an argument; "" otherwise.
-std::string awaiting_short(const CLI::App& app, const std::string& word) {
+/// What a word that begins with a dash says: `--long`, `--long=argument`, `-x` or `-x` with its argument behind it, or
+/// a cluster of flags `-ab` whose last may be such an option.
+struct OptionWord {
+    const CLI::Option* option = nullptr; ///< null: unknown, or nothing but flags
+    std::string flags;                   ///< of a cluster, those before it, with their dash
+    std::optional<std::string> argument; ///< in the same word
+};
+
+OptionWord read_option(const CLI::App& app, const std::string& word) {
+    if (word.starts_with("--")) {
+        const auto equals = word.find('=');
+        OptionWord read{.option = app.get_option_no_throw(word.substr(0, equals)), .flags = {}, .argument = {}};
+        if (equals != std::string::npos) {
+            read.argument = word.substr(equals + 1);
+        }
+        return read;
+    }
     for (std::size_t i = 1; i < word.size(); ++i) {
-        const std::string name{'-', word[i]};
-        if (takes_argument(app, name)) {
-            return i + 1 == word.size() ? name : std::string();
+        const CLI::Option* option = app.get_option_no_throw(std::string{'-', word[i]});
+        if (option != nullptr && takes_argument(*option)) {
+            OptionWord read{.option = option, .flags = i > 1 ? word.substr(0, i) : std::string(), .argument = {}};
+            if (i + 1 < word.size()) {
+                read.argument = word.substr(i + 1);
+            }
+            return read;
         }
     }
     return {};
@@ -50,44 +68,55 @@ std::string awaiting_short(const CLI::App& app, const std::string& word) {
 // NOLINTNEXTLINE(misc-no-recursion): likewise
 Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv, const AddCommand& add_command) {
     Arguments sorted;
-    bool only_values = false;
+    std::vector<const CLI::Option*> given;
+    const auto add_option = [&](const CLI::Option& option, const std::string& argument) {
+        const std::string name = option.get_name();
+        if (std::ranges::count(given, &option) != 0) {
+            sorted.fault = name + " is given twice";
+        } else if (argument.empty()) {
+            sorted.fault = name + " has an empty argument";
+        }
+        given.push_back(&option);
+        sorted.options.push_back(fmt::format("{}={}", name, argument));
+    };
+    bool only_operands = false;
     for (int i = 1; i < argc; ++i) {
         std::string word = argv[i];
-        const bool is_value = only_values || begins_with_number(word) || word.empty() || word[0] != '-' || word == "-";
-        if (is_value) {
-            const bool may_name = add_command && sorted.values.empty() && !only_values;
-            const CLI::App* command = may_name ? add_command(word) : nullptr;
+        const bool is_value = begins_with_number(word);
+        if (only_operands || is_value || word.empty() || word[0] != '-' || word == "-") {
+            const bool may_name = add_command && sorted.values.empty() && sorted.files.empty() && !only_operands;
+            const CLI::App* command = may_name && !is_value ? add_command(word) : nullptr;
             if (command != nullptr) {
                 Arguments after = sort_command(*command, argc - i, argv + i);
                 after.options.insert(after.options.begin(), sorted.options.begin(), sorted.options.end());
+                after.fault = sorted.fault.empty() ? after.fault : sorted.fault;
                 return after;
             }
-            sorted.values.push_back(std::move(word));
+            (is_value ? sorted.values : sorted.files).push_back(std::move(word));
             continue;
         }
         if (word == "--") {
-            only_values = true;
+            only_operands = true;
             continue;
         }
-        const bool is_long = word.starts_with("--");
-        if (is_long && word.find('=') + 1 == word.size()) {
-            sorted.empty_option = word.substr(0, word.size() - 1);
-        }
-        const std::string name =
-            is_long ? (takes_argument(app, word) ? word : std::string()) : awaiting_short(app, word);
-        if (name.empty() || i + 1 == argc) {
+        const OptionWord read = read_option(app, word);
+        if (read.option == nullptr) {
             sorted.options.push_back(std::move(word));
-            continue;
+        } else if (!takes_argument(*read.option)) {
+            if (read.argument) {
+                sorted.fault = read.option->get_name() + " takes no argument";
+            }
+            sorted.options.push_back(read.option->get_name());
+        } else {
+            if (!read.flags.empty()) {
+                sorted.options.push_back(read.flags);
+            }
+            if (!read.argument && i + 1 == argc) {
+                sorted.fault = read.option->get_name() + " awaits its argument";
+                break;
+            }
+            add_option(*read.option, read.argument ? *read.argument : argv[++i]);
         }
-        if (!is_long && word.size() > 2) {
-            sorted.options.push_back(word.substr(0, word.size() - 1)); // the flags of the cluster
-        }
-        const std::string long_name = "--" + app.get_option(name)->get_lnames().front();
-        const std::string argument = argv[++i];
-        if (argument.empty()) {
-            sorted.empty_option = long_name;
-        }
-        sorted.options.push_back(fmt::format("{}={}", long_name, argument));
     }
     return sorted;
 }

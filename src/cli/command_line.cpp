@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "../stream/number_text.hpp"
+#include "../stream/file.hpp"
 #include "arguments.hpp"
 #include "kinematics.hpp"
 #include "list.hpp"
@@ -29,22 +29,24 @@ struct Entry {
     const char* description;
     const char* usage;
     void (*define)(CLI::App& app, Texts& texts);
-    Command (*command)(const Texts& texts, const Values& values);
+    Command (*command)(const Texts& texts, const Operands& operands);
 };
 
 constexpr std::array<Entry, 4> commands{
     {{"list", "List the representations, or explain one; list methods: the methods", "Usage: rotconv list [NAME]\n",
-      define_list, [](const Texts& texts, const Values& /*values*/) -> Command { return ListCommand{texts.listed}; }},
+      define_list,
+      [](const Texts& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
      {"rates", "Rates of the numbers from the angular velocity, and back",
       "Usage: rotconv rates -f SPEC [OPTION]... [VALUE]...\n"
-      "       rotconv rates -f SPEC [OPTION]... < IN > OUT\n",
-      define_rates, [](const Texts& texts, const Values& values) -> Command { return rates_command(texts, values); }},
-     {"propagate", "Integrate angular velocities to attitudes",
-      "Usage: rotconv propagate -t SPEC [OPTION]... < IN > OUT\n", define_propagate,
-      [](const Texts& texts, const Values& values) -> Command { return propagate_command(texts, values); }},
-     {"survey", "Which sets serve a motion, and the smallest", "Usage: rotconv survey -f SPEC [OPTION]... < IN\n",
+      "       rotconv rates -f SPEC [OPTION]... [FILE]\n",
+      define_rates,
+      [](const Texts& texts, const Operands& operands) -> Command { return rates_command(texts, operands); }},
+     {"propagate", "Integrate angular velocities to attitudes", "Usage: rotconv propagate -t SPEC [OPTION]... [FILE]\n",
+      define_propagate,
+      [](const Texts& texts, const Operands& operands) -> Command { return propagate_command(texts, operands); }},
+     {"survey", "Which sets serve a motion, and the smallest", "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n",
       define_survey,
-      [](const Texts& texts, const Values& values) -> Command { return survey_command(texts, values); }}}};
+      [](const Texts& texts, const Operands& operands) -> Command { return survey_command(texts, operands); }}}};
 
 /// The command of that name, or null.
 const Entry* find_command(std::string_view name) {
@@ -60,9 +62,9 @@ public:
             return entry->usage;
         }
         return "Usage: rotconv -f FROM -t TO [OPTION]... [VALUE]...\n"
-               "       rotconv -f FROM -t TO [OPTION]... < IN > OUT\n"
+               "       rotconv -f FROM -t TO [OPTION]... [FILE]\n"
                "       rotconv list [NAME]\n"
-               "       rotconv rates|propagate|survey [OPTION]... < IN > OUT\n";
+               "       rotconv rates|propagate|survey [OPTION]... [FILE]\n";
     }
 };
 
@@ -110,20 +112,14 @@ const Method* method_of(const Spec& from, const Spec& to, const std::string& tex
     return method;
 }
 
-RowsCommand convert_command(const Texts& texts, const Values& values) {
-    if (texts.from.empty() && texts.to.empty() && !values.words.empty() && !stream::is_number(values.words[0])) {
-        std::vector<std::string_view> names;
-        std::ranges::transform(commands, std::back_inserter(names), &Entry::name);
-        std::ranges::sort(names);
-        throw Usage(words::no_such_word("command", values.words[0], names));
-    }
+RowsCommand convert_command(const Texts& texts, const Operands& operands) {
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     Settings settings = settings_of(texts);
     settings.method = method_of(from, to, texts.method);
     return rows_command(texts, stream::row_function(Conversion(from, to, settings)),
                         {std::string(representation(from.name).text), from.size(), from.name, settings.tolerance},
-                        values);
+                        operands);
 }
 
 /// A word that CLI11 did not know, with the nearest option of the command that it was given to.
@@ -141,6 +137,31 @@ std::string unexpected(const CLI::App& app) {
         }
     }
     return words::no_such_word("option", word.substr(0, word.find('=')), {names.begin(), names.end()});
+}
+
+/// Refuses operands that exclude each other, and FILEs that are none.
+void check(const Operands& operands, bool has_input) {
+    for (const std::string& file : operands.files) {
+        if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
+            std::vector<std::string_view> names;
+            std::ranges::transform(commands, std::back_inserter(names), &Entry::name);
+            throw Usage(words::no_operand(file, error, names));
+        }
+    }
+    const std::string file = operands.files.empty() ? std::string() : words::quoted(operands.files[0]);
+    if (operands.files.size() > 1) {
+        throw Usage(fmt::format("{} and {} are two FILEs, and one is read; cat joins them: cat A B | rotconv ...", file,
+                                words::quoted(operands.files[1])));
+    }
+    if (!operands.values.empty() && !operands.files.empty()) {
+        throw Usage(fmt::format("VALUEs and the FILE {} exclude each other", file));
+    }
+    if (has_input && !operands.files.empty()) {
+        throw Usage(fmt::format("the FILE {} and --input exclude each other", file));
+    }
+    if (has_input && !operands.values.empty()) {
+        throw Usage("VALUEs and --input exclude each other");
+    }
 }
 
 /// The conversion's options mean nothing to a command that follows them.
@@ -163,8 +184,8 @@ Command read_command_line(int argc, const char* const* argv) {
         const Entry* entry = find_command(word);
         return entry == nullptr ? nullptr : add(*entry, app, texts);
     });
-    if (!arguments.empty_option.empty()) {
-        return UsageError{arguments.empty_option + " has an empty argument"};
+    if (!arguments.fault.empty()) {
+        return UsageError{arguments.fault};
     }
     std::ranges::reverse(arguments.options); // as CLI11 wants them
     try {
@@ -174,9 +195,10 @@ Command read_command_line(int argc, const char* const* argv) {
         }
         const CLI::App& command = arguments.command.empty() ? app : *app.get_subcommand(arguments.command);
         const CLI::Option* input = command.get_option_no_throw("--input");
-        const Values values{arguments.values, input != nullptr && input->count() > 0};
+        const Operands operands{arguments.values, arguments.files};
+        check(operands, input != nullptr && input->count() > 0);
         const Entry* entry = find_command(arguments.command);
-        return entry == nullptr ? convert_command(texts, values) : entry->command(texts, values);
+        return entry == nullptr ? convert_command(texts, operands) : entry->command(texts, operands);
     } catch (const CLI::CallForHelp&) {
         return PrintCommand{help(app, texts)};
     } catch (const CLI::CallForVersion& version) {
@@ -184,7 +206,7 @@ Command read_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ExtrasError&) {
         return UsageError{unexpected(app)};
     } catch (const CLI::ParseError& error) {
-        return UsageError{error.what()};
+        return UsageError{words::shown(error.what())};
     } catch (const Usage& error) {
         return UsageError{error.what()};
     }

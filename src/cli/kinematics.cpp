@@ -16,9 +16,9 @@ namespace {
 
 constexpr double default_condition = 1e3;
 
-void refuse_values(const Values& values, std::string_view command) {
-    if (!values.words.empty()) {
-        throw Usage(fmt::format("{} reads rows, not arguments: {}", command, words::quoted(values.words[0])));
+void refuse_values(const Operands& operands, std::string_view command) {
+    if (!operands.values.empty()) {
+        throw Usage(fmt::format("{} reads rows, not arguments: {}", command, words::quoted(operands.values[0])));
     }
 }
 
@@ -119,7 +119,7 @@ void define_survey(CLI::App& app, Texts& texts) {
     define_input(app, texts);
 }
 
-RowsCommand rates_command(const Texts& texts, const Values& values) {
+RowsCommand rates_command(const Texts& texts, const Operands& operands) {
     const Spec spec = spec_of("--from", texts.from, texts.degrees);
     require_rates("--from", spec);
     const RateSettings settings{
@@ -131,11 +131,11 @@ RowsCommand rates_command(const Texts& texts, const Values& values) {
     const std::string subject =
         fmt::format("{} with {}", representation(spec.name).text, settings.inverse ? "its rates" : "wx wy wz");
     words::Subject about{subject, function.inputs, spec.name, settings.tolerance};
-    return rows_command(texts, std::move(function), std::move(about), values);
+    return rows_command(texts, std::move(function), std::move(about), operands);
 }
 
-RowsCommand propagate_command(const Texts& texts, const Values& values) {
-    refuse_values(values, "propagate");
+RowsCommand propagate_command(const Texts& texts, const Operands& operands) {
+    refuse_values(operands, "propagate");
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     const Spec set = spec_of("--with", texts.with, false);
     require_rates("--with", set);
@@ -158,20 +158,21 @@ RowsCommand propagate_command(const Texts& texts, const Values& values) {
     }
     auto function = stream::propagation_function(rows);
     words::Subject about{"t wx wy wz", function.inputs, set.name, settings.tolerance};
-    RowsCommand command = rows_command(texts, std::move(function), std::move(about), values);
+    RowsCommand command = rows_command(texts, std::move(function), std::move(about), operands);
     command.progress = true;
     return command;
 }
 
-SurveyCommand survey_command(const Texts& texts, const Values& values) {
-    refuse_values(values, "survey");
+SurveyCommand survey_command(const Texts& texts, const Operands& operands) {
+    refuse_values(operands, "survey");
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const double tolerance = settings_of(texts).tolerance;
     Texts input = texts;
     input.format.clear(); // that of the survey
     SurveyCommand command{
-        .rows = rows_command(input, stream::reading_function(from, tolerance, [](const Rotation&, std::size_t) {}),
-                             {std::string(representation(from.name).text), from.size(), from.name, tolerance}, values),
+        .rows =
+            rows_command(input, stream::reading_function(from, tolerance, [](const Rotation&, std::size_t) {}),
+                         {std::string(representation(from.name).text), from.size(), from.name, tolerance}, operands),
         .from = from,
         .condition = amount_of("--condition", texts.condition, default_condition, true),
         .json = choose<bool>("format of survey", texts.format.empty() ? "pretty" : texts.format,

@@ -11,8 +11,8 @@ void define_propagate(CLI::App& app, Texts& texts);
 void define_survey(CLI::App& app, Texts& texts);
 
 /// @throw Usage
-[[nodiscard]] RowsCommand rates_command(const Texts& texts, const Values& values);
-[[nodiscard]] RowsCommand propagate_command(const Texts& texts, const Values& values);
-[[nodiscard]] SurveyCommand survey_command(const Texts& texts, const Values& values);
+[[nodiscard]] RowsCommand rates_command(const Texts& texts, const Operands& operands);
+[[nodiscard]] RowsCommand propagate_command(const Texts& texts, const Operands& operands);
+[[nodiscard]] SurveyCommand survey_command(const Texts& texts, const Operands& operands);
 
 } // namespace rotconv::cli

@@ -4,8 +4,6 @@
 #include <string>
 #include <variant>
 
-#include <unistd.h>
-
 #include "../stream/file.hpp"
 #include "command_line.hpp"
 #include "exit_code.hpp"
@@ -19,8 +17,11 @@ namespace rotconv::cli {
 namespace {
 
 ExitCode print(const std::string& text) {
-    stream::File out(STDOUT_FILENO);
-    const int error = out.write(text);
+    stream::OutputFile out("-");
+    int error = out.write(text);
+    if (error == 0) {
+        error = out.finish(true);
+    }
     if (error == 0 || error == EPIPE) {
         return ExitCode::done;
     }

@@ -142,11 +142,11 @@ Settings settings_of(const Texts& texts) {
 }
 
 RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
-                         const Values& values) {
+                         const Operands& operands) {
     RowsCommand command(std::move(function), std::move(subject));
     command.diagnostics = diagnostics_of(texts);
     command.strict = texts.strict;
-    command.input = texts.input;
+    command.input = operands.files.empty() ? texts.input : operands.files[0];
     command.output = texts.output;
     stream::Options& options = command.options;
     const auto threads = static_cast<std::size_t>(count_of("--threads", texts.threads, 1 << 20U));
@@ -183,20 +183,17 @@ RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words
         options.columns = std::get<stream::ColumnList>(std::move(parsed));
     }
     const bool headless = options.header == stream::HeaderMode::no || options.header == stream::HeaderMode::add;
-    if (options.columns.has_names() && (headless || !values.words.empty())) {
+    if (options.columns.has_names() && (headless || !operands.values.empty())) {
         throw Usage("--columns selects by name, and there is no header to look in; use indices");
     }
-    options.width = values.words.empty() ? width_of(texts, options) : 0;
-    if (!values.words.empty()) {
-        if (values.has_input) {
-            throw Usage("VALUEs and --input exclude each other");
-        }
+    options.width = operands.values.empty() ? width_of(texts, options) : 0;
+    if (!operands.values.empty()) {
         command.has_values = true;
-        command.values = fmt::format("{}", fmt::join(values.words, " "));
+        command.values = fmt::format("{}", fmt::join(operands.values, " "));
         if (!is_row(command.values)) {
             throw Usage(fmt::format("the VALUEs are no row of numbers: {}", words::quoted(command.values)));
         }
-        if (values.words.size() > 1) {
+        if (operands.values.size() > 1) {
             options.delimiter = stream::Delimiter::blanks();
         }
         if (options.header != stream::HeaderMode::add) {

@@ -52,10 +52,10 @@ struct Texts {
     bool renormalise = false;
 };
 
-/// The VALUEs, and whether there is an --input beside them.
-struct Values {
-    std::vector<std::string> words;
-    bool has_input = false;
+/// What stands on the command line beside the options.
+struct Operands {
+    std::vector<std::string> values;
+    std::vector<std::string> files;
 };
 
 /// Thrown while the command line is read, with words for the user.
@@ -95,6 +95,6 @@ template <class Value> Value choose(std::string_view what, std::string_view text
 /// The command of a row function.
 /// @throw Usage
 [[nodiscard]] RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
-                                       const Values& values);
+                                       const Operands& operands);
 
 } // namespace rotconv::cli

@@ -98,39 +98,30 @@ std::string reason(int error) { return std::generic_category().message(error); }
 } // namespace
 
 ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
-    const bool from_stdin = command.input == "-";
-    const bool to_stdout = command.output == "-";
-    auto input = from_stdin ? std::make_unique<stream::File>(STDIN_FILENO)
-                            : std::make_unique<stream::File>(command.input.c_str(), stream::File::Mode::read);
+    const std::string input_name = words::shown(command.input);
+    auto input = command.input == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
+                                      : std::make_unique<stream::File>(command.input.c_str(), stream::File::Mode::read);
     if (!input->is_open()) {
-        return failed(fmt::format("{}: cannot be read: {}", command.input, reason(errno)));
+        return failed(fmt::format("{}: cannot be read: {}", input_name, reason(errno)));
     }
-    auto output = to_stdout ? std::make_unique<stream::File>(STDOUT_FILENO)
-                            : std::make_unique<stream::File>(command.output.c_str(), stream::File::Mode::write);
-    if (!output->is_open()) {
-        return failed(fmt::format("{}: cannot be written: {}", command.output, reason(errno)));
-    }
-    if (!command.has_values && input->same_file(*output)) {
+    stream::OutputFile output(command.output);
+    if (!command.has_values && output.is_same(*input)) {
         return failed("the same file is input and output");
     }
-    if (!to_stdout) {
-        if (const int error = output->truncate(); error != 0) {
-            return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));
-        }
-    }
-
+    const auto unwritten = [&command](int error) {
+        return failed(fmt::format("{}: cannot be written: {}", words::shown(command.output), reason(error)));
+    };
     if (!command.has_values) {
         input->widen();
-        output->widen();
     }
 
-    Reporter reporter(command, command.has_values ? "argument" : command.input);
+    Reporter reporter(command, command.has_values ? "argument" : input_name);
     stream::TextSource values(command.values);
-    const auto progress =
-        std::make_unique<Progress>(*input, command.progress && !(to_stdout && ::isatty(STDOUT_FILENO) != 0));
+    const bool on_screen = command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
+    const auto progress = std::make_unique<Progress>(*input, command.progress && !on_screen);
     stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
     Nowhere nowhere;
-    stream::Sink& sink = conclusion ? static_cast<stream::Sink&>(nowhere) : *output;
+    stream::Sink& sink = conclusion ? static_cast<stream::Sink&>(nowhere) : output;
     const stream::Ending ending =
         stream::run(source, sink, command.options, [&reporter](const stream::Event& event) { reporter(event); });
     if (ending.reader_left) {
@@ -138,26 +129,26 @@ ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
     }
     reporter.summarize();
     if (ending.fault) {
-        const auto message = words::explain(*ending.fault, command.subject);
         if (ending.fault->what == stream::StreamFault::What::write) {
-            return failed(fmt::format("{}: {}", command.output, message));
+            return unwritten(ending.fault->error);
         }
-        reporter.tell(ending.fault->what == stream::StreamFault::What::read ? 0 : ending.fault->line, message);
-        return ExitCode::incomplete;
+        reporter.tell(ending.fault->what == stream::StreamFault::What::read ? 0 : ending.fault->line,
+                      words::explain(*ending.fault, command.subject));
     }
-    if (conclusion && !ending.stopped) {
-        const int error = output->write(conclusion());
+    const bool is_whole = !ending.fault && !ending.stopped;
+    if (conclusion && is_whole) {
+        const int error = output.write(conclusion());
         if (error == EPIPE) {
             return ExitCode::done;
         }
         if (error != 0) {
-            return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));
+            return unwritten(error);
         }
     }
-    if (const int error = output->close(); error != 0) {
-        return failed(fmt::format("{}: cannot be written: {}", command.output, reason(error)));
+    if (const int error = output.finish(is_whole); error != 0) {
+        return unwritten(error);
     }
-    if (ending.stopped) {
+    if (!is_whole) {
         return ExitCode::incomplete;
     }
     const bool strict = command.strict && reporter.met_singularity();

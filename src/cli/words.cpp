@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "../stream/utf8.hpp"
+
 namespace rotconv::cli::words {
 namespace {
 
@@ -162,19 +164,28 @@ std::string spec_text(const Spec& spec) {
     return text;
 }
 
+std::string shown(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = stream::printable_length(text);
+        if (length > 0) {
+            result += text.substr(0, length);
+        } else {
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return result;
+}
+
 std::string quoted(std::string_view text) {
     constexpr std::size_t longest = 80;
-    std::string result = "'";
-    for (const char c : text.substr(0, longest)) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20U || byte > 0x7EU) {
-            result += fmt::format("\\x{:02x}", byte);
-        } else {
-            result += c;
-        }
-    }
-    result += text.size() > longest ? "...'" : "'";
-    return result;
+    return fmt::format("'{}{}'", shown(text.substr(0, longest)), text.size() > longest ? "..." : "");
+}
+
+std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
+    return fmt::format("argument: {} is no number, and as a FILE it cannot be read: {}{}", quoted(word),
+                       std::generic_category().message(error), suggestion(word, commands));
 }
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
@@ -283,7 +294,7 @@ std::string explain(const stream::ColumnFault& fault, const Subject& subject) {
     case What::missing:
         return fmt::format(
             "neither a header before this row nor the row itself has all of the columns {}; here {} is missing",
-            fault.list, quoted(fault.text));
+            shown(fault.list), quoted(fault.text));
     case What::ambiguous: return fmt::format("more than one column is called {}", quoted(fault.text));
     }
     return {};

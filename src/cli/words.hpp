@@ -63,7 +63,13 @@ struct Subject {
 /// Why a word names no method of the pair, with those that there are and where they hold.
 [[nodiscard]] std::string no_such_method(Name from, Name to, std::string_view text);
 
-/// The text in quotes, its unprintable bytes escaped, cut where it is long.
+/// Why a word that is no option can be used neither as a number nor as a file, with the nearest command.
+[[nodiscard]] std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands);
+
+/// A text from outside as messages may show it: what could move a terminal's cursor or end the line is escaped.
+[[nodiscard]] std::string shown(std::string_view text);
+
+/// The same in quotes, cut where it is long.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 } // namespace rotconv::cli::words

@@ -23,6 +23,10 @@ void wait_for(int descriptor, short events) noexcept {
     ::poll(&waiting, 1, -1);
 }
 
+bool is_same_file(const struct stat& a, const struct stat& b) noexcept {
+    return S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
 } // namespace
 
 void guard_standard_descriptors() noexcept {
@@ -54,29 +58,37 @@ std::ptrdiff_t TextSource::read(std::span<char> to) {
 
 File::File(const char* path, Mode mode) noexcept
     : descriptor_(mode == Mode::read ? ::open(path, O_RDONLY | O_CLOEXEC)
-                                     : ::open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0666)),
+                                     : ::open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
       owned_(true) {}
 
 File::~File() { close(); }
 
-bool File::same_file(const File& other) const noexcept {
+int File::why_unreadable(const char* path) noexcept {
+    struct stat status {};
+    if (std::strcmp(path, "-") == 0) {
+        return 0;
+    }
+    if (::access(path, R_OK) != 0 || ::stat(path, &status) != 0) {
+        return errno;
+    }
+    return S_ISDIR(status.st_mode) ? EISDIR : 0;
+}
+
+bool File::is_same(const File& other) const noexcept {
     struct stat mine {};
     struct stat theirs {};
-    return ::fstat(descriptor_, &mine) == 0 && ::fstat(other.descriptor_, &theirs) == 0 && S_ISREG(mine.st_mode) &&
-           mine.st_dev == theirs.st_dev && mine.st_ino == theirs.st_ino;
+    return ::fstat(descriptor_, &mine) == 0 && ::fstat(other.descriptor_, &theirs) == 0 && is_same_file(mine, theirs);
+}
+
+bool File::is_same(const char* path) const noexcept {
+    struct stat mine {};
+    struct stat theirs {};
+    return ::fstat(descriptor_, &mine) == 0 && ::stat(path, &theirs) == 0 && is_same_file(mine, theirs);
 }
 
 std::size_t File::size() const noexcept {
     struct stat status {};
     return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
-}
-
-int File::truncate() const noexcept {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && ::ftruncate(descriptor_, 0) != 0) {
-        return errno;
-    }
-    return 0;
 }
 
 void File::widen() const noexcept {
@@ -128,6 +140,41 @@ int File::write(std::string_view bytes) {
         }
     }
     return 0;
+}
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+    if (path_ == "-") {
+        file_.emplace(STDOUT_FILENO, true);
+        file_->widen();
+    }
+}
+
+bool OutputFile::is_same(const File& input) const noexcept {
+    return file_ ? input.is_same(*file_) : input.is_same(path_.c_str());
+}
+
+int OutputFile::open() {
+    if (!file_) {
+        file_.emplace(path_.c_str(), File::Mode::write);
+        if (!file_->is_open()) {
+            return errno;
+        }
+        file_->widen();
+    }
+    return 0;
+}
+
+int OutputFile::write(std::string_view bytes) {
+    if (bytes.empty()) {
+        return 0;
+    }
+    const int error = open();
+    return error == 0 ? file_->write(bytes) : error;
+}
+
+int OutputFile::finish(bool is_whole) {
+    const int error = is_whole ? open() : 0;
+    return error == 0 && file_ ? file_->close() : error;
 }
 
 } // namespace rotconv::stream

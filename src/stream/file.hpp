@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace rotconv::stream {
@@ -53,21 +55,23 @@ private:
 class File final : public Source, public Sink {
 public:
     enum class Mode { read, write };
-    /// Opens the file, without emptying it yet (see truncate()); test with is_open(), errno says why not.
+    /// Opens the file, which is emptied where it is to be written; test with is_open(), errno says why not.
     File(const char* path, Mode mode) noexcept;
-    /// Borrows a descriptor.
-    explicit File(int descriptor) noexcept : descriptor_(descriptor) {}
+    /// Borrows a descriptor, or takes it over.
+    explicit File(int descriptor, bool owned = false) noexcept : descriptor_(descriptor), owned_(owned) {}
     File(const File&) = delete;
     File& operator=(const File&) = delete;
     ~File() override;
 
     [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
-    /// The same regular file is behind both.
-    [[nodiscard]] bool same_file(const File& other) const noexcept;
+    /// An errno where no file of that name can be read; 0 where one can, and for "-".
+    [[nodiscard]] static int why_unreadable(const char* path) noexcept;
+    /// A regular file, and the same as the other.
+    [[nodiscard]] bool is_same(const File& other) const noexcept;
+    /// A regular file, and the one of that name.
+    [[nodiscard]] bool is_same(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.
     [[nodiscard]] std::size_t size() const noexcept;
-    /// Empties a regular file; 0 or an errno.
-    [[nodiscard]] int truncate() const noexcept;
     /// Lets a pipe hold more, where the system allows it: the two ends then seldom wait for each other.
     void widen() const noexcept;
     /// Closes the file, which is where some file systems first report a full disk; 0 or an errno.
@@ -80,6 +84,26 @@ public:
 private:
     int descriptor_;
     bool owned_ = false;
+};
+
+/// Where a run's output goes: a file that is opened, and its old content lost, when the first bytes come, or stdout.
+class OutputFile final : public Sink {
+public:
+    /// "-": stdout.
+    explicit OutputFile(std::string path);
+
+    /// The same regular file is behind both.
+    [[nodiscard]] bool is_same(const File& input) const noexcept;
+    int write(std::string_view bytes) override;
+    /// To be called at the end of a run, of which `is_whole` says that it has an answer: that may be nothing, and is
+    /// then an empty file. Closes the file, which is where some file systems first report a full disk; 0 or an errno.
+    int finish(bool is_whole);
+
+private:
+    int open();
+
+    std::string path_;
+    std::optional<File> file_; ///< once it is open
 };
 
 } // namespace rotconv::stream

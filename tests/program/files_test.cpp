@@ -1,3 +1,6 @@
+#include <cerrno>
+#include <thread>
+
 #include <catch.hpp>
 
 #include "process.hpp"
@@ -50,6 +53,116 @@ TEST_CASE("a usage error leaves the output file alone") {
     CHECK(run("-f quat -t nothing -o " + out.string(), "1 0 0 0\n").exit_code == 2);
     CHECK(run(convert + "-o " + out.string() + " -i " + (folder / "missing").string()).exit_code == 2);
     CHECK(read_file(out) == "precious\n");
+}
+
+TEST_CASE("a run that fails before its first row leaves the output file alone") {
+    // Catches a file that is emptied before anything is known to work.
+    const Folder folder;
+    const auto out = folder / "out";
+    const auto option = "-o " + out.string();
+    write_file(out, "precious\n");
+    const auto fails = [&](const std::string& arguments, std::string_view rows) {
+        INFO(arguments);
+        CHECK(run(arguments, rows).exit_code == 2);
+        CHECK(read_file(out) == "precious\n");
+    };
+    fails(convert + option, "1 0 0 zero\n");
+    fails(convert + "--columns a,b,c,d " + option, "a,b,c,e\n1,0,0,0\n");
+    fails(convert + option + " 0 0 0 0", {});
+    fails("propagate -t quat " + option, "0 0 0 x\n");
+    fails("survey -f quat " + option, "1 0 0 x\n");
+    std::filesystem::remove(out);
+    CHECK(run(convert + option, "1 0 0 zero\n").exit_code == 2);
+    CHECK(!std::filesystem::exists(out));
+}
+
+TEST_CASE("a run that ends without a byte of output makes an empty file") {
+    // Catches the content of an earlier run that is taken for the answer of this one.
+    const Folder folder;
+    const auto out = folder / "out";
+    const auto option = "-o " + out.string();
+    write_file(out, "old\n");
+    CHECK(run(convert + "--on-error skip " + option, "1 0 0 zero\n").exit_code == 1);
+    CHECK(read_file(out) == "");
+    write_file(out, "old\n");
+    CHECK(run(convert + option, "").exit_code == 0);
+    CHECK(read_file(out) == "");
+}
+
+TEST_CASE("an output file is written as soon as there are rows") {
+    // Catches output that is kept until the end.
+    const Folder folder;
+    const auto out = folder / "out";
+    Process process(words_of(convert + "-o " + out.string()));
+    process.write("1 0 0 0\n");
+    for (int i = 0; i < 1000 && (!std::filesystem::exists(out) || read_file(out).empty()); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    CHECK(read_file(out) == "0 0 0 1\n");
+    CHECK(process.finish() == done(""));
+}
+
+TEST_CASE("an error that comes when the output is closed is an error of the run") {
+    // Catches a full disk that a network's file system tells of only then.
+    const Surroundings fails{.close_error = ENOSPC};
+    for (const char* arguments : {"-f quat -t quat 1 0 0 0", "-f quat -t quat", "survey -f quat", "--help", "list"}) {
+        INFO(arguments);
+        const auto result = run(arguments, "1 0 0 0\n", fails);
+        CHECK(result.exit_code == 2);
+        CHECK(missing(result.err, {"rotconv: -: cannot be written: No space left on device"}) == "");
+        CHECK(result.out != "");
+    }
+}
+
+TEST_CASE("FILE is an operand of every command that reads a stream") {
+    // Catches a name that is taken for a VALUE: the first thing that everyone types.
+    const Folder folder;
+    for (const char* name : {"q.txt", "2024-11-21.csv", "info.txt", "nan.csv", "1e5.txt", "-0.5.txt"}) {
+        const auto file = (folder / name).string();
+        write_file(file, "1 0 0 0\n");
+        CHECK(run("-f quat -t rpy " + file) == done("0 0 0\n"));
+        CHECK(run(Words{file, "-f", "quat", "-t", "rpy"}) == done("0 0 0\n"));
+    }
+    const auto file = (folder / "q.txt").string();
+    CHECK(run("-f quat -t rpy -", "1 0 0 0\n") == done("0 0 0\n"));
+    CHECK(run("-f quat -t rpy -- " + file) == done("0 0 0\n"));
+    CHECK(run("survey -f quat " + file) == run("survey -f quat -i " + file));
+    CHECK(run("propagate -t quat " + file) == done("1 1 0 0 0\n"));
+    write_file(file, "1 0 0 0 0 0 2\n");
+    CHECK(run("rates -f quat " + file) == done("0 0 0 1\n"));
+    const auto bad = run("rates -f quat " + file + " --header no", "");
+    CHECK(bad == done("0 0 0 1\n"));
+    CHECK(missing(run("-f quat -t rpy " + file).err, {"rotconv: " + file + ":1: "}) == "");
+}
+
+TEST_CASE("FILE, --input and VALUEs exclude each other, and so do two FILEs") {
+    // Catches one of them being dropped silently.
+    const Folder folder;
+    const auto file = (folder / "q.txt").string();
+    const auto other = (folder / "r.txt").string();
+    write_file(file, "1 0 0 0\n");
+    write_file(other, "1 0 0 0\n");
+    for (const auto& operands :
+         {file + " 1 0 0 0", "1 0 0 0 " + file, "-i " + file + " " + file, "-i - " + file, file + " " + other}) {
+        INFO(operands);
+        const auto result = run(convert + operands);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(count_rows(result.err) == 1);
+    }
+    CHECK(missing(run(convert + file + " " + other).err, {"cat"}) == "");
+    CHECK(run(convert + file + " -o " + file).exit_code == 2);
+    CHECK(read_file(file) == "1 0 0 0\n");
+}
+
+TEST_CASE("a word that is no number, no file and no command is answered with all three") {
+    // Catches a message that knows only one reading.
+    const auto unknown = run("srvey");
+    CHECK(unknown.exit_code == 2);
+    CHECK(missing(unknown.err, {"'srvey'", "no number", "No such file", "did you mean survey?"}) == "");
+    const auto mixed = run(convert + "1 0 zero 0");
+    CHECK(mixed.exit_code == 2);
+    CHECK(missing(mixed.err, {"'zero'", "no number", "No such file"}) == "");
 }
 
 TEST_CASE("the same file for input and output is refused and kept") {

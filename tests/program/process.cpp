@@ -4,18 +4,25 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <tuple>
 #include <utility>
 
 #include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -83,6 +90,20 @@ void take_in(int& descriptor, std::string& to) {
     }
 }
 
+/// What this thread starts from now on cannot close its stdout: the call fails with that errno.
+void let_close_fail(int error) {
+    constexpr auto number = static_cast<std::uint32_t>(offsetof(seccomp_data, nr));
+    constexpr auto descriptor = static_cast<std::uint32_t>(offsetof(seccomp_data, args)); // its low half
+    const auto fails = SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error);
+    std::array<sock_filter, 6> filter{
+        {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, number), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_close, 0, 3),
+         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, descriptor), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, STDOUT_FILENO, 0, 1),
+         BPF_STMT(BPF_RET | BPF_K, fails), BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
+    const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+    check(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 ? 0 : errno, "prctl");
+    check(::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0 ? 0 : errno, "seccomp");
+}
+
 } // namespace
 
 std::ostream& operator<<(std::ostream& to, const Result& result) {
@@ -134,8 +155,20 @@ Process::Process(const Words& arguments, const Surroundings& surroundings)
     Words command{ROTCONV_PROGRAM};
     command.insert(command.end(), arguments.begin(), arguments.end());
     Words environment = changed_environment(surroundings.environment);
-    const int error = ::posix_spawn(&id_, command[0].c_str(), &files, &attributes, pointers_to(command).data(),
-                                    pointers_to(environment).data());
+    int error = 0;
+    const auto spawn = [&] {
+        error = ::posix_spawn(&id_, command[0].c_str(), &files, &attributes, pointers_to(command).data(),
+                              pointers_to(environment).data());
+    };
+    if (surroundings.close_error == 0) {
+        spawn();
+    } else {
+        std::thread([&] { // whose filter ends with it
+            let_close_fail(surroundings.close_error);
+            spawn();
+        })
+            .join();
+    }
     ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&files);
     close_end(child_input);

@@ -40,6 +40,7 @@ struct Surroundings {
     std::filesystem::path input_file = {};  ///< stdin; empty: a pipe
     std::filesystem::path output_file = {}; ///< stdout; empty: a pipe
     std::filesystem::path errors_file = {}; ///< stderr; empty: a pipe
+    int close_error = 0;                    ///< an errno with which closing stdout fails
 };
 
 /// A started program. Every wait has a time limit, after which the program is killed and the test fails.

@@ -141,6 +141,61 @@ TEST_CASE("an option without its argument is a usage error") {
     }
 }
 
+TEST_CASE("an option that is given twice, or a flag with an argument, is named") {
+    // Catches the parser's own sentence, and an argument that is dropped.
+    check_usage_error("-f quat -f dcm -t dcm", {"rotconv: --from is given twice"});
+    check_usage_error("-fquat --from=dcm -t dcm", {"rotconv: --from is given twice"});
+    check_usage_error("rates -f quat -p 3 --precision 4", {"rotconv: --precision is given twice"});
+    check_usage_error("-f quat -t dcm --append=5", {"rotconv: --append takes no argument"});
+    check_usage_error("-f quat -t dcm --help=5", {"rotconv: --help takes no argument"});
+    CHECK(run("-f quat -t rpy -d -d 1 0 0 0") == done("0 0 0\n"));
+}
+
+TEST_CASE("whatever comes from outside is shown without its control characters") {
+    // Catches a name that writes lines of its own, or moves the cursor of a terminal.
+    const std::string evil = "a\x1B]0;x\x07\nrotconv: b:1: fake\xC2\x9B"
+                             "1m\xE2\x80\xAE\xFF";
+    const Folder folder;
+    const auto file = (folder / evil).string();
+    write_file(file, "1 0 0 zero" + evil.substr(0, 5) + "\n");
+    const std::vector<Words> command_lines{{"-f", "quat", "-t", "rpy", "-i", evil},
+                                           {"-f", "quat", "-t", "rpy", "-o", "absent/" + evil, "1", "0", "0", "0"},
+                                           {"-f", "quat", "-t", "rpy", evil},
+                                           {"-f", "quat", "-t", "rpy", file},
+                                           {"-f", "quat", "-t", "rpy", "-i", file},
+                                           {"-f", "quat", "-t", "rpy", file, file},
+                                           {"-f", "quat", "-t", "rpy", file, "1"},
+                                           {"-f", evil, "-t", "rpy"},
+                                           {"-f", "quat:" + evil, "-t", "rpy"},
+                                           {"-f", "quat", "-t", "euler:" + evil},
+                                           {"-f", "quat", "-t", "rpy", "--columns", evil + ",b,c,d"},
+                                           {"-f", "quat", "-t", "rpy", "--columns", evil},
+                                           {"-f", "quat", "-t", "rpy", "--header", evil},
+                                           {"-f", "quat", "-t", "rpy", "--delimiter", evil},
+                                           {"-f", "quat", "-t", "rpy", "--precision", evil},
+                                           {"-f", "quat", "-t", "rpy", "--tolerance", evil},
+                                           {"-f", "quat", "-t", "dcm", "--method", evil},
+                                           {"-f", "quat", "-t", "rpy", "--" + evil},
+                                           {"-f", "quat", "-t", "rpy", "-" + evil},
+                                           {"propagate", "-t", "quat", "--initial", "quat: 1 0 0 " + evil},
+                                           {"propagate", "-t", "quat", "--initial", evil},
+                                           {"propagate", "-t", "quat", "--integrator", evil},
+                                           {"propagate", "-t", "quat", evil},
+                                           {"list", evil},
+                                           {"list", "quat", evil}};
+    for (const Words& arguments : command_lines) {
+        const auto result = run(arguments, "1,0,0,zero\n");
+        INFO(result);
+        CHECK(result.exit_code == 2);
+        CHECK(result.err.find("\nrotconv: b:1: fake") == std::string::npos);
+        for (const char* bytes : {"\x1B", "\x07", "\xC2\x9B", "\xE2\x80\xAE", "\xFF"}) {
+            CHECK(result.err.find(bytes) == std::string::npos);
+        }
+    }
+    // What a person can read is shown as it is.
+    CHECK(missing(run("-f quat -t rpy m\xC3\xA4rz.csv").err, {"'m\xC3\xA4rz.csv'"}) == "");
+}
+
 TEST_CASE("an empty argument of an option is a usage error") {
     // Catches a shell variable without a value that is taken for the default.
     for (const std::string option : {"--from", "--columns", "--delimiter", "--header", "--format", "--precision",
