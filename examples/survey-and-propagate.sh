@@ -7,7 +7,7 @@ columns=q_RS_w,q_RS_x,q_RS_y,q_RS_z
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-rotconv survey -f quat --columns $columns -i "$file" > "$work/sets" 2> "$work/notes" || {
+rotconv survey -f quat --columns $columns "$file" > "$work/sets" 2> "$work/notes" || {
     cat "$work/notes" >&2
     exit 1
 }
@@ -15,7 +15,7 @@ set=$(tail -n 1 "$work/sets")
 echo "The smallest set that serves: $set"
 
 # Rows t,qw,qx,qy,qz; of the nanoseconds the last 12 digits, which a double holds exactly, in seconds.
-rotconv -f quat -t quat --columns $columns --diagnostics off -i "$file" |
+rotconv -f quat -t quat --columns $columns --diagnostics off "$file" |
     awk -F, 'NR > 1 { printf "%.9f,%s,%s,%s,%s\n", substr($1, length($1) - 11) / 1e9, $5, $6, $7, $8 }' > "$work/attitudes"
 
 # Rows t, quaternion, its rate: the slope at the row of the parabola through it and its neighbours (at the ends, of the nearest).
@@ -42,9 +42,9 @@ awk -F, '
         }
     }' "$work/attitudes" > "$work/slopes"
 
-rotconv rates -f quat --inverse --columns 2-9 --diagnostics off -i "$work/slopes" > "$work/velocities"
+rotconv rates -f quat --inverse --columns 2-9 --diagnostics off "$work/slopes" > "$work/velocities"
 rotconv propagate -t quat --with "$set" --interpolation cubic --initial "quat: $(head -n 1 "$work/attitudes" | cut -d, -f2-)" \
-    -i "$work/velocities" > "$work/propagated"
+    "$work/velocities" > "$work/propagated"
 
 paste -d, "$work/attitudes" "$work/propagated" | awk -F, '
     {
