@@ -26,6 +26,53 @@ ShowDiagnostics diagnostics_of(const Texts& texts) {
                                     {"columns", ShowDiagnostics::columns}});
 }
 
+/// The canonical names of quat, dcm, or roll, pitch and yaw, in the order in which the SPEC has them; for other SPECs
+/// none.
+std::vector<std::string_view> name_order(const Spec& spec) {
+    if (spec.name == Name::quat || spec.name == Name::dcm) {
+        const auto columns = spec.columns();
+        return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
+    }
+    std::vector<std::string_view> order;
+    if (spec.name == Name::rpy || (spec.name == Name::euler && !spec.sequence.proper())) {
+        for (std::size_t i = 0; i < spec.size(); ++i) {
+            order.push_back(representation(Name::rpy).columns.at(static_cast<std::size_t>(spec.sequence.axis(i))));
+        }
+    }
+    return order;
+}
+
+/// The SPEC with the same modifiers whose numbers have the canonical names in that order.
+std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::string_view>& names) {
+    Spec first = like;
+    Spec second = like;
+    if (like.name == Name::quat) {
+        second.scalar_last = !like.scalar_last;
+    } else if (like.name == Name::dcm) {
+        second.column_major = !like.column_major;
+    } else { // yaw, pitch, roll about the body's axes are roll, pitch, yaw about the fixed ones
+        first.name = Name::rpy;
+        first.sequence = roll_pitch_yaw;
+        second.name = Name::euler;
+        second.sequence = *EulerSequence::parse("ZYX");
+    }
+    return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
+}
+
+/// Canonical names in another order than the SPEC's would be a wrong attitude in silence.
+void refuse_other_order(const std::string& list, const stream::Options& options) {
+    const auto& from = options.function.from;
+    if (!from) {
+        return;
+    }
+    auto names = options.columns.names();
+    names.resize(std::min(names.size(), from->size()));
+    const auto order = name_order(*from);
+    if (names != order && std::ranges::is_permutation(names, order)) {
+        throw Usage("--columns " + words::other_order(list, *from, order, spec_in_order(*from, names)));
+    }
+}
+
 /// Doubles of a binary row; 0 where the input is text.
 std::size_t width_of(const Texts& texts, const stream::Options& options) {
     constexpr int widest = 100'000;
@@ -181,6 +228,7 @@ RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words
             throw Usage("--columns: " + words::explain(*fault, command.subject));
         }
         options.columns = std::get<stream::ColumnList>(std::move(parsed));
+        refuse_other_order(texts.columns, options);
     }
     const bool headless = options.header == stream::HeaderMode::no || options.header == stream::HeaderMode::add;
     if (options.columns.has_names() && (headless || !operands.values.empty())) {

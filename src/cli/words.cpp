@@ -93,6 +93,15 @@ std::vector<std::string> sequence_list() {
     return list;
 }
 
+/// The texts in quotes, or "none".
+std::string quoted_list(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) {
+        list += (list.empty() ? "" : ", ") + quoted(text);
+    }
+    return list.empty() ? "none" : list;
+}
+
 /// The attitudes at which a set that has any is singular.
 std::string_view singularity_of(Name name) {
     return name == Name::euler || name == Name::rpy ? "gimbal lock" : "a half-turn";
@@ -176,6 +185,21 @@ std::string shown(std::string_view text) {
         text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return result;
+}
+
+std::string text_of(const Spec& spec) {
+    std::string text = spec_text(spec);
+    text += spec.column_major ? ":col" : spec.scalar_last ? ":xyzw" : "";
+    text += spec.unit == AngleUnit::degrees ? ":deg" : "";
+    return text + (spec.passive ? ":passive" : "");
+}
+
+std::string other_order(std::string_view list, const Spec& from, const std::vector<std::string_view>& order,
+                        const std::optional<Spec>& right) {
+    const std::string own =
+        fmt::format("{} is not the order of {}, which is {}", quoted(list), text_of(from), fmt::join(order, ","));
+    return right ? fmt::format("{}; it is that of {} (of a mislabelled file select by indices)", own, text_of(*right))
+                 : fmt::format("{}; of a mislabelled file select by indices", own);
 }
 
 std::string quoted(std::string_view text) {
@@ -277,6 +301,9 @@ std::string explain(const stream::StreamFault& fault, const Subject& subject) {
     case What::write: return fmt::format("cannot be written: {}", std::generic_category().message(fault.error));
     case What::partial_row: return fmt::format("the row that begins at byte {} is not whole", fault.offset);
     case What::line_too_long: return "the line is longer than 4 MiB";
+    case What::json:
+        return "the input looks like JSON; rows of numbers are read, as jq -r '[.qw, .qx, .qy, .qz] | @csv' writes "
+               "them";
     case What::columns: return explain(fault.column, subject);
     }
     return {};
@@ -290,11 +317,10 @@ std::string explain(const stream::ColumnFault& fault, const Subject& subject) {
     case What::wrong_count:
         return fmt::format("{} selects {} column{} where {} has {} numbers", quoted(fault.text), fault.count,
                            fault.count == 1 ? "" : "s", subject.text, subject.count);
-    case What::twice: return fmt::format("column {} is selected twice", fault.text);
+    case What::twice: return fmt::format("column {} is selected twice", quoted(fault.text));
     case What::missing:
-        return fmt::format(
-            "neither a header before this row nor the row itself has all of the columns {}; here {} is missing",
-            shown(fault.list), quoted(fault.text));
+        return fmt::format("no header: of the columns the row lacks {} and has {}: {}",
+                           quoted_list(fault.lacking), quoted_list(fault.present), quoted(fault.text));
     case What::ambiguous: return fmt::format("more than one column is called {}", quoted(fault.text));
     }
     return {};

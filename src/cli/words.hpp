@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,13 @@ struct About {
 
 /// The SPEC of a set without modifiers, such as "euler:ZYX".
 [[nodiscard]] std::string spec_text(const Spec& spec);
+
+/// The same with its modifiers.
+[[nodiscard]] std::string text_of(const Spec& spec);
+
+/// The names of a list of columns stand in another order than the SPEC's, but perhaps in that of another SPEC.
+[[nodiscard]] std::string other_order(std::string_view list, const Spec& from,
+                                      const std::vector<std::string_view>& order, const std::optional<Spec>& right);
 
 /// Why a SPEC is none, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecFault& fault);

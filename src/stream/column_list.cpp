@@ -43,7 +43,6 @@ std::optional<ColumnFault> find_twice(const std::vector<std::size_t>& positions)
 
 std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, std::size_t count) {
     ColumnList made;
-    made.list_ = list;
     std::size_t counted = 0;
     std::string_view rest = list;
     for (bool more = true; more;) {
@@ -58,11 +57,12 @@ std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, s
             if (item.empty()) {
                 return ColumnFault{What::not_an_item, std::string(item)};
             }
-            if (std::ranges::count(made.items_, item, &Item::name) != 0) {
-                return ColumnFault{What::twice, std::string(item)};
+            if (++counted <= count) {
+                if (std::ranges::count(made.items_, item, &Item::name) != 0) {
+                    return ColumnFault{What::twice, std::string(item)};
+                }
+                made.items_.push_back({std::string(item)});
             }
-            made.items_.push_back({std::string(item)});
-            ++counted;
             continue;
         }
         const auto first = read_index(item.substr(0, is_range ? dash : item.size()));
@@ -94,6 +94,12 @@ bool ColumnList::has_names() const noexcept {
     return std::ranges::any_of(items_, [](const Item& item) { return !item.name.empty(); });
 }
 
+std::vector<std::string_view> ColumnList::names() const {
+    std::vector<std::string_view> names;
+    std::ranges::transform(items_, std::back_inserter(names), &Item::name);
+    return names;
+}
+
 std::vector<std::size_t> ColumnList::positions() const {
     std::vector<std::size_t> positions;
     std::ranges::transform(items_, std::back_inserter(positions), &Item::position);
@@ -103,6 +109,8 @@ std::vector<std::size_t> ColumnList::positions() const {
 std::variant<std::vector<std::size_t>, ColumnFault>
 ColumnList::positions(const std::vector<std::string>& header) const {
     std::vector<std::size_t> positions;
+    ColumnFault missing{What::missing, {}};
+    std::optional<ColumnFault> ambiguous;
     for (const Item& item : items_) {
         if (item.name.empty()) {
             positions.push_back(item.position);
@@ -120,15 +128,16 @@ ColumnList::positions(const std::vector<std::string>& header) const {
         if (count == 0) {
             std::tie(count, found) = look(part);
         }
-        if (count == 0) {
-            return ColumnFault{What::missing, item.name, 0, list_};
-        }
-        if (count > 1) {
-            return ColumnFault{What::ambiguous, item.name};
+        (count == 0 ? missing.lacking : missing.present).push_back(item.name);
+        if (count > 1 && !ambiguous) {
+            ambiguous = ColumnFault{What::ambiguous, item.name};
         }
         positions.push_back(static_cast<std::size_t>(found - header.begin()));
     }
-    if (auto fault = find_twice(positions)) {
+    if (!missing.lacking.empty()) {
+        return missing;
+    }
+    if (auto fault = ambiguous ? ambiguous : find_twice(positions)) {
         return *fault;
     }
     return positions;

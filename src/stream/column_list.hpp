@@ -13,9 +13,10 @@ namespace rotconv::stream {
 struct ColumnFault {
     enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous };
     What what = What::not_an_item;
-    std::string text;      ///< the item at fault
-    std::size_t count = 0; ///< how many columns the list names
-    std::string list{};    ///< the whole list, where a name of it is missing
+    std::string text;                   ///< the item at fault; the row in which names are missing
+    std::size_t count = 0;              ///< how many columns the list names
+    std::vector<std::string> lacking{}; ///< the names that the row has not...
+    std::vector<std::string> present{}; ///< ...and those that it has
 };
 
 /// The input columns of `--columns LIST`, in the order of the representation's numbers: 1-based indices, ranges 5-8,
@@ -27,6 +28,8 @@ public:
 
     [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
     [[nodiscard]] bool has_names() const noexcept;
+    /// The names in the order of the list; empty for an index.
+    [[nodiscard]] std::vector<std::string_view> names() const;
     /// 0-based positions of a list without names.
     [[nodiscard]] std::vector<std::size_t> positions() const;
     /// 0-based positions with the names looked up in a header. A name matches one of the header's, or one of those up
@@ -40,7 +43,6 @@ private:
         std::size_t position = 0;
     };
     std::vector<Item> items_;
-    std::string list_;
 };
 
 } // namespace rotconv::stream

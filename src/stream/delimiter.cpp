@@ -91,7 +91,7 @@ std::string Delimiter::unquoted(std::string_view field) const {
     std::string text;
     for (std::size_t i = 1; i + 1 < field.size(); ++i) {
         text.push_back(field[i]);
-        if (field[i] == '"') {
+        if (field[i] == '"' && field[i + 1] == '"' && i + 2 < field.size()) {
             ++i;
         }
     }

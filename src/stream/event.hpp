@@ -62,6 +62,7 @@ struct StreamFault {
         line_too_long, ///< line `line`
         partial_row,   ///< the input ends in row `line`, which begins at byte `offset`
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
+        json,          ///< the input begins with JSON
     };
     What what = What::read;
     std::size_t line = 0;

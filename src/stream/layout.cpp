@@ -4,6 +4,22 @@
 #include <numeric>
 
 namespace rotconv::stream {
+namespace {
+
+/// A word for a missing number, in any case.
+bool is_missing(std::string_view text) noexcept {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+    constexpr std::array<std::string_view, 9> words{"", "na", "n/a", "null", "none", "nil", "-", "?", "."};
+    return std::ranges::any_of(words, [&](std::string_view word) { return std::ranges::equal(text, word, {}, lower); });
+}
+
+/// Not one of the names was missing, whatever else is wrong with them.
+bool has_all(const std::variant<std::vector<std::size_t>, ColumnFault>& found) noexcept {
+    const auto* fault = std::get_if<ColumnFault>(&found);
+    return fault == nullptr || fault->what != ColumnFault::What::missing;
+}
+
+} // namespace
 
 void Layout::select(std::vector<std::size_t> chosen, std::size_t kept) {
     positions = std::move(chosen);
@@ -22,7 +38,7 @@ void append_result_names(Buffer& to, const Options& options, char delimiter) {
     const auto& names = options.function.names;
     fmt::format_to(std::back_inserter(to), "{}", fmt::join(names, std::string_view(&delimiter, 1)));
     if (options.diagnostic_columns) {
-        for (const std::string_view name : {"margin", "condition", "defect", "notes"}) {
+        for (const std::string_view name : diagnostic_names) {
             to.push_back(delimiter);
             append(to, name);
         }
@@ -46,30 +62,12 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
         }
         return true;
     }
-    while (!rest.empty()) {
+    while (!rest.empty() && !fault_) {
         std::string_view after = rest;
         const Line current = next_line(after);
-        const Role role = role_of(current, line);
-        if (fault_) {
-            return false;
-        }
-        if (role == Role::data) {
-            layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(current.text));
-            layout_.line_end = current.end.empty() ? "\n" : std::string(current.end);
-            if (options_->header == HeaderMode::add) {
-                header_fields_.clear();
-                layout_.delimiter.split(current.text, header_fields_);
-                write_added_header(header_fields_.size(), output);
-            }
+        if (is_data(current, line, output)) {
+            settle(current, output);
             return true;
-        }
-        if (options_->format == Format::csv) {
-            if (role == Role::header) {
-                write_header(current, output);
-            } else {
-                append(output.bytes, current.text);
-                append(output.bytes, current.end);
-            }
         }
         rest = after;
         ++line;
@@ -77,8 +75,12 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
     return false;
 }
 
-void Preamble::finish(Output& output) {
-    if (options_->header == HeaderMode::add && options_->format == Format::csv && options_->columns.empty()) {
+void Preamble::finish(Output& output, bool at_end) {
+    if (at_end && options_->columns.has_names()) {
+        take_named({}, output);
+    }
+    release(output);
+    if (at_end && options_->header == HeaderMode::add && options_->format == Format::csv && options_->columns.empty()) {
         const char delimiter = options_->delimiter.value_or(Delimiter::character(',')).text();
         for (std::size_t i = 0; i < options_->function.kept; ++i) {
             fmt::format_to(std::back_inserter(output.bytes), "{}{}", i + 1, delimiter);
@@ -88,85 +90,257 @@ void Preamble::finish(Output& output) {
     }
 }
 
-Preamble::Role Preamble::role_of(const Line& line, std::size_t number) {
+std::string Preamble::Header::name(std::size_t at) const {
+    return std::string(trimmed(delimiter.unquoted(trimmed(fields[at]))));
+}
+
+std::vector<std::string> Preamble::Header::names() const {
+    std::vector<std::string> names;
+    names.reserve(fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        names.push_back(name(i));
+    }
+    return names;
+}
+
+Preamble::Header Preamble::header_of(const Line& line, Delimiter delimiter) {
+    const std::size_t prefix =
+        is_comment(line.text) ? std::min(line.text.find_first_not_of(" \t", 1), line.text.size()) : 0;
+    Header header{line, line.text.substr(0, prefix), delimiter, {}, true};
+    header.is_closed = delimiter.split(line.text.substr(prefix), header.fields);
+    return header;
+}
+
+Delimiter Preamble::delimiter_of(std::string_view row) const noexcept {
+    return options_->delimiter.value_or(Delimiter::of_row(row));
+}
+
+bool Preamble::is_data(const Line& line, std::size_t number, Output& output) {
     if (is_blank(line.text)) {
-        return Role::passed;
+        pass(line, output);
+        return false;
     }
-    if (header_done_) {
-        return is_comment(line.text) ? Role::passed : Role::data;
+    const bool is_first = !std::exchange(met_row_, true);
+    const bool by_name = options_->columns.has_names() && !header_done_;
+    if (by_name && has_all(find_names(line, {}).second)) {
+        if (held_.empty()) {
+            held_line_ = number;
+        }
+        hold(line, output);
+        return false;
     }
-    if (options_->columns.has_names()) {
-        return role_by_name(line, number);
-    }
-    if (is_comment(line.text) && options_->header != HeaderMode::yes) {
-        return Role::passed;
-    }
-    split_header(line.text);
     if (is_comment(line.text)) {
-        // A header may begin with '#' where the user says that there is one; a comment has not the fields of one.
-        header_done_ = has_selected_fields();
-        return header_done_ ? Role::header : Role::passed;
+        if (by_name || header_done_) {
+            pass(line, output);
+        } else {
+            release(output);
+            hold(line, output);
+        }
+        return false;
     }
+    if (is_first && is_json(line)) {
+        fault_ = StreamFault{.what = StreamFault::What::json, .line = number};
+        return false;
+    }
+    if (by_name) {
+        const Header row = header_of(line, delimiter_of(line.text));
+        const bool is_cut = row.fields.size() > 1; // else it does not tell what delimits
+        if (!take_named(is_cut ? std::optional(row.delimiter) : std::nullopt, output) && !fault_) {
+            auto column = std::get<ColumnFault>(find_names(line, row.delimiter).second);
+            column.text = line.text;
+            fault_ = StreamFault{StreamFault::What::columns, number, 0, std::move(column)};
+        }
+        return !fault_;
+    }
+    return header_done_ || !is_header_line(line, output);
+}
+
+bool Preamble::is_header_line(const Line& line, Output& output) {
+    const Header row = header_of(line, delimiter_of(line.text));
+    const bool is_one = is_header(row);
+    if (!is_one && take_comment(row, output)) {
+        return false;
+    }
+    release(output);
     header_done_ = true;
-    const bool is_header = options_->header == HeaderMode::yes || (has_selected_fields() && !has_selected_number());
-    if (!is_header) {
-        layout_.header.clear();
+    if (is_one || options_->header == HeaderMode::yes) {
+        take(row, output);
+        return true;
     }
-    return is_header ? Role::header : Role::data;
+    return false;
 }
 
-Preamble::Role Preamble::role_by_name(const Line& line, std::size_t number) {
-    split_header(line.text);
-    auto looked_up = options_->columns.positions(layout_.header);
-    if (auto* positions = std::get_if<std::vector<std::size_t>>(&looked_up)) {
-        layout_.select(std::move(*positions), options_->function.kept);
-        header_done_ = true;
-        return Role::header;
+void Preamble::write(std::string_view text, Output& output) const {
+    if (options_->format == Format::csv) {
+        append(output.bytes, text);
     }
-    if (!is_comment(line.text)) {
-        fault_ = StreamFault{StreamFault::What::columns, number, 0, std::get<ColumnFault>(looked_up)};
+}
+
+void Preamble::pass(const Line& line, Output& output) {
+    if (!held_.empty()) {
+        hold(line, output);
+        return;
     }
-    return Role::passed;
+    write(line.text, output);
+    write(line.end, output);
 }
 
-void Preamble::split_header(std::string_view text) {
-    const std::size_t prefix = is_comment(text) ? std::min(text.find_first_not_of(" \t", 1), text.size()) : 0;
-    header_prefix_ = text.substr(0, prefix);
-    const std::string_view names = text.substr(prefix);
-    header_delimiter_ = options_->delimiter.value_or(Delimiter::of_row(names));
-    header_fields_.clear();
-    header_delimiter_.split(names, header_fields_);
-    layout_.header.clear();
-    std::ranges::transform(header_fields_, std::back_inserter(layout_.header), [this](std::string_view field) {
-        return std::string(trimmed(header_delimiter_.unquoted(trimmed(field))));
-    });
+void Preamble::hold(const Line& line, Output& output) {
+    if (held_.empty()) {
+        held_first_ = line.text.size() + line.end.size();
+    }
+    held_ += line.text;
+    held_ += line.end;
+    if (held_.size() - held_first_ > most_held) {
+        if (options_->columns.has_names()) {
+            take_named({}, output);
+        } else {
+            release(output);
+        }
+    }
 }
 
-bool Preamble::has_selected_fields() const noexcept {
-    return layout_.positions.empty() ? header_fields_.size() == options_->function.inputs
-                                     : layout_.in_row_order.back() < header_fields_.size();
+void Preamble::release(Output& output) { write(std::exchange(held_, {}), output); }
+
+void Preamble::settle(const Line& row, Output& output) {
+    layout_.delimiter = delimiter_of(row.text);
+    layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
+    if (options_->header == HeaderMode::add) {
+        write_added_header(header_of(row, layout_.delimiter).fields.size(), output);
+    }
+    if (!names_.empty()) {
+        std::vector<std::string_view> taken(options_->function.names.begin(), options_->function.names.end());
+        if (options_->diagnostic_columns) {
+            std::ranges::copy(diagnostic_names, std::back_inserter(taken));
+        }
+        layout_.keys = JsonKeys(std::exchange(names_, {}), taken, [this](std::size_t at) {
+            return options_->append || !std::ranges::binary_search(layout_.replaced, at);
+        });
+    }
 }
 
-bool Preamble::has_selected_number() const noexcept {
+bool Preamble::has_selected(const Header& header) const noexcept {
+    return layout_.positions.empty() ? header.fields.size() == options_->function.inputs
+                                     : layout_.in_row_order.back() < header.fields.size();
+}
+
+std::vector<std::string> Preamble::selected(const Header& header) const {
     if (layout_.positions.empty()) {
-        return std::ranges::any_of(header_fields_,
-                                   [this](auto field) { return is_number(header_delimiter_.text_of(field)); });
+        return header.names();
     }
-    return std::ranges::any_of(
-        layout_.positions, [this](std::size_t at) { return is_number(header_delimiter_.text_of(header_fields_[at])); });
+    std::vector<std::string> texts;
+    std::ranges::transform(layout_.positions, std::back_inserter(texts),
+                           [&header](std::size_t at) { return header.name(at); });
+    return texts;
 }
 
-void Preamble::write_header(const Line& line, Output& output) const {
-    const char delimiter = header_delimiter_.text();
+bool Preamble::is_header(const Header& header) const {
+    return header.is_closed && has_selected(header) &&
+           std::ranges::none_of(selected(header), [](const auto& text) { return is_number(text) || is_missing(text); });
+}
+
+bool Preamble::is_json(const Line& row) const {
+    const char first = trimmed(row.text).front();
+    if ((first != '{' && first != '[') || options_->header == HeaderMode::yes) {
+        return false;
+    }
+    const Header fields = header_of(row, delimiter_of(row.text));
+    return !has_selected(fields) || !std::ranges::all_of(selected(fields), is_number);
+}
+
+bool Preamble::take_comment(const Header& row, Output& output) {
+    if (held_.empty()) {
+        return false;
+    }
+    std::string_view rest = held_;
+    const Header header = header_of(next_line(rest), row.delimiter);
+    if (!header.is_closed || header.fields.size() != row.fields.size() || !has_selected(header) ||
+        std::ranges::any_of(header.names(), is_number)) {
+        return false;
+    }
+    if (row.delimiter.is_blanks()) { // then a remark may well have as many words
+        const auto kept = static_cast<std::ptrdiff_t>(options_->function.kept);
+        const auto names = selected(header);
+        const auto& own = options_->function.input_names;
+        if (!std::is_permutation(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {
+            return false;
+        }
+    }
+    take(header, output);
+    write(rest, output);
+    held_.clear();
+    return true;
+}
+
+std::pair<Preamble::Header, Preamble::Lookup> Preamble::find_names(const Line& line,
+                                                                   std::optional<Delimiter> delimiter) const {
+    if (!delimiter) {
+        delimiter = options_->delimiter;
+    }
+    for (const char c : {',', '\t', ';'}) {
+        if (!delimiter && line.text.find(c) != std::string_view::npos) {
+            Header header = header_of(line, Delimiter::character(c));
+            auto found = options_->columns.positions(header.names());
+            if (has_all(found)) {
+                return {std::move(header), std::move(found)};
+            }
+        }
+    }
+    Header header = header_of(line, delimiter.value_or(Delimiter::blanks()));
+    auto found = options_->columns.positions(header.names());
+    return {std::move(header), std::move(found)};
+}
+
+bool Preamble::take_named(std::optional<Delimiter> delimiter, Output& output) {
+    std::optional<std::pair<Header, Lookup>> last;
+    std::size_t line = 0;
+    std::size_t number = held_line_;
+    for (std::string_view rest = held_; !rest.empty(); ++number) {
+        const Line held = next_line(rest);
+        auto found = find_names(held, is_comment(held.text) ? delimiter : std::nullopt);
+        if (has_all(found.second)) {
+            last = std::move(found);
+            line = number;
+        }
+    }
+    if (!last) {
+        return false;
+    }
+    auto& [header, found] = *last;
+    if (const auto* fault = std::get_if<ColumnFault>(&found)) {
+        fault_ = StreamFault{StreamFault::What::columns, line, 0, *fault};
+        return false;
+    }
+    layout_.select(std::get<std::vector<std::size_t>>(std::move(found)), options_->function.kept);
+    const std::string_view held = held_;
+    const auto begin = static_cast<std::size_t>(header.line.text.data() - held.data());
+    write(held.substr(0, begin), output);
+    take(header, output);
+    write(held.substr(begin + header.line.text.size() + header.line.end.size()), output);
+    held_.clear();
+    return true;
+}
+
+void Preamble::take(const Header& header, Output& output) {
+    header_done_ = true;
+    if (options_->format == Format::csv) {
+        write_header(header, output);
+    } else if (options_->format == Format::json) {
+        names_ = header.names();
+    }
+}
+
+void Preamble::write_header(const Header& header, Output& output) const {
+    const char delimiter = header.delimiter.text();
     Buffer& to = output.bytes;
     const auto write_result = [&] { append_result_names(to, *options_, delimiter); };
     if (options_->append) {
-        write_appended(to, line.text, delimiter, write_result);
+        write_appended(to, header.line.text, delimiter, write_result);
     } else {
-        append(to, header_prefix_);
-        write_fields(to, layout_, header_fields_, delimiter, write_result);
+        append(to, header.prefix);
+        write_fields(to, layout_, header.fields, delimiter, write_result);
     }
-    append(to, line.end.empty() ? std::string_view("\n") : line.end);
+    append(to, header.line.end.empty() ? std::string_view("\n") : header.line.end);
 }
 
 void Preamble::write_added_header(std::size_t field_count, Output& output) const {

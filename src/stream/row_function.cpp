@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -115,6 +116,8 @@ private:
 
 RowFunction row_function(const Conversion& conversion) {
     return {.inputs = conversion.from().size(),
+            .input_names = column_names(conversion.from()),
+            .from = conversion.from(),
             .names = column_names(conversion.to()),
             .attitude = conversion.to(),
             .run = [conversion](const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
@@ -126,8 +129,13 @@ RowFunction row_function(const Conversion& conversion) {
 RowFunction rates_function(const Spec& spec, const RateSettings& settings) {
     const Rates rates(spec, settings);
     const bool has_lock = spec.name == Name::euler || spec.name == Name::rpy;
+    const std::vector<std::string> velocity{"wx", "wy", "wz"};
+    auto input_names = column_names(spec);
+    std::ranges::copy(settings.inverse ? rate_names(spec) : velocity, std::back_inserter(input_names));
     return {.inputs = rates.in_size(),
-            .names = settings.inverse ? std::vector<std::string>{"wx", "wy", "wz"} : rate_names(spec),
+            .input_names = std::move(input_names),
+            .from = spec,
+            .names = settings.inverse ? velocity : rate_names(spec),
             .run = [rates, has_lock, found = std::vector<RateReport>()](const NumberRows& rows, std::span<double> out,
                                                                         std::span<Report> reports) mutable {
                 found.resize(reports.size());
@@ -143,6 +151,7 @@ RowFunction rates_function(const Spec& spec, const RateSettings& settings) {
 
 RowFunction propagation_function(const PropagationRows& rows) {
     return {.inputs = time_and_velocity,
+            .input_names = {"t", "wx", "wy", "wz"},
             .kept = 1,
             .names = column_names(rows.to),
             .attitude = rows.to,
@@ -157,6 +166,8 @@ RowFunction reading_function(const Spec& from, double tolerance,
                              std::function<void(const Rotation& rotation, std::size_t line)> take) {
     const Conversion conversion(from, Spec{}, {.tolerance = tolerance});
     return {.inputs = from.size(),
+            .input_names = column_names(from),
+            .from = from,
             .names = column_names(Spec{}),
             .attitude = Spec{},
             .in_order = true,

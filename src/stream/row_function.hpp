@@ -22,11 +22,13 @@ struct NumberRows {
 
 /// What a run makes of the numbers of its rows.
 struct RowFunction {
-    std::size_t inputs = 0;         ///< numbers that a row gives
-    std::size_t kept = 0;           ///< how many of the first of them also pass to the output as they are
-    std::vector<std::string> names; ///< the columns of the result
-    std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
-    bool in_order = false;          ///< all rows must come to it in their order; else each copy may answer any of them
+    std::size_t inputs = 0;               ///< numbers that a row gives
+    std::vector<std::string> input_names; ///< what they are called
+    std::optional<Spec> from{};           ///< what the first of them are, where they are an attitude
+    std::size_t kept = 0;                 ///< how many of the first of them also pass to the output as they are
+    std::vector<std::string> names;       ///< the columns of the result
+    std::optional<Spec> attitude{};       ///< what the result is, where it is an attitude
+    bool in_order = false; ///< all rows must come to it in their order; else each copy may answer any of them
 
     /// Answers rows of `inputs` numbers with names.size() numbers and a report each.
     /// @return how many of the rows are answered, all where none may wait; the others come first in the next call

@@ -37,25 +37,9 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
     return {row.report->figures.margin, row.report->figures.condition, row.report->defect};
 }
 
-constexpr std::array<std::string_view, 3> figure_names{"margin", "condition", "defect"};
-
-/// The header's names, but the index where a name is empty, stands twice, or is that of a column of the result.
-std::vector<std::string> json_keys(const Layout& layout, const std::vector<std::string>& columns) {
-    const auto is_result = [&columns](std::string_view name) {
-        return std::ranges::count(columns, name) + std::ranges::count(figure_names, name) > 0 || name == "notes";
-    };
-    std::vector<std::string> keys;
-    for (const std::string& name : layout.header) {
-        const bool usable = !name.empty() && !is_result(name) && std::ranges::count(keys, name) == 0;
-        keys.push_back(usable ? name : std::to_string(keys.size() + 1));
-    }
-    return keys;
-}
-
 } // namespace
 
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
-    keys_ = json_keys(layout, options.function.names);
     const auto& spec = options.function.attitude;
     if (options.precision > 0 && spec && (spec->name == Name::euler || spec->name == Name::rpy)) {
         const bool degrees = spec->unit == AngleUnit::degrees;
@@ -120,17 +104,25 @@ void RowText::write_csv(Buffer& to, const ConvertedRow& row) const {
 void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
     bool first = true;
-    const auto key = [&](std::string_view name) {
-        if (!first) {
-            append(to, ", ");
-        }
+    const auto part = [&] {
+        append(to, first ? "" : ", ");
         first = false;
+    };
+    const auto key = [&](std::string_view name) {
+        part();
         append_json_string(to, name);
         append(to, ": ");
     };
     const auto other = [&](std::size_t i) {
-        key(i < keys_.size() ? keys_[i] : std::to_string(i + 1));
-        append_json_string(to, layout_->delimiter.unquoted(row.fields[i]));
+        part();
+        layout_->keys.append_to(to, i, row.fields.size());
+        append(to, ": ");
+        const std::string_view text = trimmed(row.fields[i]);
+        if (is_json_number(text)) {
+            append(to, text);
+        } else {
+            append_json_string(to, layout_->delimiter.unquoted(row.fields[i]));
+        }
     };
     if (options_->append) {
         for (std::size_t i = 0; i < row.fields.size(); ++i) {
@@ -140,10 +132,14 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
         for_each_output(*layout_, row.fields.size(), other, [] {});
     }
     const auto number = [&](double value, std::size_t column) {
-        const bool finite = std::isfinite(value);
-        append(to, finite ? "" : "\"");
+        if (std::isnan(value)) {
+            append(to, "null");
+            return;
+        }
+        const std::string_view quote = std::isinf(value) ? "\"" : "";
+        append(to, quote);
         write_number(to, value, column);
-        append(to, finite ? "" : "\"");
+        append(to, quote);
     };
     const auto& names = options_->function.names;
     for (std::size_t i = 0; i < row.result.size(); ++i) {
@@ -153,10 +149,10 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);
         for (std::size_t i = 0; i < figures.size(); ++i) {
-            key(figure_names[i]);
+            key(diagnostic_names[i]);
             number(figures[i], 1); // a figure is no outer angle
         }
-        key("notes");
+        key(diagnostic_names.back());
         to.push_back('"');
         append_notes(to, row);
         to.push_back('"');
@@ -194,7 +190,7 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);
         for (std::size_t i = 0; i < figures.size(); ++i) {
-            fmt::format_to(out, "  {:<9}  ", figure_names[i]);
+            fmt::format_to(out, "  {:<9}  ", diagnostic_names[i]);
             append_number(to, figures[i], options_->precision);
             to.push_back('\n');
         }

@@ -40,7 +40,6 @@ private:
 
     const Options* options_;
     const Layout* layout_;
-    std::vector<std::string> keys_;                              ///< of the fields in JSON: header names, each once
     double half_turn_ = std::numeric_limits<double>::infinity(); ///< of outer Euler angles that are rounded
     double half_a_digit_ = 0.0;                                  ///< the last that is printed of it
 };

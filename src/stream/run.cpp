@@ -261,15 +261,14 @@ bool Run::hand_on(const Output& output) {
 }
 
 void Run::finish(Transformer& transformer) {
-    const auto& fault = preamble_.fault() ? preamble_.fault() : reader_.fault();
     Output output;
     if (transformer) {
         transformer->finish(output);
-    } else if (!has_layout_ && !fault) {
-        preamble_.finish(output);
+    } else if (!has_layout_) {
+        preamble_.finish(output, !preamble_.fault() && !reader_.fault());
     }
     if (hand_on(output)) {
-        ending_.fault = fault;
+        ending_.fault = preamble_.fault() ? preamble_.fault() : reader_.fault();
     }
 }
 

@@ -103,3 +103,45 @@ TEST_CASE("digits are an index even where a column is called so") {
     CHECK(run(convert + "--columns 1-4 --header yes", "4,3,2,1\n1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
     CHECK(run(convert + "--columns 1,2,3,4 --header yes", "4,3,2,1\n1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
 }
+
+TEST_CASE("canonical names in another order than the SPEC's are a usage error") {
+    // Catches a wrong attitude in silence, and advice that does not help.
+    struct Case {
+        const char* from;
+        const char* names;
+        const char* right; ///< the SPEC that the message names; null: there is none
+    };
+    for (const Case& c :
+         {Case{"quat", "qx,qy,qz,qw", "that of quat:xyzw "},
+          Case{"quat:passive", "qx,qy,qz,qw", "that of quat:xyzw:passive "},
+          Case{"quat:ros", "qw,qx,qy,qz", "that of quat "}, Case{"quat", "qx,qw,qy,qz", nullptr},
+          Case{"dcm", "r11,r21,r31,r12,r22,r32,r13,r23,r33", "that of dcm:col "},
+          Case{"dcm:col", "r11,r12,r13,r21,r22,r23,r31,r32,r33", "that of dcm "},
+          Case{"dcm", "r12,r11,r13,r21,r22,r23,r31,r32,r33", nullptr},
+          Case{"rpy:deg", "yaw,pitch,roll", "that of euler:ZYX:deg "},
+          Case{"euler:ZYX", "roll,pitch,yaw", "that of rpy "}, Case{"rpy", "pitch,roll,yaw", nullptr}}) {
+        INFO(c.from << ' ' << c.names);
+        const auto result =
+            run(std::string("-t rotvec -f ") + c.from + " --columns " + c.names, std::string(c.names) + "\n");
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(count_rows(result.err) == 1);
+        CHECK(missing(result.err, {"rotconv: --columns", c.names, "by indices"}) == "");
+        CHECK((result.err.find("that of ") != std::string::npos) == (c.right != nullptr));
+        CHECK(missing(result.err, {c.right != nullptr ? c.right : ""}) == "");
+    }
+    CHECK(run("rates -f quat --columns qx,qy,qz,qw,wx,wy,wz", "1,0,0,0,0,0,0\n").exit_code == 2);
+    CHECK(run("survey -f quat --columns qx,qy,qz,qw", "1,0,0,0\n").exit_code == 2);
+}
+
+TEST_CASE("names in the SPEC's order are taken, and so are others") {
+    // Catches an error where nothing is wrong.
+    CHECK(run("-f quat:tum -t quat --columns qx,qy,qz,qw", "qw,qx,qy,qz\n1,0,0,0\n") == done("qw,qx,qy,qz\n1,0,0,0\n"));
+    for (const char* arguments : {"-f euler:ZYX --columns yaw,pitch,roll", "-f euler:zyx --columns yaw,pitch,roll",
+                                  "-f euler:XYZ --columns roll,pitch,yaw", "-f euler:ZXZ --columns yaw,pitch,roll"}) {
+        CHECK(run(std::string("-t rotvec ") + arguments, "yaw,pitch,roll\n0,1,0\n").exit_code == 0);
+    }
+    CHECK(run("-f axis-angle -t quat --columns qx,qy,qz,qw", "qw,qx,qy,qz\n0,1,0,0\n").exit_code == 0);
+    CHECK(run("-f quat -t quat --columns x,y,z,w", "x,y,z,w\n1,0,0,0\n").exit_code == 0);
+    CHECK(run("-f quat -t quat --columns qx,qy,qz,4", "qx,qy,qz,qw\n1,0,0,0\n").exit_code == 0);
+}

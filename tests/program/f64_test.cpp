@@ -100,7 +100,7 @@ TEST_CASE("columns of doubles are selected by index, and the others pass") {
     CHECK(run(arguments + "--append --delimiter tab", input) ==
           done("5e-324\t1\t0\t0\t0\t-0\t0\t0\t0\t1\nnan\t0\t0\t0\t1\t7\t0\t0\t1\t0\n"));
     CHECK(run(arguments + "--format json", bytes_of({8, 1, 0, 0, 0, 9})) ==
-          done(R"({"1": "8", "6": "9", "qx": 0, "qy": 0, "qz": 0, "qw": 1})"
+          done(R"({"1": 8, "6": 9, "qx": 0, "qy": 0, "qz": 0, "qw": 1})"
                "\n"));
 }
 

@@ -87,14 +87,14 @@ TEST_CASE("zero has no sign") {
     CHECK(run("-f cayley -t cayley:passive 0 -0 0") == done("0 0 0\n"));
 }
 
-TEST_CASE("json has one object a row with other fields as strings first") {
+TEST_CASE("json has one object a row with other fields first") {
     // Catches another order, wrong keys, and numbers in quotes.
     CHECK(json_of(convert, "1 0 0 0\n0 1 0 0\n") ==
           "{\"qx\":0,\"qy\":0,\"qz\":0,\"qw\":1}\n{\"qx\":1,\"qy\":0,\"qz\":0,\"qw\":0}\n");
     CHECK(json_of(convert + "--columns 2-5", "a,1,0,0,0,7\n") ==
-          "{\"1\":\"a\",\"6\":\"7\",\"qx\":0,\"qy\":0,\"qz\":0,\"qw\":1}\n");
+          "{\"1\":\"a\",\"6\":7,\"qx\":0,\"qy\":0,\"qz\":0,\"qw\":1}\n");
     CHECK(json_of(convert + "--columns qw,qx,qy,qz", "# t,qw,qx,qy,qz, note \n7,0.5,-0.5,0.5,0.5,b\n") ==
-          "{\"t\":\"7\",\"note\":\"b\",\"qx\":-0.5,\"qy\":0.5,\"qz\":0.5,\"qw\":0.5}\n");
+          "{\"t\":7,\"note\":\"b\",\"qx\":-0.5,\"qy\":0.5,\"qz\":0.5,\"qw\":0.5}\n");
 }
 
 TEST_CASE("json leaves out header and comments and blank rows") {
@@ -111,12 +111,12 @@ TEST_CASE("json takes fields out of their quotes and escapes them") {
           std::string::npos);
 }
 
-TEST_CASE("json prints what is not finite as a string") {
+TEST_CASE("json prints an infinite result as a string and nan as null") {
     // Catches bare nan and inf, which are no JSON.
     CHECK(json_of("-f quat -t cayley --diagnostics off", "0 0 1 0\n") == "{\"cx\":0,\"cy\":\"inf\",\"cz\":0}\n");
     const auto failed = run("-f rotvec -t cayley --format json --on-error nan --columns 2-4", "a 0 x 0\n");
     CHECK(failed.exit_code == 1);
-    CHECK(compact(failed.out) == "{\"1\":\"a\",\"cx\":\"nan\",\"cy\":\"nan\",\"cz\":\"nan\"}\n");
+    CHECK(compact(failed.out) == "{\"1\":\"a\",\"cx\":null,\"cy\":null,\"cz\":null}\n");
 }
 
 TEST_CASE("json has the diagnostic columns") {
@@ -162,7 +162,7 @@ TEST_CASE("a JSON object has no key twice") {
     // Catches fields that a parser would drop.
     const auto result =
         run("-f quat:xyzw -t quat --columns 1-4 --append --format json", "qx,qy,b,\"q\"\"w\",b,b\n0,0,0,1,7,8\n");
-    CHECK(result == done("{\"1\": \"0\", \"2\": \"0\", \"b\": \"0\", \"q\\\"w\": \"1\", \"5\": \"7\", \"6\": \"8\", "
+    CHECK(result == done("{\"1\": 0, \"2\": 0, \"b\": 0, \"q\\\"w\": 1, \"5\": 7, \"6\": 8, "
                          "\"qw\": 1, \"qx\": 0, \"qy\": 0, \"qz\": 0}\n"));
 }
 
@@ -175,4 +175,56 @@ TEST_CASE("only an angle that is minus pi to the printed digits changes its sign
     CHECK(run(same + "4 -3.14 0 0") == done("-3.14 0 0\n"));
     CHECK(run("-d " + same + "4 -179.96 0 0") == done("180 0 0\n"));
     CHECK(run("-d " + same + "4 -179.94 0 0") == done("-179.9 0 0\n"));
+}
+
+TEST_CASE("json keeps the digits of what is a JSON number") {
+    // Catches numbers in quotes, numbers that a JSON reader refuses or rounds, and digits that are written anew.
+    const auto value_of = [](const std::string& field) {
+        const std::string out = run("-f rotvec -t rotvec --columns 2-4 --format json", field + ",0,0,0\n").out;
+        return out.substr(0, out.find(", \"rx\""));
+    };
+    for (const char* number : {"0", "-0", "7", "0.50", "-1.0e-05", "1E+5", "1e400", "9007199254740992",
+                               "-9007199254740992", "9007199254740993.0", "1403715524907143168e0"}) {
+        CHECK(value_of(number) == std::string("{\"1\": ") + number);
+    }
+    CHECK(value_of(" 5\t") == "{\"1\": 5");
+    for (const char* text : {"+1", "01", "-01", ".5", "5.", "1e", "1e+", "-", "0x10", "nan", "inf", "1_0", "1 2", "٣",
+                             "9007199254740993", "-9007199254740993", "10000000000000000", "1403715524907143168"}) {
+        CHECK(value_of(text) == std::string("{\"1\": \"") + text + '"');
+    }
+    CHECK(value_of("\"5\"") == "{\"1\": \"5\""); // whoever quotes it means text
+    CHECK(value_of("") == "{\"1\": \"\"");
+}
+
+TEST_CASE("json loses no character of a field with quotes inside") {
+    // Catches a quote that is taken for half of a doubled one.
+    const auto value_of = [](const std::string& field) {
+        const std::string out = run("-f rotvec -t rotvec --columns 2-4 --format json", field + ",0,0,0\n").out;
+        return out.substr(0, out.find(", \"rx\""));
+    };
+    CHECK(value_of(R"("5"x6" board")") == R"({"1": "5\"x6\" board")");
+    CHECK(value_of(R"("a""b")") == R"({"1": "a\"b")");
+    CHECK(value_of(R"("""")") == R"({"1": "\"")");
+    CHECK(value_of(R"("")") == R"({"1": "")");
+    CHECK(value_of(R"("a"b"")") == R"({"1": "a\"b\"")");
+}
+
+TEST_CASE("json has each key once, whatever the header") {
+    // Catches an index that is another field's name, names that become the same, and those of the result.
+    const auto json = [](const std::string& arguments, const std::string& rows) {
+        return run("--format json " + arguments, rows).out;
+    };
+    const std::string by_name = "-f quat -t rotvec --columns qw,qx,qy,qz ";
+    const std::string result = "\"rx\": 0, \"ry\": 0, \"rz\": 0}\n";
+    CHECK(json(by_name, "2,,qw,qx,qy,qz\n8,9,1,0,0,0\n") == "{\"1\": 8, \"2\": 9, " + result);
+    CHECK(json(by_name, "a,2024,qw,qx,qy,qz\n8,9,1,0,0,0\n") == "{\"a\": 8, \"2024\": 9, " + result);
+    CHECK(json(by_name, "7,qw,qx,qy,qz\n8,1,0,0,0\n8,1,0,0,0,5,6\n") ==
+          "{\"7\": 8, " + result + "{\"1\": 8, \"6\": 5, \"7\": 6, " + result);
+    CHECK(json(by_name, "a\xFF,a\xFE,qw,qx,qy,qz\n8,9,1,0,0,0\n") == "{\"a\xEF\xBF\xBD\": 8, \"2\": 9, " + result);
+    CHECK(json(by_name, "rx,\"a\",a,qw,qx,qy,qz\n7,8,9,1,0,0,0\n") == "{\"1\": 7, \"a\": 8, \"3\": 9, " + result);
+    CHECK(json(by_name, "margin,qw,qx,qy,qz\n8,1,0,0,0\n") == "{\"margin\": 8, " + result);
+    CHECK(json(by_name + "--diagnostics columns", "margin,notes,qw,qx,qy,qz\n8,9,1,0,0,0\n")
+              .starts_with("{\"1\": 8, \"2\": 9, \"rx\": 0"));
+    // a name that is not written takes none away
+    CHECK(json("-f quat -t rotvec --columns 1-4", "a,b,c,d,a\n1,0,0,0,8\n") == "{\"a\": 8, " + result);
 }

@@ -170,3 +170,178 @@ TEST_CASE("diagnostic columns are named after the result") {
     CHECK(run(convert + "--diagnostics columns --columns 2-5", "t,w,x,y,z,n\n7,1,0,0,0,a\n") ==
           done("t,qx,qy,qz,qw,margin,condition,defect,notes,n\n7,0,0,0,1,inf,0.5,0,,a\n"));
 }
+
+TEST_CASE("words for a missing number are no names") {
+    // Catches a first row without values that is taken for a header, and its row lost.
+    for (const char* row : {"NA,NA,NA,NA", ",,,", "w,n/a,y,z", "w,NULL,y,z", "None,x,y,z", "w,x,y,nil", "-,-,-,-",
+                            "w,?,y,z", "., . ,.,.", "w,\"\",y,z", "w,\"NaN\",y,z"}) {
+        const auto result = run(convert + "--on-error nan", std::string(row) + "\n1,0,0,0\n");
+        INFO(row);
+        CHECK(result.exit_code == 1);
+        CHECK(result.out == "nan,nan,nan,nan\n0,0,0,1\n");
+    }
+    // other columns may be called anything
+    CHECK(run(convert + "--columns 2-5", "NA,w,x,y,z,\n7,1,0,0,0,8\n") == done("NA,qx,qy,qz,qw,\n7,0,0,0,1,8\n"));
+}
+
+TEST_CASE("a first row of too few fields is a bad row and no header") {
+    // Catches words that vanish, and a quote that hides delimiters.
+    for (const char* row : {"title", "t,w,x,y", "t,\"w,x,y,z"}) {
+        const auto result = run(convert + "--columns 2-5", std::string(row) + "\n7,1,0,0,0\n");
+        INFO(row);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(missing(result.err, {"rotconv: -:1: "}) == "");
+    }
+}
+
+TEST_CASE("the comment before the first row is the header where it has its fields") {
+    // Catches eight names over seven columns.
+    CHECK(run("-f quat:tum -t rpy --columns 5-8",
+              "# truth\n# timestamp tx ty tz qx qy qz qw\n1.5 1 2 3 0 0 0 1\n# end\n") ==
+          done("# truth\n# timestamp tx ty tz roll pitch yaw\n1.5 1 2 3 0 0 0\n# end\n"));
+    CHECK(run("-f quat -t rpy --columns 2-5", "#t [ns], q_w [], q_x [], q_y [], q_z [],v\r\n\r\n7,1,0,0,0,9\r\n") ==
+          done("#t [ns],roll,pitch,yaw,v\r\n\r\n7,0,0,0,9\r\n"));
+    CHECK(run("-f quat -t rpy --append", "# qw qx qy qz  \n1 0 0 0\n") ==
+          done("# qw qx qy qz roll pitch yaw\n1 0 0 0 0 0 0\n"));
+    CHECK(run("-f quat -t rpy --columns 1-4 --format json", "#qw;qx;qy;qz;id\n1;0;0;0;9\n") ==
+          done("{\"id\": 9, \"roll\": 0, \"pitch\": 0, \"yaw\": 0}\n"));
+    CHECK(run("rates -f quat --columns 2-8", "# t qw qx qy qz wx wy wz\n5 1 0 0 0 0 0 2\n") ==
+          done("# t qw_rate qx_rate qy_rate qz_rate\n5 0 0 0 1\n"));
+    CHECK(run("propagate -t rotvec", "# timestamp wx wy wz\n0 0 0 0\n") == done("# timestamp rx ry rz\n0 0 0 0\n"));
+    CHECK(run("-f quat -t rpy --header yes", "#a,b,c,d\n1,0,0,0\n") == done("#roll,pitch,yaw\n0,0,0\n"));
+}
+
+TEST_CASE("a comment that is not the first row's header passes") {
+    // Catches remarks that lose their words, and a header that is not the last comment.
+    for (const char* comment : {
+             "# one two three four\n",             // under blanks only the representation's names
+             "# qw qx qy qz\n# recorded in May\n", // only the last comment
+             "# qw qx qy qz t\n",                  // another number of fields
+             "# qw qx qy 1\n",                     // a number
+             "# a,b,c,d\n",                        // another delimiter
+         }) {
+        INFO(comment);
+        CHECK(run(convert, std::string(comment) + "1 0 0 0\n") == done(std::string(comment) + "0 0 0 1\n"));
+    }
+    CHECK(run(convert + "--header no", "# a,b,c,d\n1,0,0,0\n") == done("# a,b,c,d\n0,0,0,1\n"));
+    CHECK(run(convert + "--header add", "# a,b,c,d\n1,0,0,0\n") == done("# a,b,c,d\nqx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(convert, "# a,b,c,d\nw,x,y,z\n1,0,0,0\n") == done("# a,b,c,d\nqx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(convert, "w,x,y,z\n# a,b,c,d\n1,0,0,0\n") == done("qx,qy,qz,qw\n# a,b,c,d\n0,0,0,1\n"));
+    CHECK(run(convert, "1,0,0,0\n# a,b,c,d\n1,0,0,0\n") == done("0,0,0,1\n# a,b,c,d\n0,0,0,1\n"));
+    CHECK(run(convert, "# qw qx qy qz\n\n# end") == done("# qw qx qy qz\n\n# end"));
+}
+
+TEST_CASE("comments and blank rows before the first row keep their order and use no memory") {
+    // Catches lines that are lost where they wait for the row that tells, and those that pile up.
+    const std::string many = repeated("# " + std::string(100, 'c') + "\n\n", 20'000);
+    CHECK((run(convert, many + "#a,b,c,d\n1,0,0,0\n") == done(many + "#qx,qy,qz,qw\n0,0,0,1\n")));
+    CHECK((run(convert, many) == done(many)));
+    CHECK((run(convert + "--columns qw,qx,qy,qz", many + "#qw,qx,qy,qz\n# note\n\n1,0,0,0\n") ==
+           done(many + "#qx,qy,qz,qw\n# note\n\n0,0,0,1\n")));
+    const std::string wide = "# " + std::string(4'000'000, 'c') + "\n";
+    CHECK((run(convert, wide + wide + "1,0,0,0\n") == done(wide + wide + "0,0,0,1\n")));
+    for (const std::string list : {"1-4", "qw,qx,qy,qz"}) { // what waits has an end
+        Process process(words_of(convert + "--columns " + list));
+        process.write("#qw,qx,qy,qz\n");
+        for (int i = 0; i < 1000; ++i) {
+            process.write(std::string(100'000, '\n'));
+        }
+        process.wait_until_read();
+        if (!is_sanitized) {
+            CHECK(process.peak_memory_kib() < 20'000);
+        }
+        process.write("1,0,0,0\n");
+        const auto result = process.finish();
+        CHECK(result.exit_code == 0);
+        CHECK(result.out.size() == 13 + 100'000'000 + 8);
+    }
+    // a line that is too long loses none of those before it
+    const auto result = run(convert, "# note\n" + std::string(5'000'000, '1'));
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "# note\n");
+}
+
+TEST_CASE("of several rows with all names the last is the header") {
+    // Catches a remark before the header that is taken for it, and one after it.
+    const std::string by_name = convert + "--columns qw,qx,qy,qz";
+    CHECK(run(by_name, "# it is t qw qx qy qz here\nt,qw,qx,qy,qz\n7,1,0,0,0\n") ==
+          done("# it is t qw qx qy qz here\nt,qx,qy,qz,qw\n7,0,0,0,1\n"));
+    CHECK(run(by_name, "t,qw,qx,qy,qz\n# qw qx qy qz t\n\n7,1,0,0,0\n") ==
+          done("t,qx,qy,qz,qw\n# qw qx qy qz t\n\n7,0,0,0,1\n"));
+    CHECK(run(by_name, "#qx,qy,qz,qw\n# t,qw,qx,qy,qz\n# note\n7,1,0,0,0\n") ==
+          done("#qx,qy,qz,qw\n# t,qx,qy,qz,qw\n# note\n7,0,0,0,1\n"));
+    CHECK(run(by_name + " --format json", "qx,qy,qz,qw\nt,qw,qx,qy,qz\n7,1,0,0,0\n") ==
+          done("{\"t\": 7, \"qx\": 0, \"qy\": 0, \"qz\": 0, \"qw\": 1}\n"));
+    CHECK(run(by_name + " --on-error nan", "#t,qw,qx,qy,qz\nbroken\n").out ==
+          "#t,qx,qy,qz,qw\nbroken nan nan nan nan\n");
+    // a comment with the names as words is none where commas delimit
+    const auto result = run(by_name, "# order: qw qx qy qz\n1,0,0,0,7\n");
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "# order: qw qx qy qz\n");
+    CHECK(missing(result.err, {"rotconv: -:2: "}) == "");
+}
+
+TEST_CASE("an error tells the names that are lacking and those that are there") {
+    // Catches a message that names the first one alone.
+    const auto result = run(convert + "--columns qw,qx,qy,qz", "# note\nt,qw,x,qy,z\n7,1,0,0,0\n");
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "# note\n");
+    CHECK(missing(result.err, {"rotconv: -:2: ", "lacks 'qx', 'qz'", "has 'qw', 'qy'", "t,qw,x,qy,z"}) == "");
+    CHECK(count_rows(result.err) == 1);
+}
+
+TEST_CASE("names with the same meaning twice are an error of the header") {
+    // Catches the first of two columns taken in silence, where a header stands alone too.
+    for (const char* rows : {"qw,qx,qy,qz,qw\n1,0,0,0,1\n", "qw,qx,qy,qz,qw\n"}) {
+        const auto result = run(convert + "--columns qw,qx,qy,qz", rows);
+        CHECK(result.exit_code == 2);
+        CHECK(missing(result.err, {"rotconv: -:1: ", "'qw'"}) == "");
+    }
+}
+
+TEST_CASE("an input that is JSON is told so") {
+    // Catches objects that are taken for a header, and a flood of bad rows.
+    for (const char* json : {"{\"qw\": 1, \"qx\": 0, \"qy\": 0, \"qz\": 0}\n{\"qw\": 1}\n", "[[1,0,0,0],\n[1,0,0,0]]\n",
+                             "\n[\n1,0,0,0\n]\n", "  {\n", "{}"}) {
+        for (const char* more : {"", "--on-error nan", "--columns qw,qx,qy,qz", "--header no"}) {
+            const auto result = run(convert + more, json);
+            INFO(json << more);
+            CHECK(result.exit_code == 2);
+            CHECK(missing(result.err, {"rotconv: -:", "JSON"}) == "");
+            CHECK(count_rows(result.err) == 1);
+        }
+    }
+    CHECK(run(convert + "--columns 2-5", "[a],1,0,0,0\n") == done("[a],0,0,0,1\n"));
+    CHECK(run(convert + "--columns qw,qx,qy,qz", "{t},qw,qx,qy,qz\n7,1,0,0,0\n") ==
+          done("{t},qx,qy,qz,qw\n7,0,0,0,1\n"));
+}
+
+TEST_CASE("headers may be as wide as lines are long") {
+    // Catches time that grows with the square of the columns, by the time limit of a process.
+    std::string names = "qw,qx,qy,qz";
+    std::string row = "1,0,0,0";
+    for (int i = 5; i <= 300'000; ++i) {
+        names += ",column" + std::to_string(i);
+        row += ",1";
+    }
+    std::string rows;
+    for (int i = 0; i < 3; ++i) {
+        rows += row + '\n';
+    }
+    for (const std::string sign : {"", "#"}) {
+        for (const std::string columns : {"1-4", "qw,qx,qy,qz"}) {
+            for (const std::string format : {"csv", "json"}) {
+                INFO(sign << ' ' << columns << ' ' << format);
+                const auto result = run("-f quat -t quat --threads 2 --columns " + columns + " --format " + format,
+                                        sign + names + '\n' + rows);
+                CHECK(result.exit_code == 0);
+                CHECK(result.out.find("column300000") != std::string::npos);
+                CHECK(count_rows(result.out) == (format == "csv" ? 4 : 3));
+            }
+        }
+    }
+    const auto same = run("-f quat -t quat --columns 1-4 --format json", repeated("a,", 299'999) + "a\n" + rows);
+    CHECK(same.exit_code == 0);
+    CHECK(same.out.find("\"300000\"") != std::string::npos);
+}

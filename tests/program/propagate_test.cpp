@@ -157,7 +157,7 @@ TEST_CASE("propagate keeps the other fields and the header") {
     CHECK(run(columns + " --append", rows) ==
           done("note,wz,wy,wx,t,more,rx,ry,rz\na,1,0,0,0,x,0,0,0\nb,1,0,0,1,y,0,0,1\n"));
     CHECK(run(columns + " --format json", rows)
-              .out.starts_with("{\"note\": \"a\", \"t\": \"0\", \"more\": \"x\", \"rx\": 0, \"ry\": 0, \"rz\": 0}\n"));
+              .out.starts_with("{\"note\": \"a\", \"t\": 0, \"more\": \"x\", \"rx\": 0, \"ry\": 0, \"rz\": 0}\n"));
     CHECK(run("propagate -t rotvec -p 6", "t wx wy wz\n0 0 0 1\n") == done("t rx ry rz\n0 0 0 0\n"));
     CHECK(run("propagate -t rotvec -p 6 --header add", "0 0 0 1\n") == done("1 rx ry rz\n0 0 0 0\n"));
     CHECK(run("propagate -t rotvec --header add", "") == done("1,rx,ry,rz\n"));

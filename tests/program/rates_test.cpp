@@ -116,7 +116,7 @@ TEST_CASE("columns of rates have names") {
     CHECK(run("rates -f quat --append" + columns, rows) ==
           done("t,qw,qx,qy,qz,wx,wy,wz,note,qw_rate,qx_rate,qy_rate,qz_rate\n5,1,0,0,0,0,0,2,a,0,0,0,1\n"));
     CHECK(run("rates -f quat --format json" + columns, rows) ==
-          done("{\"t\": \"5\", \"note\": \"a\", \"qw_rate\": 0, \"qx_rate\": 0, \"qy_rate\": 0, \"qz_rate\": 1}\n"));
+          done("{\"t\": 5, \"note\": \"a\", \"qw_rate\": 0, \"qx_rate\": 0, \"qy_rate\": 0, \"qz_rate\": 1}\n"));
     CHECK(run("rates -f rotvec --inverse --header add", "0 0 0 1 2 3\n") == done("wx wy wz\n1 2 3\n"));
     CHECK(run("rates -f dcm --header add", "1 0 0 0 1 0 0 0 1 0 0 0\n").out.starts_with("r11_rate r12_rate"));
 }

@@ -56,6 +56,10 @@ TEST_CASE("names match a field or its first word") {
     CHECK(positions("q_y [2],1,2", 3, header) == Positions{4, 0, 1});
     const auto missing = std::get<ColumnList>(ColumnList::parse("q,1,2", 3));
     CHECK(std::get<ColumnFault>(missing.positions(header)).what == What::missing);
+    const auto some = std::get<ColumnFault>(
+        std::get<ColumnList>(ColumnList::parse("a,q_x,b,q_y,1", 5)).positions(header)); // before what is ambiguous
+    CHECK(some.lacking == std::vector<std::string>{"a", "b"});
+    CHECK(some.present == std::vector<std::string>{"q_x", "q_y"});
     const auto list = std::get<ColumnList>(ColumnList::parse("q_y,1,2", 3));
     CHECK(std::get<ColumnFault>(list.positions(header)).what == What::ambiguous);
     const auto twice = std::get<ColumnList>(ColumnList::parse("q_w,2,1", 3));

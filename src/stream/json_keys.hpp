@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "number_text.hpp"
+
+namespace rotconv::stream {
+
+/// The keys of a row's fields in a JSON object, none of them twice: the header's names, else 1-based indices.
+class JsonKeys {
+public:
+    /// Without a header.
+    JsonKeys() = default;
+    /// @param names of the header
+    /// @param taken keys of the result
+    /// @param is_written whether a field goes to the output
+    JsonKeys(const std::vector<std::string>& names, const std::vector<std::string_view>& taken,
+             const std::function<bool(std::size_t)>& is_written);
+
+    /// Appends the key of field `at`, from 0, of a row of `count` fields, with its quotes.
+    void append_to(Buffer& to, std::size_t at, std::size_t count) const;
+
+private:
+    /// The key can be that of field `at` in a row of `count` fields: it is not the index of another one.
+    [[nodiscard]] static bool may_stand(std::string_view key, std::size_t at, std::size_t count) noexcept;
+
+    std::vector<std::string> keys_; ///< with their quotes; empty: the index
+};
+
+} // namespace rotconv::stream
