@@ -157,17 +157,17 @@ bool Preamble::is_data(const Line& line, std::size_t number, Output& output) {
 
 bool Preamble::is_header_line(const Line& line, Output& output) {
     const Header row = header_of(line, delimiter_of(line.text));
-    const bool is_one = is_header(row);
-    if (!is_one && take_comment(row, output)) {
+    const bool must_be = options_->header == HeaderMode::yes;
+    const bool may_be = is_header(row);
+    if ((must_be || !may_be) && take_comment(row, output)) {
         return false;
     }
     release(output);
     header_done_ = true;
-    if (is_one || options_->header == HeaderMode::yes) {
+    if (must_be || may_be) {
         take(row, output);
-        return true;
     }
-    return false;
+    return must_be || may_be;
 }
 
 void Preamble::write(std::string_view text, Output& output) const {

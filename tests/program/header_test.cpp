@@ -210,6 +210,8 @@ TEST_CASE("the comment before the first row is the header where it has its field
           done("# t qw_rate qx_rate qy_rate qz_rate\n5 0 0 0 1\n"));
     CHECK(run("propagate -t rotvec", "# timestamp wx wy wz\n0 0 0 0\n") == done("# timestamp rx ry rz\n0 0 0 0\n"));
     CHECK(run("-f quat -t rpy --header yes", "#a,b,c,d\n1,0,0,0\n") == done("#roll,pitch,yaw\n0,0,0\n"));
+    CHECK(run("-f quat -t rpy --header yes --on-error nan", "#a,b,c,d\nw,x,y,z\n").out ==
+          "#roll,pitch,yaw\nnan,nan,nan\n"); // two rows that could be it
 }
 
 TEST_CASE("a comment that is not the first row's header passes") {
