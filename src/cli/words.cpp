@@ -319,8 +319,8 @@ std::string explain(const stream::ColumnFault& fault, const Subject& subject) {
                            fault.count == 1 ? "" : "s", subject.text, subject.count);
     case What::twice: return fmt::format("column {} is selected twice", quoted(fault.text));
     case What::missing:
-        return fmt::format("no header: of the columns the row lacks {} and has {}: {}",
-                           quoted_list(fault.lacking), quoted_list(fault.present), quoted(fault.text));
+        return fmt::format("no header: of the columns the row lacks {} and has {}: {}", quoted_list(fault.lacking),
+                           quoted_list(fault.present), quoted(fault.text));
     case What::ambiguous: return fmt::format("more than one column is called {}", quoted(fault.text));
     }
     return {};
