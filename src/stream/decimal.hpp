@@ -1,0 +1,43 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rotconv::stream {
+
+/// A decimal number as it is written, with all its digits.
+class Decimal {
+public:
+    /// 0.
+    Decimal() = default;
+
+    /// Takes what read_number() takes as a finite number, too large and too small ones included; nothing else. Powers
+    /// of ten beyond 10^(10^18) count as that.
+    [[nodiscard]] static std::optional<Decimal> parse(std::string_view text);
+
+    /// By value: 1.50 and 15e-1 are equal.
+    friend bool operator==(const Decimal& a, const Decimal& b) noexcept = default;
+    friend std::strong_ordering operator<=>(const Decimal& a, const Decimal& b) noexcept;
+
+    /// Exact, but where the larger number ends more than 800 digits before the smaller one begins: of that no more than
+    /// its sign is kept, which is all that an order or a double can depend on.
+    friend Decimal operator-(const Decimal& a, const Decimal& b);
+
+    /// The double nearest to this times 10^power; infinite where that is too large.
+    [[nodiscard]] double rounded(int power = 0) const;
+
+private:
+    static std::strong_ordering compare_magnitudes(const Decimal& a, const Decimal& b) noexcept;
+    /// The place after the last digit.
+    [[nodiscard]] std::int64_t end() const noexcept { return point_ - static_cast<std::int64_t>(digits_.size()); }
+    void strip();
+
+    bool negative_ = false;
+    std::string digits_;     ///< without zeros at either end; none for 0
+    std::int64_t point_ = 0; ///< the value is 0.digits_ times 10^point_; 0 for 0
+};
+
+} // namespace rotconv::stream

@@ -1,0 +1,155 @@
+// Decimals as they are written: order and differences.
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "catch.hpp"
+#include "stream/decimal.hpp"
+#include "stream/number_text.hpp"
+
+using namespace rotconv::stream;
+using Rational = boost::multiprecision::cpp_rational;
+
+namespace {
+
+Decimal decimal(const std::string& text) {
+    const auto parsed = Decimal::parse(text);
+    INFO(text);
+    REQUIRE(parsed);
+    return *parsed;
+}
+
+double difference(const std::string& a, const std::string& b, int power = 0) {
+    return (decimal(a) - decimal(b)).rounded(power);
+}
+
+/// A number with up to `digits` digits on each side of the point, and its value.
+struct Sample {
+    std::string text;
+    Rational value;
+};
+
+Sample sample(std::mt19937_64& random, std::size_t digits) {
+    const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    std::string before;
+    std::string after;
+    while (before.size() < below(digits + 1)) {
+        before += static_cast<char>('0' + (below(3) == 0 ? below(10) : 9 * below(2))); // often rows of 0 or 9
+    }
+    while (after.size() < below(digits + 1) || (before.empty() && after.empty())) {
+        after += static_cast<char>('0' + (below(3) == 0 ? below(10) : 9 * below(2)));
+    }
+    const int power = static_cast<int>(below(41)) - 20;
+    const bool negative = below(2) == 0;
+    boost::multiprecision::cpp_int digits_value = 0;
+    for (const char c : before + after) {
+        digits_value = 10 * digits_value + (c - '0');
+    }
+    Rational value = digits_value;
+    for (int i = static_cast<int>(after.size()) - power; i != 0; i += i < 0 ? 1 : -1) {
+        value = i > 0 ? Rational(value / 10) : Rational(value * 10);
+    }
+    return {(negative ? "-" : "") + before + "." + after + "e" + std::to_string(power),
+            negative ? Rational(-value) : value};
+}
+
+/// No other double is nearer.
+bool is_nearest(double found, const Rational& exact) {
+    const auto distance = [&exact](double value) { return Rational(abs(Rational(value) - exact)); };
+    const double infinity = std::numeric_limits<double>::infinity();
+    return distance(found) <= distance(std::nextafter(found, infinity)) &&
+           distance(found) <= distance(std::nextafter(found, -infinity));
+}
+
+} // namespace
+
+TEST_CASE("times of many digits lose nothing in their difference") {
+    // Catches a difference of doubles, in which these are 0 or off.
+    CHECK(difference("1403715524907143169", "1403715524907143168", -9) == 1e-9);
+    CHECK(difference("9999999999999999999", "9999999999999999998", -9) == 1e-9);
+    CHECK(difference("1305031098.6758", "1305031098.6659") == 0.0099);
+    CHECK(difference("1305031098.66590000000000000000000000000000000000001",
+                     "1305031098.66590000000000000000000000000000000000000") == 1e-41);
+    CHECK(difference("0.3", "0.2") == 0.1);
+    CHECK(difference("-1", "1e0", -3) == -2e-3);
+    CHECK(difference("7", "7.000") == 0.0);
+    CHECK_FALSE(std::signbit(difference("-7", "-7.000")));
+    CHECK(difference("0", "-0.5") == 0.5);
+    CHECK(difference("0.5", "0") == 0.5);
+    CHECK(difference("-0", "0.5") == -0.5);
+}
+
+TEST_CASE("decimals compare by value, whatever their length and form") {
+    // Catches an order of doubles or of texts.
+    CHECK(decimal("1.50") == decimal("+15e-1"));
+    CHECK(decimal("-0.0e5") == decimal("0"));
+    CHECK(decimal("9") < decimal("10"));
+    CHECK(decimal("-9") > decimal("-10"));
+    CHECK(decimal("-1") < decimal("0"));
+    CHECK(decimal("0") < decimal("1e-999999"));
+    CHECK(decimal("1403715524907143168") < decimal("1403715524907143169"));
+    const std::string nines(5000, '9');
+    CHECK(decimal("0." + nines) < decimal("1"));
+    CHECK(decimal("0." + nines) > decimal("0." + nines.substr(1)));
+}
+
+TEST_CASE("differences and order are those of rational arithmetic") {
+    // Catches a digit that is carried wrongly, and a result that is rounded twice.
+    std::mt19937_64 random(20261122);
+    for (int i = 0; i < 4000; ++i) {
+        const Sample a = sample(random, i % 2 == 0 ? 12 : 40);
+        const Sample b = i % 5 == 0 ? Sample{a.text, a.value} : sample(random, 12);
+        INFO(a.text << " - " << b.text);
+        const Decimal found = decimal(a.text) - decimal(b.text);
+        const Rational exact = a.value - b.value;
+        CHECK((decimal(a.text) < decimal(b.text)) == (a.value < b.value));
+        CHECK((decimal(a.text) == decimal(b.text)) == (a.value == b.value));
+        CHECK((found < Decimal()) == (exact < 0));
+        CHECK((found == Decimal()) == (exact == 0));
+        CHECK(is_nearest(found.rounded(), exact));
+        CHECK(is_nearest(found.rounded(3), exact * 1000));
+        // what was taken away can be added again
+        CHECK(found - (Decimal() - decimal(b.text)) == decimal(a.text));
+    }
+}
+
+TEST_CASE("a difference of numbers far apart is that of the larger, rounded the right way") {
+    // Catches memory that grows with an exponent, and a tie that is broken as if the smaller were not there.
+    const std::string tie = "9007199254740993"; // between two doubles
+    CHECK(difference(tie, "1e-1000000000000") == 9007199254740992.0);
+    CHECK(difference(tie, "-1e-1000000000000") == 9007199254740994.0);
+    CHECK(difference("1e-99999999999999999999", tie) == -9007199254740992.0);
+    CHECK(difference("1e999999999999", "-1") == std::numeric_limits<double>::infinity());
+    CHECK(difference("-1e308", "1e308") == -std::numeric_limits<double>::infinity());
+    CHECK(difference("1e308", "-1e308", -9) == 2e299);
+    CHECK(difference("1e-999999999999", "0") == 0.0);
+}
+
+TEST_CASE("decimals are the numbers that are read as such") {
+    // Catches a number that has a double and no decimal, or the other way round.
+    std::mt19937_64 random(7);
+    const std::string letters = "0019.eE+- \tx";
+    int numbers = 0;
+    for (int i = 0; i < 200000; ++i) {
+        std::string text;
+        for (std::size_t length = random() % 8; text.size() < length;) {
+            text += letters[random() % letters.size()];
+        }
+        const bool number = is_number(text);
+        numbers += number ? 1 : 0;
+        if (Decimal::parse(text).has_value() != number) {
+            FAIL("'" << text << "'");
+        }
+        double value = 0.0;
+        if (number && read_number(text, value) == NumberFault::none && decimal(text).rounded() != value) {
+            FAIL("'" << text << "' is not " << value);
+        }
+    }
+    CHECK(numbers > 10000);
+    CHECK_FALSE(Decimal::parse("nan"));
+    CHECK_FALSE(Decimal::parse("-inf"));
+}
