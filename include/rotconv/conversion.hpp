@@ -25,6 +25,7 @@ struct Report {
     Figures figures{};   ///< where there are notes or Settings::figures asks for them
     /// With Settings::method, angle in radians from the attitude to the method's answer; nan where that is none.
     double method_error = 0.0;
+    double step_error = 0.0; ///< of a propagation, see Propagated::step_error
 };
 
 struct Door;

@@ -46,8 +46,9 @@ struct IntegratorEntry {
 /// where |r| > pi, angles by full turns. Where it has none, a step from which the singular attitude is within reach
 /// (euler: gimbal lock; cayley: a half-turn), because it is no further than the body turns in that step, is refused
 /// with Fault::singular: nothing that such a step finds can be trusted. So is, with Fault::coarse_step, one in which
-/// the body turns by as much as any attitude's distance to a singularity (euler: a quarter turn; cayley, mrp, rotvec:
-/// half a turn). The state is then lost, and every later step says the same until start().
+/// the body may turn, at the greatest rate in it, by as much as any attitude's distance to a singularity (euler: a
+/// quarter turn; cayley, mrp, rotvec: half a turn), or by more than half a turn with any set. The state is then lost,
+/// and every later step says the same until start().
 class Stepper {
 public:
     /// @pre can_integrate(set.name, integrator)
@@ -62,6 +63,10 @@ public:
     /// Carries the numbers over `h` seconds. `rates`: the body's angular velocity in body axes, rad/s, at the nodes.
     /// Faults: singular; coarse_step; not_finite where a number overflows.
     Fault step(double h, std::span<const Eigen::Vector3d> rates) noexcept;
+
+    /// How far the last step went: the angle that the body may have turned by, in radians, or in parts of the distance
+    /// to a singularity where that was less than a radian.
+    [[nodiscard]] double stretch() const noexcept { return stretch_; }
 
     /// The attitude of the numbers, and their exact defect: how far they have drifted off the set. A fault where the
     /// state is lost, or where drift has left no attitude.
@@ -84,6 +89,7 @@ private:
     Integrator integrator_;
     bool renormalised_;
     Numbers numbers_ = Numbers::Zero();
+    double stretch_ = 0.0;
     Fault fault_ = Fault::none;
 };
 

@@ -23,14 +23,16 @@ struct PropagationSettings {
     std::size_t substeps = 1;                    ///< steps from one sample to the next, from 1
     Interpolation interpolation = Interpolation::linear;
     bool renormalise = false; ///< bring the numbers back to the set after every step
-    Rotation initial;         ///< the attitude at the first sample
+    Rotation initial{};       ///< the attitude at the first sample
 };
 
 /// The attitude at one sample's time.
 struct Propagated {
-    double time = 0.0;
-    Rotation rotation;         ///< the identity where `fault` is not none
-    double defect = 0.0;       ///< how far the integrated numbers have drifted off their set
+    Rotation rotation;   ///< the identity where `fault` is not none
+    double defect = 0.0; ///< how far the integrated numbers have drifted off their set
+    /// Radians: the greatest of the estimates of their own error by the steps from the sample before. Two half steps
+    /// against the one; 0 where the steps are so short that it is far below `reported_step_error`.
+    double step_error = 0.0;
     Fault fault = Fault::none; ///< singular, coarse_step: the chart was left, here and in all that follows
 };
 
@@ -53,9 +55,9 @@ public:
     /// @pre can_integrate(settings.set.name, settings.integrator) and settings.substeps > 0
     explicit Propagator(const PropagationSettings& settings) noexcept;
 
-    /// A sample: its time, later than the one before (by 1e-100 s at least), and the angular velocity in body axes,
-    /// rad/s.
-    Pushed push(double time, const Eigen::Vector3d& omega) noexcept;
+    /// A sample: the seconds since the last one that was accepted (1e-100 at least; of the first sample they mean
+    /// nothing), and the angular velocity in body axes, rad/s.
+    Pushed push(double interval, const Eigen::Vector3d& omega) noexcept;
 
     /// What is still owed of the samples so far, at the end or where nothing may wait: with cubic one answer, by the
     /// parabola through the last three samples.
@@ -63,16 +65,17 @@ public:
 
 private:
     struct Sample {
-        double time = 0.0;
+        double interval = 0.0; ///< since the one before
         Eigen::Vector3d omega = Eigen::Vector3d::Zero();
     };
 
     /// Integrates from the sample `from` to the next. Others shape the interpolation: at most one on each side.
     void advance(std::size_t from) noexcept;
-    [[nodiscard]] Propagated answer_at(double time) const noexcept;
+    [[nodiscard]] Propagated answer() const noexcept;
 
     PropagationSettings settings_;
     Stepper stepper_;
+    double step_error_ = 0.0;         ///< of the latest advance
     std::array<Sample, 4> samples_{}; ///< the latest, in order of time
     std::size_t count_ = 0;           ///< how many of them there are
     bool settled_ = false;            ///< the latest has its answer although it was to wait

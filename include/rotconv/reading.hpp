@@ -21,7 +21,7 @@ enum class Fault : std::uint8_t {
     defect,          ///< further from a rotation than the tolerance allows
     singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
     full_turn,       ///< the same, of a rotation vector of one or more full turns
-    coarse_step,     ///< the body turns by more in one step than the set can follow
+    coarse_step,     ///< the body may turn by more in one step than the set can follow
     time_order,      ///< not later than the sample before, or by less than 1e-100 s
     ended,           ///< an earlier row of the propagation has failed: nothing follows on it
 };
@@ -45,9 +45,10 @@ enum class Kind : std::uint8_t {
     half_turn,
     infinite,
     identity_axis,
-    method_error
+    method_error,
+    coarse_step
 };
-inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::method_error) + 1;
+inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::coarse_step) + 1;
 
 /// The kind's name as it stands in the `notes` column, such as "gimbal-lock".
 [[nodiscard]] std::string_view name_of(Kind kind) noexcept;
@@ -84,6 +85,8 @@ inline constexpr double half_turn_margin = 1e-15;
 inline constexpr double near_lock_condition = 1e6;
 /// A method's answer that is further than this (radians) from the attitude is reported.
 inline constexpr double reported_method_error = 1e-6;
+/// A step of an integration whose error is estimated above this (radians) is reported.
+inline constexpr double reported_step_error = 1e-3;
 /// A defect above this is reported.
 inline constexpr double reported_defect = 1e-6;
 

@@ -105,6 +105,7 @@ void define_propagate(CLI::App& app, Texts& texts) {
     app.add_option("--interpolation", texts.interpolation,
                    "Of the angular velocity between rows: linear, or cubic, which answers one row late")
         ->type_name("HOW");
+    app.add_option("--time-unit", texts.time_unit, "Of the times: s (default), ms, us or ns")->type_name("UNIT");
     app.add_flag("--renormalise", texts.renormalise, "Bring the numbers back to the set after every step");
     define_input(app, texts);
     define_output(app, texts);
@@ -141,6 +142,7 @@ RowsCommand propagate_command(const Texts& texts, const Operands& operands) {
     require_rates("--with", set);
     const Settings settings = settings_of(texts);
     stream::PropagationRows rows;
+    rows.time_power = choose<int>("time unit", texts.time_unit, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
     rows.degrees = texts.degrees;
     rows.to = to;
     rows.conversion = settings;

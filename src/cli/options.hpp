@@ -44,6 +44,7 @@ struct Texts {
     std::string integrator;
     std::string substeps;
     std::string interpolation = "linear";
+    std::string time_unit = "s";
     std::string condition;
     bool degrees = false;
     bool append = false;

@@ -284,7 +284,7 @@ std::string explain(const stream::RowFault& fault, const Subject& subject) {
     case Fault::full_turn:
         return fmt::format("{} has no rates at a full turn: {}", representation(subject.set).text, text);
     case Fault::coarse_step:
-        return fmt::format("the body turns by more in one step than {} can follow (--substeps): {}",
+        return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",
                            representation(subject.set).text, text);
     case Fault::time_order: return fmt::format("time does not increase: {}", text);
     case Fault::defect:
@@ -335,6 +335,7 @@ std::string_view meaning(Kind kind) {
     case Kind::infinite: return "a half-turn has no finite Cayley vector";
     case Kind::identity_axis: return "every axis serves; (1, 0, 0) is a convention";
     case Kind::method_error: return "the method's answer is off the attitude by more than 1e-6 rad";
+    case Kind::coarse_step: return "a step may be off by more than 1e-3 rad; --substeps or a finer sampling helps";
     }
     return {};
 }
@@ -343,6 +344,7 @@ std::string describe(const stream::Diagnostic& diagnostic) {
     const std::string_view figure = diagnostic.kind == Kind::normalized         ? "defect"
                                     : diagnostic.kind == Kind::near_gimbal_lock ? "condition"
                                     : diagnostic.kind == Kind::method_error     ? "angle"
+                                    : diagnostic.kind == Kind::coarse_step      ? "estimate"
                                                                                 : "margin";
     return fmt::format("{}: {} {:.3g}; {}", name_of(diagnostic.kind), figure, diagnostic.figure,
                        meaning(diagnostic.kind));

@@ -56,6 +56,25 @@ double without_turns(double angle) noexcept {
     return (angle - turns * turn_high) - turns * turn_low;
 }
 
+/// The greatest rate in a step: at its nodes, or at its ends as the rates at the outer nodes and the one between them
+/// (on a line, or a parabola) go on.
+double greatest_rate(Integrator integrator, std::span<const Vector3d> w) noexcept {
+    double square = 0.0;
+    const auto look = [&square](const Vector3d& rate) { square = std::max(square, rate.squaredNorm()); };
+    std::ranges::for_each(w, look);
+    if (integrator == Integrator::magnus4) {
+        const Vector3d further = (0.5 * (root3 - 1.0)) * (w[1] - w[0]);
+        look(w[0] - further);
+        look(w[1] + further);
+    } else if (integrator == Integrator::magnus6) {
+        const Vector3d slope = (0.5 * 5.0 / root15) * (w[2] - w[0]);
+        const Vector3d middle = w[1] + (5.0 / 6.0) * ((w[2] - w[1]) - (w[1] - w[0]));
+        look(middle - slope);
+        look(middle + slope);
+    }
+    return std::sqrt(square);
+}
+
 /// From where in the set no singularity is further away: a step that turns by more has no start that serves. Of rotvec
 /// and mrp, which are singular at a full turn, from where they change their chart.
 double greatest_distance(const Spec& set) noexcept {
@@ -109,20 +128,15 @@ Fault Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     if (fault_ != Fault::none) {
         return fault_;
     }
-    double fastest = 0.0;
-    for (const Vector3d& w : rates) {
-        fastest = std::max(fastest, w.squaredNorm());
+    const double reach = std::fabs(h) * greatest_rate(integrator_, rates);
+    if (!(reach <= pi && reach < greatest_distance(set_))) {
+        return fault_ = Fault::coarse_step;
     }
-    const double reach = std::fabs(h) * std::sqrt(fastest);
-    const double furthest = greatest_distance(set_);
-    if (std::isfinite(furthest)) {
-        if (reach >= furthest) {
-            return fault_ = Fault::coarse_step;
-        }
-        if (distance_to_singularity() <= reach) {
-            return fault_ = Fault::singular;
-        }
+    const double distance = distance_to_singularity();
+    if (distance <= reach) {
+        return fault_ = Fault::singular;
     }
+    stretch_ = reach / std::min(1.0, distance);
     switch (integrator_) {
     case Integrator::rk4: runge_kutta(h, rates); break;
     case Integrator::magnus4: turn_by(magnus4(h, rates)); break;

@@ -19,6 +19,7 @@ std::string_view name_of(Kind kind) noexcept {
         {Kind::infinite, "infinite"},
         {Kind::identity_axis, "identity-axis"},
         {Kind::method_error, "method-error"},
+        {Kind::coarse_step, "coarse-step"},
     });
     static_assert(is_indexed(names, kind_count, &Line::kind));
     return names[static_cast<std::size_t>(kind)].text;

@@ -75,7 +75,7 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
         std::iota(lines_.begin(), lines_.end(), line);
         reports_.resize(rows);
         results_.resize(rows * width);
-        function_.run({numbers_, lines_, false}, results_, reports_);
+        function_.run({numbers_, lines_, false, {}}, results_, reports_);
         std::size_t next = 0;
         while (next < rows && !output.stopped) {
             const auto found =

@@ -44,7 +44,8 @@ std::optional<Decimal> Decimal::parse(std::string_view text) {
     if (number.negative_ || text.starts_with('+')) {
         text.remove_prefix(1);
     }
-    const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
+    const auto* const mantissa_end = std::ranges::find_if(text, [](char c) { return c == 'e' || c == 'E'; });
+    const std::string_view mantissa(text.begin(), mantissa_end);
     const std::string_view whole = mantissa.substr(0, mantissa.find('.'));
     const std::string_view fraction = mantissa.substr(std::min(whole.size() + 1, mantissa.size()));
     number.digits_.reserve(mantissa.size());
@@ -93,29 +94,36 @@ std::strong_ordering operator<=>(const Decimal& a, const Decimal& b) noexcept {
 Decimal operator-(const Decimal& a, const Decimal& b) {
     const bool a_is_larger = Decimal::compare_magnitudes(a, b) >= 0;
     const Decimal& larger = a_is_larger ? a : b;
-    Decimal smaller = a_is_larger ? b : a;
-    Decimal result = larger;
-    result.negative_ = a_is_larger ? a.negative_ : !b.negative_;
-    if (smaller.digits_.empty()) {
-        result.strip(); // no -0
-        return result;
+    const Decimal& smaller = a_is_larger ? b : a;
+    const bool subtracts = a.negative_ == b.negative_;
+    std::string_view lower = smaller.digits_;
+    std::int64_t lower_end = smaller.end();
+    if (lower.empty()) {
+        lower_end = larger.end();
+    } else if (smaller.point_ < larger.end() - widest_gap) {
+        lower = "1";
+        lower_end = larger.end() - widest_gap - 1;
     }
-    if (smaller.point_ < larger.end() - widest_gap) {
-        smaller.digits_ = "1";
-        smaller.point_ = larger.end() - widest_gap;
+    std::size_t same = 0; // digits in front, as most of two times are
+    if (subtracts && larger.point_ == smaller.point_) {
+        const auto [end, other] = std::ranges::mismatch(larger.digits_, lower);
+        same = static_cast<std::size_t>(end - larger.digits_.begin());
+        lower.remove_prefix(same);
     }
     // As on paper: the digits of both in their places, one more in front for what is carried there.
-    const std::int64_t end = std::min(larger.end(), smaller.end());
+    const std::int64_t end = std::min(larger.end(), lower_end);
+    Decimal result;
+    result.negative_ = a_is_larger ? a.negative_ : !b.negative_;
+    result.point_ = larger.point_ - static_cast<std::int64_t>(same) + 1;
     std::string& digits = result.digits_;
-    digits.insert(0, 1, '0').append(static_cast<std::size_t>(larger.end() - end), '0');
-    ++result.point_;
-    const int sign = a.negative_ == b.negative_ ? -1 : 1;
-    auto place = digits.end() - static_cast<std::ptrdiff_t>(smaller.end() - end);
+    digits.assign(1, '0').append(larger.digits_, same).append(static_cast<std::size_t>(larger.end() - end), '0');
+    auto place = digits.end() - static_cast<std::ptrdiff_t>(lower_end - end);
     int carried = 0;
-    for (auto digit = smaller.digits_.rbegin(); digit != smaller.digits_.rend() || carried != 0;) {
+    for (auto digit = lower.rbegin(); digit != lower.rend() || carried != 0;) {
         int value = *--place - '0' + carried;
-        if (digit != smaller.digits_.rend()) {
-            value += sign * (*digit++ - '0');
+        if (digit != lower.rend()) {
+            const int other = *digit++ - '0';
+            value += subtracts ? -other : other;
         }
         carried = value < 0 ? -1 : value / 10;
         *place = static_cast<char>('0' + value - 10 * carried);

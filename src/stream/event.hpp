@@ -32,7 +32,7 @@ struct RowFault {
     double defect = 0.0;
 };
 
-/// One diagnostic of one row; the figure is the defect, the margin or the condition, by kind.
+/// One diagnostic of one row; the figure is the defect, the margin, the condition or an error, by kind.
 struct Diagnostic {
     std::size_t line = 0;
     Kind kind = Kind::normalized;

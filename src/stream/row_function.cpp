@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
 
 #include <rotconv/quaternion.hpp>
+
+#include "decimal.hpp"
 
 namespace rotconv::stream {
 namespace {
@@ -37,12 +40,47 @@ Report failed(Fault fault) {
     return report;
 }
 
+/// The times of rows that are accepted.
+class Clock {
+public:
+    explicit Clock(int power) : power_(power) {
+        for (int i = power; i < 0; ++i) {
+            per_second_ *= 10.0;
+        }
+    }
+
+    /// Seconds since the last accepted time, rounded once where times are texts; nan for a time that is none.
+    double seconds_to(double time, const std::string_view* text) {
+        if (!std::isfinite(time)) {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+        if (text != nullptr) {
+            next_text_ = Decimal::parse(*text).value_or(Decimal());
+            return (next_text_ - last_text_).rounded(power_);
+        }
+        next_ = time;
+        return (next_ - last_) / per_second_;
+    }
+    void accept() {
+        std::swap(last_text_, next_text_);
+        last_ = next_;
+    }
+
+private:
+    int power_;
+    double per_second_ = 1.0;
+    Decimal last_text_;
+    Decimal next_text_;
+    double last_ = 0.0;
+    double next_ = 0.0;
+};
+
 /// The rows of a propagation and the propagator that remembers them.
 class Propagation {
 public:
     explicit Propagation(const PropagationRows& rows)
-        : velocity_unit_(rows.degrees ? radians_per_degree : 1.0), tolerance_(rows.conversion.tolerance),
-          stop_at_fault_(rows.stop_at_fault), propagator_(rows.settings),
+        : clock_(rows.time_power), velocity_unit_(rows.degrees ? radians_per_degree : 1.0),
+          tolerance_(rows.conversion.tolerance), stop_at_fault_(rows.stop_at_fault), propagator_(rows.settings),
           conversion_(conversion_to(rows.to, rows.conversion)) {}
 
     std::size_t run(const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
@@ -50,7 +88,11 @@ public:
         bool none_may_wait = rows.none_may_wait;
         while (pushed_.size() < reports.size()) {
             const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
-            const Pushed pushed = propagator_.push(row[0], velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
+            const double interval = clock_.seconds_to(row[0], rows.kept.empty() ? nullptr : &rows.kept[pushed_.size()]);
+            const Pushed pushed = propagator_.push(interval, velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
+            if (pushed.refused == Fault::none) {
+                clock_.accept();
+            }
             pushed_.push_back(pushed.refused);
             settle(pushed.answer, out, reports);
             if (stop_at_fault_ && pushed.refused != Fault::none) {
@@ -99,9 +141,12 @@ private:
         const std::array<double, 4> numbers{q.w, q.x, q.y, q.z};
         conversion_.run(numbers, out, {&report, 1});
         report.defect = answer.defect;
+        report.step_error = answer.step_error;
         report.notes |= {Kind::normalized, answer.defect > reported_defect};
+        report.notes |= {Kind::coarse_step, answer.step_error > reported_step_error};
     }
 
+    Clock clock_;
     double velocity_unit_;
     double tolerance_;
     bool stop_at_fault_;

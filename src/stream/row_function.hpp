@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rotconv/conversion.hpp>
@@ -18,6 +19,8 @@ struct NumberRows {
     std::span<const double> numbers;    ///< of all of them, row by row
     std::span<const std::size_t> lines; ///< where they stand
     bool none_may_wait = false;         ///< all are to be answered, as at the end
+    /// The texts of the numbers that are kept, row by row; empty where rows are doubles.
+    std::span<const std::string_view> kept{};
 };
 
 /// What a run makes of the numbers of its rows.
@@ -45,6 +48,7 @@ struct RowFunction {
 /// What a propagation makes of rows t, wx, wy, wz.
 struct PropagationRows {
     PropagationSettings settings;
+    int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
     bool degrees = false; ///< the angular velocity in degrees a second
     Spec to;              ///< what to make of the attitude
     Settings conversion;

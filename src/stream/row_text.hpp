@@ -55,6 +55,7 @@ template <class Visit> void for_each_diagnostic(const Report& report, std::size_
             const double figure = kind == Kind::normalized         ? report.defect
                                   : kind == Kind::near_gimbal_lock ? report.figures.condition
                                   : kind == Kind::method_error     ? report.method_error
+                                  : kind == Kind::coarse_step      ? report.step_error
                                                                    : report.figures.margin;
             visit(Diagnostic{line, kind, figure});
         }

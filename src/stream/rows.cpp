@@ -38,8 +38,8 @@ void RowTransformer::work_off(std::string_view text, std::size_t line, bool held
         const bool at_fault = options_->on_error == OnError::stop && !faults_.empty();
         reports_.resize(lines_.size());
         results_.resize(lines_.size() * function_.names.size());
-        const std::size_t answered =
-            function_.run({numbers_, lines_, at_fault || waits_long || (is_end && is_whole)}, results_, reports_);
+        const std::size_t answered = function_.run(
+            {numbers_, lines_, at_fault || waits_long || (is_end && is_whole), kept_}, results_, reports_);
         const auto held = std::ranges::find_if(
             rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
         held_first = held != rows_.end();
@@ -64,6 +64,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     faults_.clear();
     numbers_.clear();
     lines_.clear();
+    kept_.clear();
     if (options_->width > 0) {
         gather_binary(text, line, limit);
         return;
@@ -129,6 +130,10 @@ void RowTransformer::read_row(Row& row) {
             numbers_.resize(first_number);
             return;
         }
+    }
+    for (std::size_t i = 0; i < function_.kept; ++i) {
+        const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
+        kept_.push_back(field_text(fields_[row.first_field + position]));
     }
     lines_.push_back(row.number);
 }

@@ -76,7 +76,8 @@ private:
     std::vector<std::string_view> fields_;
     std::vector<RowFault> faults_;
     std::vector<double> numbers_;
-    std::vector<std::size_t> lines_; ///< of the rows with numbers
+    std::vector<std::size_t> lines_;     ///< of the rows with numbers
+    std::vector<std::string_view> kept_; ///< texts of their numbers that are kept
     std::vector<double> results_;
     std::vector<Report> reports_;
     Buffer made_;              ///< the text of a binary row

@@ -153,6 +153,8 @@ TEST_CASE("commands read and write doubles") {
     const auto input = bytes_of({0, 0, 0, 30, 0.5, 0, 0, 30, 1, 0, 0, 30});
     CHECK(run("propagate -t rpy -d -p 6 --interpolation cubic" + binary, input) ==
           done("0,0,0,0\n0.5,0,0,15\n1,0,0,30\n"));
+    CHECK(run("propagate -t rpy -d -p 6 --time-unit ms" + binary, bytes_of({1e9, 0, 0, 30, 1e9 + 500, 0, 0, 30})) ==
+          done("1000000000,0,0,0\n1000000500,0,0,15\n"));
     CHECK(missing(run("survey -f rpy:deg" + binary, bytes_of({0, 80, 0, 0, 89, 0, 0, 91, 0})).out,
                   {"\n3 attitudes", "\nmrp\n"}) == "");
 }

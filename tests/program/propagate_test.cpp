@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -84,6 +86,117 @@ TEST_CASE("a step that a set cannot follow asks for substeps, which help") {
     }
 }
 
+TEST_CASE("a step in which the body may turn by more than half a turn is an error with every set") {
+    // Catches attitudes from rates that say nothing of the motion between them.
+    const std::string rows = "0,1,0,0\n4,0,1,0\n8,0,0,1\n";
+    for (const std::string more : {"", " --integrator magnus6", " --integrator rk4", " --with dcm", " --with 6d",
+                                   " --with 5d", " --with mrp", " --interpolation cubic"}) {
+        INFO(more);
+        const auto stopped = run("propagate -t quat --tolerance inf" + more, rows);
+        CHECK(stopped.exit_code == 2);
+        CHECK(stopped.out == "0,1,0,0,0\n");
+        CHECK(missing(stopped.err, {"rotconv: -:2: ", "turn by more", "--substeps", "--time-unit", "'4,0,1,0'"}) == "");
+        const auto kept = run("propagate -t quat --tolerance inf --on-error nan" + more, rows);
+        CHECK(kept.exit_code == 1);
+        CHECK(kept.out == "0,1,0,0,0\n4,nan,nan,nan,nan\n8,nan,nan,nan,nan\n");
+        CHECK(run("propagate -t quat --substeps 8 --tolerance inf" + more, rows).exit_code == 0);
+    }
+    // the greatest rate is that at the end; half a turn is not more than half a turn
+    CHECK(run("propagate -t quat -d", "0 0 0 0\n1 0 0 181\n").exit_code == 2);
+    CHECK(run("propagate -t quat -d", "0 0 0 180\n1 0 0 180\n").exit_code == 0);
+    // a step that no double holds, of a body that turns or rests
+    for (const std::string rate : {"1", "0"}) {
+        const auto endless = run("propagate -t quat", "-1e308 0 0 " + rate + "\n1e308 0 0 " + rate + "\n");
+        CHECK(endless.exit_code == 2);
+        CHECK(missing(endless.err, {"rotconv: -:2: ", "turn by more"}) == "");
+    }
+}
+
+TEST_CASE("coarse steps are reported with an estimate of their error") {
+    // Catches an attitude that is off in silence. At 2 rad/s for 1 s the classical method turns a quaternion by
+    // atan((a - a^3/6)/(1 - a^2/2 + a^4/24)) with a = 1 for each half angle: 1 - 0.99523 = 0.0077 of a radian off.
+    const std::string rows = "0,0,0,2\n1,0,0,2\n1.01,0,0,2\n";
+    const std::string propagate = "propagate -t rotvec --integrator rk4 --tolerance 0.1";
+    const double off = 2.0 * std::fabs(1.0 - std::atan2(5.0 / 6.0, 13.0 / 24.0));
+    const auto told = run(propagate + " --diagnostics rows", rows);
+    CHECK(told.exit_code == 0);
+    const std::string line = "rotconv: -:2: coarse-step: estimate ";
+    CHECK(missing(told.err, {line, "--substeps"}) == "");
+    CHECK(told.err.find("-:1: coarse") == std::string::npos);
+    CHECK(told.err.find("-:3: coarse") == std::string::npos);
+    CHECK(std::stod(told.err.substr(told.err.find(line) + line.size())) == Approx(off).epsilon(0.1));
+    CHECK(missing(run(propagate, rows).err, {"rotconv: -: coarse-step: 1 row, first at line 2; "}) == "");
+    CHECK(missing(run(propagate + " --diagnostics columns", rows).out, {"+coarse-step\n"}) == "");
+    CHECK(run(propagate + " --strict --diagnostics off", rows).exit_code == 1);
+    CHECK(run(propagate + " --strict --diagnostics off --substeps 2", rows).exit_code == 0);
+    // about one axis exponential steps are exact, at any length
+    CHECK(run("propagate -t rotvec -p 6 --strict", "0,0,0,3\n1,0,0,3\n") == done("0,0,0,0\n1,0,0,3\n"));
+    CHECK(run("propagate -t rotvec --strict", "0,1.5,0,0\n1,0,1.5,0\n").exit_code == 1);
+    CHECK(run("propagate -t rotvec --strict", "0,1.5,0,0\n1,0,1.5,0\n").out != "");
+}
+
+TEST_CASE("time differences are those of the decimals as they are written") {
+    // Catches times that are rounded to doubles: 200 ns apart they are the same, or off by half.
+    std::string nanoseconds;
+    std::string seconds;
+    for (int i = 0; i < 5; ++i) {
+        nanoseconds += "140371552490714316" + std::to_string(i) + " 0 0 1e8\n";
+        seconds += "1403715524.90714316" + std::to_string(i) + "00000000000000000000000001 0 0 1e8\n";
+    }
+    for (const std::string more : {"", " --interpolation cubic"}) {
+        INFO(more);
+        const auto fast = run("propagate -t rotvec -p 12 --time-unit ns" + more, nanoseconds);
+        CHECK(fast.exit_code == 0);
+        CHECK(fast.err == "");
+        CHECK(missing(fast.out, {"1403715524907143160 0 0 0\n", "1403715524907143161 0 0 0.1\n",
+                                 "1403715524907143164 0 0 0.4\n"}) == "");
+        const auto same = run("propagate -t rotvec -p 12" + more, seconds);
+        CHECK(same.err == "");
+        CHECK(missing(same.out, {"0000001 0 0 0\n", "0000001 0 0 0.1\n", "0000001 0 0 0.4\n"}) == "");
+    }
+    CHECK(last_yaw(run("propagate -t rotvec", "1305031098.6659,0,0,1\n1305031098.6758,0,0,1\n").out) == 0.0099);
+    // as long as it is: the order too
+    const std::string zeros(1000, '0');
+    CHECK(run("propagate -t quat", "1." + zeros + "1,0,0,1\n1." + zeros + "1,0,0,1\n").exit_code == 2);
+    CHECK(run("propagate -t quat", "0.3,0,0,1\n0.29999999999999999999999,0,0,1\n").exit_code == 2);
+    // quoted and with blanks; a row that is refused is not the one before
+    const auto mixed = run("propagate -t rotvec -p 12 --header no --time-unit ns --on-error skip",
+                           "\"1403715524907143160\",0,0,1e8\n +1403715524907143161,0,0,1e8\n1403715524907143160,0,0,"
+                           "1e8\n1403715524907143169,0,0,inf\n1.403715524907143162e18,0,0,1e8\n");
+    CHECK(mixed.out ==
+          "\"1403715524907143160\",0,0,0\n +1403715524907143161,0,0,0.1\n1.403715524907143162e18,0,0,0.2\n");
+}
+
+TEST_CASE("the unit of the times") {
+    // Catches a unit that is off by a power, and doubles that have none.
+    for (const auto& [unit, step] : {std::pair{"s", "0.25"}, {"ms", "250"}, {"us", "25e4"}, {"ns", "250000000"}}) {
+        INFO(unit);
+        const std::string rows = std::string("0 0 0 1\n") + step + " 0 0 1\n";
+        CHECK(words_of(run(std::string("propagate -t rotvec -p 15 --time-unit ") + unit, rows).out).back() == "0.25");
+    }
+    const auto refused = run("propagate -t quat --time-unit h", spin);
+    CHECK(refused.exit_code == 2);
+    CHECK(missing(refused.err, {"'h' is not a known time unit (legal: s ms us ns)"}) == "");
+    CHECK(missing(run("propagate --help").out, {"--time-unit"}) == "");
+}
+
+TEST_CASE("nanoseconds of EuRoC") {
+    // Catches nanoseconds that are taken for seconds in silence. The biases are slow rates, each row 5 ms on.
+    std::ifstream file(std::string(ROTCONV_DATA) + "/euroc_v102.csv");
+    std::ostringstream table;
+    table << file.rdbuf();
+    REQUIRE(table.str().size() > 1000);
+    const std::string columns = " --columns 1,12-14 -p 6 --strict";
+    const auto taken_for_seconds = run("propagate -t rotvec" + columns, table.str());
+    CHECK(taken_for_seconds.exit_code == 2);
+    CHECK(missing(taken_for_seconds.err, {"turn by more", "--time-unit"}) == "");
+    for (const std::string more : {"", " --interpolation cubic", " --with mrp", " --with dcm", " --with euler:ZYX"}) {
+        const auto result = run("propagate -t rotvec --time-unit ns" + columns + more, table.str());
+        CHECK(result.exit_code == 0);
+        CHECK(result.err == "");
+    }
+}
+
 TEST_CASE("Euler angles fail at lock by name and row") {
     // Catches attitudes that nothing bears out.
     std::string rows;
@@ -102,7 +215,7 @@ TEST_CASE("Euler angles fail at lock by name and row") {
 
 TEST_CASE("numbers that drift past the tolerance are an error, and nothing follows on it") {
     // Catches a ruined attitude that is printed as one.
-    const std::string rows = "0 0 0 5\n1 0 0 5\n2 0 0 0\n";
+    const std::string rows = "0 0 0 3\n1 0 0 3\n2 0 0 0\n";
     const auto stopped = run("propagate -t quat --with dcm", rows);
     CHECK(stopped.exit_code == 2);
     CHECK(missing(stopped.err, {"rotconv: -:2: defect ", "--tolerance"}) == "");
@@ -313,15 +426,15 @@ TEST_CASE("rows that are refused do not keep the one before them waiting for eve
 
 TEST_CASE("cubic answers do not depend on how the rows arrive") {
     // Catches an answer that is given early because of a block's border.
-    std::string rows = "0 0 0 1\n1 0 0 2\n";
+    std::string rows = "0 0 0 0.1\n1 0 0 0.2\n";
     for (int i = 0; i < 9000; ++i) {
         rows += "0 0 0 9\n"; // 72 kB that are refused
     }
-    rows += "2 0 0 5\n";
+    rows += "2 0 0 0.5\n";
     for (int i = 0; i < 2000; ++i) {
         rows += "0 0 0 9\n";
     }
-    rows += "3 0 0 4\n4 0 0 -3\n";
+    rows += "3 0 0 0.4\n4 0 0 -0.3\n";
     const auto command = words_of("propagate -t quat --interpolation cubic --on-error skip --diagnostics off");
     const auto at_once = run(command, rows);
     CHECK(count_rows(at_once.out) == 5);
