@@ -78,21 +78,21 @@ void Decimal::strip() {
 
 std::strong_ordering Decimal::compare_magnitudes(const Decimal& a, const Decimal& b) noexcept {
     if (a.digits_.empty() || b.digits_.empty()) {
-        return b.digits_.empty() <=> a.digits_.empty();
+        return a.digits_.size() <=> b.digits_.size();
     }
     const auto order = a.point_ <=> b.point_;
-    return order != 0 ? order : a.digits_.compare(b.digits_) <=> 0;
+    return std::is_neq(order) ? order : std::string_view(a.digits_) <=> b.digits_;
 }
 
 std::strong_ordering operator<=>(const Decimal& a, const Decimal& b) noexcept {
     if (a.negative_ != b.negative_) {
-        return b.negative_ <=> a.negative_;
+        return a.negative_ ? std::strong_ordering::less : std::strong_ordering::greater;
     }
     return a.negative_ ? Decimal::compare_magnitudes(b, a) : Decimal::compare_magnitudes(a, b);
 }
 
 Decimal operator-(const Decimal& a, const Decimal& b) {
-    const bool a_is_larger = Decimal::compare_magnitudes(a, b) >= 0;
+    const bool a_is_larger = std::is_gteq(Decimal::compare_magnitudes(a, b));
     const Decimal& larger = a_is_larger ? a : b;
     const Decimal& smaller = a_is_larger ? b : a;
     const bool subtracts = a.negative_ == b.negative_;
