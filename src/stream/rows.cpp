@@ -133,7 +133,7 @@ void RowTransformer::read_row(Row& row) {
     }
     for (std::size_t i = 0; i < function_.kept; ++i) {
         const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
-        kept_.push_back(field_text(fields_[row.first_field + position]));
+        kept_.push_back(layout_->delimiter.text_of(fields_[row.first_field + position]));
     }
     lines_.push_back(row.number);
 }
