@@ -7,9 +7,26 @@
 
 #include <rotconv/spec.hpp>
 
+#include "reach.hpp"
 #include "stream/column_list.hpp"
 #include "stream/delimiter.hpp"
 #include "stream/number_text.hpp"
+
+namespace {
+
+fuzz::Reach& reach() {
+    static fuzz::Reach all{"spec",
+                           "refused spec",
+                           "columns by index",
+                           "columns by name",
+                           "refused columns",
+                           "columns found in a header",
+                           "delimiter",
+                           "number"};
+    return all;
+}
+
+} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
@@ -23,15 +40,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::abort(); // the order is no permutation
         }
     }
+    reach().add(std::holds_alternative<rotconv::Spec>(parsed) ? "spec" : "refused spec");
     const auto list = rotconv::stream::ColumnList::parse(text, 4);
     if (const auto* columns = std::get_if<rotconv::stream::ColumnList>(&list)) {
         if (columns->positions().size() != 4) {
             std::abort();
         }
-        static_cast<void>(columns->positions({"timestamp", "q_w []", "q_x", "q_y", "q_z"}));
+        const auto found = columns->positions({"timestamp", "q_w []", "q_x", "q_y", "q_z"});
+        reach().add("columns found in a header", columns->has_names() && found.index() == 0 ? 1 : 0);
+        reach().add(columns->has_names() ? "columns by name" : "columns by index");
+    } else {
+        reach().add("refused columns");
     }
-    static_cast<void>(rotconv::stream::Delimiter::parse(text));
+    reach().add("delimiter", rotconv::stream::Delimiter::parse(text) ? 1 : 0);
     double value = 0.0;
-    static_cast<void>(rotconv::stream::read_number(text, value));
+    reach().add("number", rotconv::stream::read_number(text, value) == rotconv::stream::NumberFault::none ? 1 : 0);
     return 0;
 }

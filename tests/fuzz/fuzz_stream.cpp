@@ -1,36 +1,88 @@
-// Any bytes as a stream, under options that the first bytes choose: never a crash, and no row lost. The bytes arrive
-// whole and in pieces, and must become the same.
+// The first line is the program's command line, its words parted by blanks, the rest a stream: any bytes. Never a
+// crash; the bytes arrive whole and in pieces, and are converted by one thread and by many, and must become the same;
+// and this must be what a second implementation of the row rules says.
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
-#include <limits>
+#include <cstring>
+#include <set>
 #include <string>
 #include <string_view>
+#include <thread>
 
-#include <rotconv/spec.hpp>
+#include <rotconv/survey.hpp>
 
+#include "command_text.hpp"
+#include "reach.hpp"
+#include "row_model.hpp"
 #include "stream/run.hpp"
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 namespace {
 
 using namespace rotconv;
 using namespace rotconv::stream;
+using fuzz::words_of;
 
+fuzz::Reach& reach() {
+    static fuzz::Reach all{
+        // clang-format off
+        "rows converted by conversion", "rows converted by rates", "rows converted by propagate", "rows converted by survey",
+        "rows failed in conversion", "rows failed in rates", "rows failed in propagate", "rows failed in survey",
+        "rows failed under --on-error=stop", "rows failed under --on-error=nan", "rows failed under --on-error=skip",
+        "rows converted under --format=csv", "rows converted under --format=json", "rows converted under --format=pretty",
+        "rows converted under --format=f64", "rows converted under --input-format=f64",
+        "rows converted under --header=auto", "rows converted under --header=yes", "rows converted under --header=no",
+        "rows converted under --header=add",
+        "rows converted under --columns of indices", "rows converted under --columns in another order",
+        "rows converted under --columns of names", "rows converted without --columns", "rows converted under --append",
+        "rows converted under --diagnostics=columns", "rows converted under --precision",
+        "runs of which many threads had a part",
+        "row compared", "failed row under stop", "failed row under nan", "failed row under skip", "header", "added header",
+        "blank row", "comment", "byte order mark", "CRLF", "last row without newline", "missing field", "quoted number",
+        "detected delimiter comma", "detected delimiter tab", "detected delimiter semicolon", "detected delimiter blank",
+        "given delimiter comma", "given delimiter tab", "given delimiter semicolon", "given delimiter blank",
+        "given delimiter character",
+        // clang-format on
+    };
+    return all;
+}
+
+/// The text, `times` over, in pieces. Remembers which threads read it.
 class Pieces final : public Source {
 public:
-    Pieces(std::string_view text, std::size_t piece) : text_(text), piece_(piece) {}
+    Pieces(std::string_view text, std::size_t piece, std::size_t times) : text_(text), piece_(piece), times_(times) {}
     std::ptrdiff_t read(std::span<char> to) override {
-        const std::size_t count = std::min({piece_, to.size(), text_.size()});
-        std::copy_n(text_.data(), count, to.data());
-        text_.remove_prefix(count);
-        return static_cast<std::ptrdiff_t>(count);
+        threads_.insert(std::this_thread::get_id());
+        std::size_t done = 0;
+        const std::size_t most = std::min(piece_, to.size());
+        while (done < most && times_ > 0 && !text_.empty()) {
+            const std::size_t count = std::min(most - done, text_.size() - at_);
+            std::copy_n(text_.data() + at_, count, to.data() + done);
+            done += count;
+            at_ += count;
+            if (at_ == text_.size()) {
+                at_ = 0;
+                --times_;
+            }
+        }
+        return static_cast<std::ptrdiff_t>(done);
     }
+    [[nodiscard]] std::size_t threads() const { return threads_.size(); }
 
 private:
     std::string_view text_;
     std::size_t piece_;
+    std::size_t times_;
+    std::size_t at_ = 0;
+    std::set<std::thread::id> threads_;
 };
 
 class Text final : public Sink {
@@ -44,72 +96,349 @@ public:
 
 struct Result {
     std::string bytes;
-    std::size_t faults = 0;
-    bool ended_early = false;
+    std::vector<std::size_t> failed; ///< lines
+    bool to_the_end = false;
+    std::size_t converted = 0;
+    std::size_t threads = 0;
+    friend bool operator==(const Result& a, const Result& b) {
+        return a.bytes == b.bytes && a.failed == b.failed && a.to_the_end == b.to_the_end;
+    }
 };
 
-Result run_in_pieces(std::string_view text, std::size_t piece, const Options& options) {
-    Pieces source(text, piece);
+/// The command's options, and a function that has seen no rows yet: to be made anew for each run.
+std::optional<Options> options_of(const std::vector<std::string>& words, Survey& survey) {
+    auto command = fuzz::command_of(words);
+    if (auto* of_survey = std::get_if<cli::SurveyCommand>(&command)) {
+        of_survey->rows.options.function =
+            reading_function(of_survey->from, of_survey->rows.subject.tolerance,
+                             [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
+        return of_survey->rows.options;
+    }
+    const auto* rows = std::get_if<cli::RowsCommand>(&command);
+    return rows == nullptr || rows->has_values ? std::nullopt : std::optional(rows->options);
+}
+
+/// Room for the stream, as often as it is to be read.
+struct Input {
+    std::string_view text;
+    std::size_t piece = static_cast<std::size_t>(-1);
+    std::size_t times = 1;
+};
+
+Result run_once(const Input& input, const std::vector<std::string>& words, std::size_t threads) {
+    Survey survey;
+    Options options = *options_of(words, survey);
+    options.threads = threads;
+    std::atomic<std::size_t> converted = 0;
+    options.function.run = [run = options.function.run, &converted](const NumberRows& rows, std::span<double> out,
+                                                                    std::span<Report> reports) {
+        const std::size_t answered = run(rows, out, reports);
+        converted += static_cast<std::size_t>(std::ranges::count(reports.first(answered), Fault::none,
+                                                                 [](const Report& report) { return report.fault; }));
+        return answered;
+    };
+    Pieces source(input.text, input.piece, input.times);
     Text sink;
     Result result;
     const Ending ending = run(source, sink, options, [&result](const Event& event) {
-        result.faults += std::holds_alternative<RowFault>(event) ? 1U : 0U;
+        if (const auto* fault = std::get_if<RowFault>(&event)) {
+            result.failed.push_back(fault->line);
+        }
     });
     result.bytes = std::move(sink.text);
-    result.ended_early = ending.stopped || ending.fault.has_value();
+    result.to_the_end = !ending.stopped && !ending.fault;
+    result.converted = converted;
+    result.threads = source.threads();
+    static_cast<void>(survey.smallest(1e3));
     return result;
 }
 
-Options options_of(const std::uint8_t* choice) {
-    static const char* const froms[] = {"quat",       "dcm",           "6d",    "5d", "rotvec:deg",
-                                        "axis-angle", "euler:ZYX:deg", "cayley"};
-    static const char* const tos[] = {"dcm:col", "quat:xyzw", "euler:zxz:deg", "rotvec", "axis-angle:passive", "cayley",
-                                      "mrp",     "5d"};
-    const Spec from = std::get<Spec>(parse_spec(froms[choice[0] % 8]));
-    const Settings settings{.tolerance = choice[1] % 2 == 0 ? 1e-3 : std::numeric_limits<double>::infinity(),
-                            .lock_margin = 1e-15,
-                            .figures = choice[1] / 2 % 2 == 0};
-    Options options(Conversion(from, std::get<Spec>(parse_spec(tos[choice[0] / 8 % 8])), settings));
-    options.header = static_cast<HeaderMode>(choice[1] / 4 % 4);
-    options.format = static_cast<Format>(choice[1] / 16 % 3);
-    options.on_error = static_cast<OnError>(choice[2] % 3);
-    options.append = choice[2] / 3 % 2 == 0;
-    options.diagnostic_columns = settings.figures;
-    options.precision = choice[2] / 6 % 18;
-    options.describe = [](const Diagnostic&) { return std::string("note"); };
-    const std::string list = choice[3] % 3 == 0   ? ""
-                             : choice[3] % 3 == 1 ? "2-" + std::to_string(from.size() + 1)
-                                                  : "a,3-" + std::to_string(from.size() + 1);
-    if (!list.empty()) {
-        options.columns = std::get<ColumnList>(ColumnList::parse(list, from.size()));
+/// The argument of `--name=argument` among the words.
+std::string argument_of(const std::vector<std::string>& words, std::string_view name, std::string_view otherwise = "") {
+    const auto found = std::ranges::find_if(words, [name](const std::string& word) {
+        return word.starts_with(name) && word.substr(0, word.find('=')) == name;
+    });
+    return found == words.end() ? std::string(otherwise) : found->substr(std::min(name.size() + 1, found->size()));
+}
+
+bool has(const std::vector<std::string>& words, std::string_view word) { return std::ranges::count(words, word) > 0; }
+
+std::string name_of_command(const std::vector<std::string>& words) {
+    return words.front().starts_with('-') ? "conversion" : words.front();
+}
+
+void count_reach(const Result& result, const std::vector<std::string>& words) {
+    const std::string command = name_of_command(words);
+    const std::size_t rows = result.converted;
+    reach().add("rows converted by " + command, rows);
+    reach().add("rows failed in " + command, result.failed.size());
+    reach().add("rows failed under --on-error=" + argument_of(words, "--on-error", "stop"), result.failed.size());
+    if (command != "survey") { // whose rows go nowhere
+        reach().add("rows converted under --format=" + argument_of(words, "--format", "csv"), rows);
     }
-    if (choice[3] / 3 % 2 == 0) {
-        options.delimiter = Delimiter::character(',');
+    reach().add("rows converted under --header=" + argument_of(words, "--header", "auto"), rows);
+    const std::string columns = argument_of(words, "--columns");
+    const bool are_names = columns.find_first_not_of("0123456789,-") != std::string::npos;
+    const auto items = words_of(columns, ',');
+    reach().add(columns.empty()                 ? "rows converted without --columns"
+                : are_names                     ? "rows converted under --columns of names"
+                : std::ranges::is_sorted(items) ? "rows converted under --columns of indices"
+                                                : "rows converted under --columns in another order",
+                rows);
+    const auto add_where = [&](bool holds, std::string_view what) { reach().add(what, holds ? rows : 0); };
+    add_where(argument_of(words, "--input-format") == "f64", "rows converted under --input-format=f64");
+    add_where(has(words, "--append"), "rows converted under --append");
+    add_where(argument_of(words, "--diagnostics") == "columns", "rows converted under --diagnostics=columns");
+    add_where(!argument_of(words, "--precision").empty(), "rows converted under --precision");
+}
+
+/// What the model is to know: the options' words, and the command's numbers.
+std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const Options& options) {
+    const std::string format = argument_of(words, "--format", "csv");
+    const std::string to = argument_of(words, "--to");
+    fuzz::Rules rules;
+    rules.precision = std::atoi(argument_of(words, "--precision", "0").c_str());
+    const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
+    if ((format != "csv" && format != "json") || options.width > 0 || name_of_command(words) == "survey" ||
+        argument_of(words, "--interpolation") == "cubic" || (rules.precision > 0 && is_euler)) {
+        return std::nullopt; // pretty and f64, rows that wait, and -pi that rounds
     }
-    return options;
+    rules.inputs = options.function.inputs;
+    rules.kept = options.function.kept;
+    rules.names = options.function.names;
+    rules.columns = argument_of(words, "--columns");
+    rules.delimiter = argument_of(words, "--delimiter");
+    rules.header = argument_of(words, "--header", "auto");
+    rules.format = format;
+    rules.on_error = argument_of(words, "--on-error", "stop");
+    rules.append = has(words, "--append");
+    rules.diagnostic_columns = argument_of(words, "--diagnostics") == "columns";
+    if (rules.diagnostic_columns) {
+        rules.names.insert(rules.names.end(), {"margin", "condition", "defect", "notes"});
+    }
+    if (const auto from = parse_spec(argument_of(words, "--from", "quat"));
+        const auto* spec = std::get_if<Spec>(&from)) {
+        const auto columns = spec->columns();
+        rules.representation.assign(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec->size()));
+    }
+    rules.calculate =
+        [run = options.function.run, columns = rules.diagnostic_columns,
+         size = options.function.names.size()](const std::vector<double>& numbers) -> std::optional<fuzz::Answer> {
+        fuzz::Answer answer{std::vector<double>(size), ""};
+        const std::size_t line = 1;
+        Report report;
+        run({numbers, {&line, 1}, true}, answer.numbers, {&report, 1});
+        if (report.fault != Fault::none) {
+            return std::nullopt;
+        }
+        if (columns) {
+            answer.numbers.insert(answer.numbers.end(),
+                                  {report.figures.margin, report.figures.condition, report.defect});
+        }
+        for (std::size_t i = 0; i < kind_count; ++i) {
+            if (const auto kind = static_cast<Kind>(i); report.notes.has(kind)) {
+                answer.notes += (answer.notes.empty() ? "" : "+") + std::string(name_of(kind));
+            }
+        }
+        return answer;
+    };
+    return rules;
+}
+
+[[noreturn]] void differ(std::string_view what, std::string_view a, std::string_view b) {
+    std::fprintf(stderr, "%.*s\n--- the program:\n%.*s\n--- it should be:\n%.*s\n---\n", static_cast<int>(what.size()),
+                 what.data(), static_cast<int>(a.size()), a.data(), static_cast<int>(b.size()), b.data());
+    std::abort();
+}
+
+void require_same(std::string_view what, const Result& a, const Result& b) {
+    if (!(a == b)) {
+        differ(what, a.bytes, b.bytes);
+    }
+}
+
+void compare_with_model(std::string_view text, const std::vector<std::string>& words, const Options& options,
+                        const Result& result) {
+    const auto rules = rules_of(words, options);
+    const auto outcome = rules ? fuzz::model(text, *rules) : std::nullopt;
+    if (!outcome) {
+        return;
+    }
+    const bool same =
+        rules->format == "json" ? fuzz::json_agrees(result.bytes, *outcome, *rules) : result.bytes == outcome->bytes;
+    if (!same || result.failed != outcome->failed || result.to_the_end != outcome->to_the_end) {
+        differ("the rules of rows say otherwise", result.bytes, outcome->bytes);
+    }
+    std::ranges::for_each(outcome->met, [](const std::string& rule) { reach().add(rule); });
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    if (size < 5) {
+    const std::string_view all(reinterpret_cast<const char*>(data), size);
+    const std::string_view line = all.substr(0, all.find('\n'));
+    const std::string_view text = all.substr(std::min(line.size() + 1, size));
+    const auto words = words_of(line, ' ');
+    Survey survey;
+    const auto options = words.empty() ? std::nullopt : options_of(words, survey);
+    if (!options) {
         return 0;
     }
-    Options options = options_of(data);
-    const std::string_view text(reinterpret_cast<const char*>(data) + 4, size - 4);
-    const Result whole = run_in_pieces(text, text.size(), options);
-    const Result pieces = run_in_pieces(text, 1 + data[3] % 16U, options);
-    if (whole.bytes != pieces.bytes || whole.faults != pieces.faults || whole.ended_early != pieces.ended_early) {
-        std::abort();
-    }
-    if (options.format == Format::csv && options.on_error == OnError::nan && !whole.ended_early &&
-        options.header != HeaderMode::add) {
-        // one line out for every line in; one that had no line end gets one
-        const auto in = std::count(text.begin(), text.end(), '\n');
-        const auto out = std::count(whole.bytes.begin(), whole.bytes.end(), '\n');
-        if (out < in || out > in + 1) {
-            std::abort();
-        }
+    const Result whole = run_once({text}, words, 1);
+    count_reach(whole, words);
+    require_same("in pieces", run_once({text, 1 + size % 16}, words, 1), whole);
+    compare_with_model(text, words, *options, whole);
+    if (!argument_of(words, "--threads").empty() && !text.empty()) {
+        // many times over, so that it is worth threads
+        constexpr std::size_t enough = std::size_t{20} << 10U;
+        const std::size_t times = 1 + enough / text.size();
+        const Result many = run_once({.text = text, .times = times}, words, options->threads);
+        require_same("with threads", many, run_once({.text = text, .times = times}, words, 1));
+        reach().add("runs of which many threads had a part", many.threads > 1 ? 1 : 0);
     }
     return 0;
+}
+
+namespace {
+
+constexpr std::array option_words{"--from=quat",
+                                  "--from=quat:xyzw",
+                                  "--from=dcm",
+                                  "--from=dcm:col:passive",
+                                  "--from=6d",
+                                  "--from=5d",
+                                  "--from=rotvec:deg",
+                                  "--from=axis-angle",
+                                  "--from=euler:ZYX:deg",
+                                  "--from=rpy",
+                                  "--from=cayley",
+                                  "--from=mrp",
+                                  "--to=quat",
+                                  "--to=dcm:col",
+                                  "--to=6d",
+                                  "--to=5d",
+                                  "--to=euler:zxz:deg",
+                                  "--to=rotvec",
+                                  "--to=axis-angle:passive",
+                                  "--to=cayley",
+                                  "--to=mrp",
+                                  "--to=rpy",
+                                  "--header=auto",
+                                  "--header=yes",
+                                  "--header=no",
+                                  "--header=add",
+                                  "--format=csv",
+                                  "--format=json",
+                                  "--format=pretty",
+                                  "--format=f64",
+                                  "--on-error=stop",
+                                  "--on-error=nan",
+                                  "--on-error=skip",
+                                  "--columns=2-5",
+                                  "--columns=4,3,2,1",
+                                  "--columns=a,b,c,d",
+                                  "--columns=qw,qx,qy,qz",
+                                  "--columns=x,2-4",
+                                  "--columns=2-4",
+                                  "--columns=3,1,2",
+                                  "--columns=a,b,c",
+                                  "--columns=2-10",
+                                  "--columns=1,3-7",
+                                  "--columns=3-8",
+                                  "--columns=t,wx,wy,wz",
+                                  "--columns=1-7",
+                                  "--delimiter=comma",
+                                  "--delimiter=tab",
+                                  "--delimiter=semicolon",
+                                  "--delimiter=blank",
+                                  "--delimiter=|",
+                                  "--append",
+                                  "--strict",
+                                  "--degrees",
+                                  "--precision=6",
+                                  "--precision=17",
+                                  "--threads=16",
+                                  "--threads=2",
+                                  "--input-format=f64",
+                                  "--width=4",
+                                  "--width=6",
+                                  "--width=10",
+                                  "--tolerance=inf",
+                                  "--tolerance=0",
+                                  "--lock-margin=0.01",
+                                  "--diagnostics=columns",
+                                  "--diagnostics=off",
+                                  "--diagnostics=rows",
+                                  "--inverse",
+                                  "--frame=reference",
+                                  "--with=rpy",
+                                  "--with=mrp",
+                                  "--integrator=rk4",
+                                  "--integrator=magnus6",
+                                  "--substeps=3",
+                                  "--interpolation=cubic",
+                                  "--renormalise",
+                                  "--initial=quat:0,1,0,0",
+                                  "--condition=10",
+                                  "--method=shepperd"};
+
+/// Another option, in the place of the same with another argument; the line as it was where none of a few is legal.
+std::string with_another_option(const std::string& line, unsigned seed) {
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        seed = seed * 1664525U + 1013904223U;
+        const std::string option = option_words[(seed >> 8U) % option_words.size()];
+        auto words = words_of(line, ' ');
+        const std::string name = option.substr(0, option.find('='));
+        const bool removes = (seed >> 4U) % 3 == 0;
+        std::erase_if(words, [&name](const std::string& word) { return word.substr(0, word.find('=')) == name; });
+        if (!removes) {
+            words.push_back(option);
+        }
+        Survey survey;
+        if (!words.empty() && options_of(words, survey)) {
+            std::string text;
+            for (const std::string& word : words) {
+                text += (text.empty() ? "" : " ") + word;
+            }
+            return text;
+        }
+    }
+    return line;
+}
+
+std::size_t put(std::string_view line, std::string_view text, std::uint8_t* to, std::size_t most) {
+    const std::string all = std::string(line) + '\n' + std::string(text);
+    const std::size_t size = std::min(all.size(), most);
+    std::memcpy(to, all.data(), size);
+    return size;
+}
+
+} // namespace
+
+/// Mutates the stream and leaves the command line legal.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+    const std::string all(reinterpret_cast<const char*>(data), size);
+    const std::string line = all.substr(0, all.find('\n'));
+    std::string text = all.substr(std::min(line.size() + 1, size));
+    if (seed % 4 == 0) {
+        return put(with_another_option(line, seed), text, data, most);
+    }
+    if (line.size() + 1 >= most) {
+        return size;
+    }
+    const std::size_t room = most - line.size() - 1;
+    const std::size_t length = std::min(text.size(), room);
+    text.resize(room);
+    text.resize(LLVMFuzzerMutate(reinterpret_cast<std::uint8_t*>(text.data()), length, room));
+    return put(line, text, data, most);
+}
+
+/// The command line of one with the stream of the other.
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* one, std::size_t one_size,
+                                                 const std::uint8_t* other, std::size_t other_size, std::uint8_t* to,
+                                                 std::size_t most, unsigned /*seed*/) {
+    const std::string_view first(reinterpret_cast<const char*>(one), one_size);
+    const std::string_view second(reinterpret_cast<const char*>(other), other_size);
+    return put(first.substr(0, first.find('\n')), second.substr(std::min(second.find('\n') + 1, second.size())), to,
+               most);
 }

@@ -1,0 +1,79 @@
+// Any words as the program's arguments, a line each: never a crash; a mistake is told in words, and what is accepted
+// can be run.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "cli/list.hpp"
+#include "command_text.hpp"
+#include "reach.hpp"
+#include "stream/run.hpp"
+
+namespace {
+
+using namespace rotconv;
+
+fuzz::Reach& reach() {
+    static fuzz::Reach all{"conversion", "rates",         "propagate",   "survey",
+                           "list",       "text to print", "usage error", "VALUEs"};
+    return all;
+}
+
+void require(bool holds) {
+    if (!holds) {
+        std::abort();
+    }
+}
+
+class Nowhere final : public stream::Sink {
+public:
+    int write(std::string_view /*bytes*/) override { return 0; }
+};
+
+struct Check {
+    const std::vector<std::string>& words;
+
+    void operator()(const cli::RowsCommand& command) const {
+        const stream::Options& options = command.options;
+        require(options.function.inputs > 0 && !options.function.names.empty() && options.threads > 0);
+        require(options.precision >= 0 && options.precision <= 100);
+        require(options.width == 0 || options.width >= options.function.inputs);
+        const bool is_named = std::ranges::count(words, "rates") > 0;
+        reach().add(options.function.in_order ? "propagate" : is_named ? "rates" : "conversion");
+        if (command.has_values) {
+            reach().add("VALUEs");
+            Nowhere nowhere;
+            stream::TextSource values(command.values);
+            stream::run(values, nowhere, options, [](const stream::Event&) {});
+        }
+    }
+    void operator()(const cli::SurveyCommand& command) const {
+        require(command.condition >= 0.0);
+        reach().add("survey");
+    }
+    void operator()(const cli::ListCommand& command) const {
+        static_cast<void>(cli::list_one(command.name));
+        reach().add("list");
+    }
+    void operator()(const cli::PrintCommand& command) const {
+        require(command.text.ends_with('\n'));
+        reach().add("text to print");
+    }
+    void operator()(const cli::UsageError& error) const {
+        require(!error.message.empty());
+        reach().add("usage error");
+    }
+};
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const auto words = fuzz::words_of(text, '\n');
+    std::visit(Check{words}, fuzz::command_of(words));
+    return 0;
+}

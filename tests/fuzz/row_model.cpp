@@ -1,0 +1,622 @@
+#include "row_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace fuzz {
+namespace {
+
+// Rules that the program does not follow yet: until it does, what meets them is not compared.
+constexpr bool new_headers = false;            ///< '#' headers, words for a missing number, names in a later row
+constexpr bool new_json = false;               ///< no key twice, numbers stay numbers, null
+constexpr bool blanks_know_no_quotes = false;  ///< "1" is no number where blanks delimit
+constexpr bool tabs_part_empty_fields = false; ///< --append keeps the tabs of empty last fields
+
+using Fields = std::vector<std::string_view>;
+
+struct Line {
+    std::string_view text;
+    std::string_view end;
+    [[nodiscard]] bool blank() const { return text.find_first_not_of(" \t") == std::string_view::npos; }
+    [[nodiscard]] bool comment() const { return text.starts_with('#'); }
+    [[nodiscard]] bool row() const { return !blank() && !comment(); }
+};
+
+std::vector<Line> lines_of(std::string_view text) {
+    std::vector<Line> lines;
+    while (!text.empty()) {
+        const std::size_t newline = text.find('\n');
+        const std::size_t size = std::min(newline, text.size() - 1) + 1;
+        std::string_view line = text.substr(0, size);
+        const std::size_t end_size = newline == std::string_view::npos ? 0 : line.ends_with("\r\n") ? 2 : 1;
+        lines.push_back({line.substr(0, size - end_size), line.substr(size - end_size)});
+        text.remove_prefix(size);
+    }
+    return lines;
+}
+
+std::string_view trim(std::string_view text) {
+    while (text.starts_with(' ') || text.starts_with('\t')) {
+        text.remove_prefix(1);
+    }
+    while (text.ends_with(' ') || text.ends_with('\t')) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+/// What --delimiter says, else the first of comma, tab and semicolon that stands outside quotes, else blanks. Quotes
+/// that do not come in pairs enclose nothing.
+char delimiter_of(std::string_view row, const std::string& given) {
+    if (!given.empty()) {
+        return given == "comma"       ? ','
+               : given == "tab"       ? '\t'
+               : given == "semicolon" ? ';'
+               : given == "blank"     ? ' '
+                                      : given[0];
+    }
+    const bool pairs = std::ranges::count(row, '"') % 2 == 0;
+    bool quoted = false;
+    std::string bare;
+    for (const char c : row) {
+        quoted = quoted != (pairs && c == '"');
+        bare += quoted ? '"' : c;
+    }
+    const std::string_view candidates = ",\t;";
+    const auto found = std::ranges::find_if(candidates, [&](char c) { return bare.find(c) != std::string::npos; });
+    return found == candidates.end() ? ' ' : *found;
+}
+
+/// A field that begins with a quote ends at a delimiter after the closing one.
+bool split(std::string_view row, char delimiter, Fields& fields) {
+    std::size_t start = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i <= row.size(); ++i) {
+        const bool is_end = i == row.size();
+        if (delimiter == ' ') {
+            if (is_end || row[i] == ' ' || row[i] == '\t') {
+                if (i > start) {
+                    fields.push_back(row.substr(start, i - start));
+                }
+                start = i + 1;
+            }
+        } else if (is_end || (row[i] == delimiter && !quoted)) {
+            fields.push_back(row.substr(start, i - start));
+            start = i + 1;
+        } else if (row[i] == '"' && i == start) {
+            quoted = true;
+        } else if (row[i] == '"' && quoted) {
+            const bool doubled = i + 1 < row.size() && row[i + 1] == '"';
+            quoted = doubled;
+            i += doubled ? 1 : 0;
+        }
+    }
+    return !quoted;
+}
+
+bool has_quotes(std::string_view field, char delimiter) {
+    return delimiter != ' ' && field.size() >= 2 && field.starts_with('"') && field.ends_with('"');
+}
+
+std::string unquoted(std::string_view field, char delimiter) {
+    if (!has_quotes(field, delimiter)) {
+        return std::string(field);
+    }
+    std::string text(field.substr(1, field.size() - 2));
+    for (std::size_t at = 0; (at = text.find("\"\"", at)) != std::string::npos; ++at) {
+        text.erase(at, 1);
+    }
+    return text;
+}
+
+/// The text that is read as a number or a name.
+std::string content(std::string_view field, char delimiter) {
+    return std::string(trim(unquoted(trim(field), delimiter)));
+}
+
+/// [+-] digits with a point and an exponent, nan or inf; false for anything else. Too large a number becomes infinite.
+bool read(const std::string& text, double& value) {
+    std::string lower = text;
+    std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    const char* at = lower.c_str();
+    at += *at == '+' || *at == '-' ? 1 : 0;
+    const std::string_view word = std::string_view(lower).substr(static_cast<std::size_t>(at - lower.data()));
+    bool legal = word == "nan" || word == "inf" || word == "infinity";
+    if (word.starts_with("nan(") && word.ends_with(")")) {
+        legal = word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_", 4) == word.size() - 1;
+    }
+    if (!legal) {
+        const auto digits = [&at] {
+            const char* const from = at;
+            while (*at >= '0' && *at <= '9') {
+                ++at;
+            }
+            return at - from;
+        };
+        auto count = digits();
+        if (*at == '.') {
+            ++at;
+            count += digits();
+        }
+        legal = count > 0;
+        if (*at == 'e') {
+            at += at[1] == '+' || at[1] == '-' ? 2 : 1;
+            legal = legal && digits() > 0;
+        }
+        legal = legal && at == lower.data() + lower.size();
+    }
+    value = legal ? std::strtod(text.c_str(), nullptr) : 0.0;
+    return legal;
+}
+
+bool stands_for_missing(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    return std::set<std::string>{"", "na", "n/a", "null", "none", "nil", "-", "?", "."}.contains(text);
+}
+
+/// An item of --columns: a name, or a position.
+struct Item {
+    std::string name;
+    std::size_t position = 0;
+};
+
+std::vector<Item> items_of(const std::string& list) {
+    std::vector<Item> items;
+    Fields parts;
+    if (!list.empty()) {
+        split(list, ',', parts);
+    }
+    for (const std::string_view part : parts) {
+        const std::string item(trim(part));
+        const auto dash = item.find('-');
+        if (item.find_first_not_of("0123456789-") != std::string::npos) {
+            items.push_back({item});
+            continue;
+        }
+        const std::size_t first = std::stoul(item);
+        const std::size_t last = dash == std::string::npos ? first : std::stoul(item.substr(dash + 1));
+        for (std::size_t i = first; i <= last; ++i) {
+            items.push_back({{}, i - 1});
+        }
+    }
+    return items;
+}
+
+/// Blanks at the row's end are left out; a tab that parts fields is none.
+std::string_view without_last_blanks(std::string_view row, char delimiter) {
+    const bool tabs_are_blanks = delimiter != '\t' || !tabs_part_empty_fields;
+    return row.substr(0, row.find_last_not_of(tabs_are_blanks ? " \t" : " ") + 1);
+}
+
+class Model {
+public:
+    explicit Model(const Rules& rules) : rules_(rules), items_(items_of(rules.columns)) {
+        for (const Item& item : items_) {
+            by_name_ = by_name_ || !item.name.empty();
+            positions_.push_back(item.position);
+        }
+    }
+
+    std::optional<Outcome> operator()(std::string_view text) {
+        if (text.starts_with("\xEF\xBB\xBF")) {
+            text.remove_prefix(3);
+            meet("byte order mark");
+        }
+        lines_ = lines_of(text);
+        if (!find_header() || (rules_.header == "add" && first_data_ == lines_.size())) {
+            return std::nullopt;
+        }
+        if (first_data_ < lines_.size()) {
+            const Line& first = lines_[first_data_];
+            delimiter_ = delimiter_of(first.text, rules_.delimiter);
+            line_end_ = first.end.empty() ? "\n" : first.end;
+            meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
+        }
+        for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
+            write_line(i);
+        }
+        return outcome_;
+    }
+
+private:
+    static std::string name_of(char delimiter) {
+        return delimiter == ','    ? "comma"
+               : delimiter == '\t' ? "tab"
+               : delimiter == ';'  ? "semicolon"
+               : delimiter == ' '  ? "blank"
+                                   : "character";
+    }
+
+    void meet(std::string rule) { outcome_.met.push_back(std::move(rule)); }
+
+    /// Settles header_ and first_data_, and positions_ where they are names; false where that is not modelled.
+    bool find_header() {
+        const std::size_t count = lines_.size();
+        std::size_t row = 0;
+        bool comments = false;
+        for (; row < count && !lines_[row].row(); ++row) {
+            comments = comments || lines_[row].comment();
+        }
+        first_data_ = row;
+        if (by_name_) {
+            return find_by_name(comments);
+        }
+        if (rules_.header == "no" || rules_.header == "add" || row == count) {
+            return true;
+        }
+        if (comments && !new_headers) {
+            return false;
+        }
+        Fields fields;
+        const char delimiter = delimiter_of(lines_[row].text, rules_.delimiter);
+        split(lines_[row].text, delimiter, fields);
+        const bool has_all =
+            positions_.empty() ? fields.size() == rules_.inputs : *std::ranges::max_element(positions_) < fields.size();
+        bool is_header = has_all;
+        for (std::size_t i = 0; has_all && i < rules_.inputs; ++i) {
+            const std::string text = content(fields[positions_.empty() ? i : positions_[i]], delimiter);
+            double value = 0.0;
+            const bool missing = stands_for_missing(text);
+            if (missing && !new_headers) {
+                return false;
+            }
+            is_header = is_header && !missing && !read(text, value);
+        }
+        if (!has_all && !new_headers) {
+            return false;
+        }
+        if (rules_.header == "yes" || is_header) {
+            use_header(row, delimiter);
+            while (++first_data_ < count && !lines_[first_data_].row()) {
+            }
+        } else {
+            find_comment_header(fields.size(), delimiter);
+        }
+        return true;
+    }
+
+    /// The last comment before the first data row, where it is the header.
+    void find_comment_header(std::size_t field_count, char delimiter) {
+        std::size_t at = first_data_;
+        while (at > 0 && !lines_[at - 1].comment()) {
+            --at;
+        }
+        if (at == 0) {
+            return;
+        }
+        Fields fields;
+        split(trim(lines_[at - 1].text.substr(1)), delimiter, fields);
+        std::multiset<std::string> selected;
+        double value = 0.0;
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            if (read(content(fields[i], delimiter), value)) {
+                return;
+            }
+            if (positions_.empty() || std::ranges::count(positions_, i) > 0) {
+                selected.insert(content(fields[i], delimiter));
+            }
+        }
+        const bool own_names =
+            selected == std::multiset<std::string>(rules_.representation.begin(), rules_.representation.end());
+        if (fields.size() == field_count && (delimiter != ' ' || own_names)) {
+            use_header(at - 1, delimiter);
+        }
+    }
+
+    /// The last row that has all the names, before the first row that is no comment and lacks one.
+    bool find_by_name(bool comments) {
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (lines_[i].blank()) {
+                continue;
+            }
+            comments = comments || lines_[i].comment();
+            const auto positions = look_up(lines_[i]);
+            if (!positions && lines_[i].row()) {
+                first_data_ = i;
+                break;
+            }
+            first_data_ = lines_.size();
+            if (positions) {
+                ++found;
+                positions_ = *positions;
+                use_header(i, header_delimiter(lines_[i]));
+            }
+        }
+        const bool twice = std::set<std::size_t>(positions_.begin(), positions_.end()).size() < positions_.size();
+        return found > 0 && !ambiguous_ && !twice && (new_headers || (found == 1 && !comments));
+    }
+
+    static std::string_view prefix_of(const Line& line) {
+        return line.comment() ? line.text.substr(0, std::min(line.text.find_first_not_of(" \t", 1), line.text.size()))
+                              : std::string_view{};
+    }
+    [[nodiscard]] char header_delimiter(const Line& line) const {
+        return delimiter_of(line.text.substr(prefix_of(line).size()), rules_.delimiter);
+    }
+
+    /// The positions of all items, where the line has all the names.
+    std::optional<std::vector<std::size_t>> look_up(const Line& line) {
+        Fields fields;
+        const char delimiter = header_delimiter(line);
+        split(line.text.substr(prefix_of(line).size()), delimiter, fields);
+        std::vector<std::size_t> positions;
+        for (const Item& item : items_) {
+            std::vector<std::size_t> whole;
+            std::vector<std::size_t> part;
+            for (std::size_t i = 0; i < fields.size(); ++i) {
+                const std::string text = content(fields[i], delimiter);
+                if (text == item.name) {
+                    whole.push_back(i);
+                }
+                if (text.substr(0, text.find_first_of(" \t")) == item.name) {
+                    part.push_back(i);
+                }
+            }
+            const auto& found = whole.empty() ? part : whole;
+            if (found.empty() && !item.name.empty()) {
+                return std::nullopt;
+            }
+            ambiguous_ = ambiguous_ || found.size() > 1;
+            positions.push_back(item.name.empty() ? item.position : found.front());
+        }
+        return positions;
+    }
+
+    void use_header(std::size_t at, char delimiter) {
+        header_ = at;
+        const Line& line = lines_[at];
+        Fields fields;
+        const std::string_view prefix = prefix_of(line);
+        split(line.text.substr(prefix.size()), delimiter, fields);
+        names_.clear();
+        std::ranges::transform(fields, std::back_inserter(names_),
+                               [&](auto field) { return content(field, delimiter); });
+        const auto whole = without_last_blanks(line.text, delimiter);
+        header_text_ = rules_.append
+                           ? fmt::format("{}{}{}", whole, delimiter, joined(rules_.names, delimiter))
+                           : std::string(prefix) + in_place(fields, joined(rules_.names, delimiter), delimiter);
+        header_text_ += line.end.empty() ? "\n" : line.end;
+    }
+
+    static std::string joined(const std::vector<std::string>& texts, char delimiter) {
+        return fmt::format("{}", fmt::join(texts, std::string_view(&delimiter, 1)));
+    }
+
+    [[nodiscard]] std::vector<std::size_t> replaced() const {
+        std::vector<std::size_t> selected = positions_;
+        for (std::size_t i = 0; items_.empty() && i < rules_.inputs; ++i) {
+            selected.push_back(i);
+        }
+        selected.erase(selected.begin(), selected.begin() + static_cast<std::ptrdiff_t>(rules_.kept));
+        return selected;
+    }
+
+    /// The fields that are not selected. Without --columns the row is its numbers: of one with others nothing is kept.
+    [[nodiscard]] std::vector<std::size_t> others(std::size_t count) const {
+        std::vector<std::size_t> result;
+        const auto selected = replaced();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (rules_.append || (std::ranges::count(selected, i) == 0 && (!items_.empty() || rules_.kept > 0))) {
+                result.push_back(i);
+            }
+        }
+        return result;
+    }
+
+    /// The other fields, and the result where the leftmost selected one stood or at the end.
+    [[nodiscard]] std::string in_place(const Fields& fields, const std::string& result, char delimiter) const {
+        const std::size_t place = std::ranges::min(replaced());
+        std::vector<std::string> texts;
+        bool placed = false;
+        for (const std::size_t i : others(fields.size())) {
+            if (i > place && !placed) {
+                texts.push_back(result);
+                placed = true;
+            }
+            texts.emplace_back(fields[i]);
+        }
+        if (!placed) {
+            texts.push_back(result);
+        }
+        return joined(texts, delimiter);
+    }
+
+    void write_line(std::size_t at) {
+        const Line& line = lines_[at];
+        const bool is_csv = rules_.format == "csv";
+        if (at == first_data_ && rules_.header == "add" && is_csv) {
+            write_added_header(line);
+        }
+        if (header_ == at) {
+            meet("header");
+            outcome_.bytes += is_csv ? header_text_ : "";
+        } else if (!line.row()) {
+            meet(line.blank() ? "blank row" : "comment");
+            outcome_.bytes += is_csv ? std::string(line.text) + std::string(line.end) : "";
+        } else {
+            write_row(line, at + 1);
+        }
+    }
+
+    void write_added_header(const Line& line) {
+        Fields fields;
+        split(line.text, delimiter_, fields);
+        std::vector<std::string> indices;
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            indices.push_back(std::to_string(i + 1));
+        }
+        const std::string result = joined(rules_.names, delimiter_);
+        const Fields views(indices.begin(), indices.end());
+        outcome_.bytes +=
+            rules_.append ? joined(indices, delimiter_) + delimiter_ + result : in_place(views, result, delimiter_);
+        outcome_.bytes += line_end_;
+        meet("added header");
+    }
+
+    /// The numbers of a row, where it has them.
+    std::optional<std::vector<double>> numbers_of(const Line& line, Fields& fields) {
+        if (!split(line.text, delimiter_, fields) || (items_.empty() && fields.size() != rules_.inputs)) {
+            return std::nullopt;
+        }
+        std::vector<double> numbers(rules_.inputs);
+        for (std::size_t i = 0; i < rules_.inputs; ++i) {
+            const std::size_t at = items_.empty() ? i : positions_[i];
+            if (at >= fields.size()) {
+                meet("missing field");
+                return std::nullopt;
+            }
+            // quotes that blanks do not know are left out by the program
+            const char delimiter = blanks_know_no_quotes ? delimiter_ : ',';
+            const std::string text = content(fields[at], delimiter);
+            const bool has_digits = text.find_first_of("0123456789") != std::string::npos;
+            if (!read(text, numbers[i]) || (std::isinf(numbers[i]) && has_digits)) {
+                return std::nullopt;
+            }
+            if (has_quotes(fields[at], delimiter_)) {
+                meet("quoted number");
+            }
+        }
+        return numbers;
+    }
+
+    void write_row(const Line& line, std::size_t number) {
+        Fields fields;
+        const auto numbers = numbers_of(line, fields);
+        auto answer = numbers ? rules_.calculate(*numbers) : std::nullopt;
+        if (line.end.size() != 1) {
+            meet(line.end.empty() ? "last row without newline" : "CRLF");
+        }
+        meet(answer ? "row compared" : "failed row under " + rules_.on_error);
+        if (!answer) {
+            outcome_.failed.push_back(number);
+            outcome_.to_the_end = rules_.on_error != "stop";
+            if (rules_.on_error != "nan") {
+                return;
+            }
+            const std::size_t notes = rules_.diagnostic_columns ? 1 : 0;
+            answer = Answer{std::vector<double>(rules_.names.size() - notes, std::numeric_limits<double>::quiet_NaN()),
+                            "error"};
+        }
+        if (rules_.format == "json") {
+            auto& texts = outcome_.other_texts.emplace_back();
+            auto& keys = outcome_.other_keys.emplace_back();
+            for (const std::size_t i : others(fields.size())) {
+                texts.push_back(unquoted(fields[i], delimiter_));
+                keys.push_back(i < names_.size() ? names_[i] : "");
+            }
+            return;
+        }
+        const std::string result = text_of(*answer);
+        outcome_.bytes += rules_.append ? std::string(without_last_blanks(line.text, delimiter_)) + delimiter_ + result
+                                        : in_place(fields, result, delimiter_);
+        outcome_.bytes += line.end.empty() ? line_end_ : line.end;
+    }
+
+    [[nodiscard]] std::string text_of(const Answer& answer) const {
+        std::vector<std::string> texts;
+        for (const double value : answer.numbers) {
+            const double shown = std::isnan(value) ? std::abs(value) : value;
+            texts.push_back(rules_.precision == 0 ? fmt::format("{}", shown)
+                                                  : fmt::format("{:.{}g}", shown, rules_.precision));
+        }
+        if (rules_.diagnostic_columns) {
+            texts.push_back(answer.notes.empty() && delimiter_ == ' ' ? "-" : answer.notes);
+        }
+        return joined(texts, delimiter_);
+    }
+
+    const Rules& rules_;
+    std::vector<Item> items_;
+    bool by_name_ = false;
+    bool ambiguous_ = false;
+    std::vector<std::size_t> positions_; ///< selected, in the order of the numbers
+    std::vector<Line> lines_;
+    std::size_t first_data_ = 0;
+    std::optional<std::size_t> header_;
+    std::string header_text_;
+    std::vector<std::string> names_; ///< the header's
+    char delimiter_ = ',';
+    std::string_view line_end_ = "\n";
+    Outcome outcome_;
+};
+
+/// A flat object's keys and values, as they are written; false where the text is none.
+bool read_object(std::string_view text, std::vector<std::pair<std::string, std::string>>& members) {
+    static const std::string_view parts = "{:,}";
+    std::vector<std::string> words{""};
+    bool quoted = false;
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        if (text[i] == '"') {
+            quoted = !quoted;
+        } else if (!quoted && parts.find(text[i]) != std::string_view::npos) {
+            words.emplace_back();
+            continue;
+        }
+        const bool escapes = quoted && text[i] == '\\';
+        if (quoted || text[i] != ' ') {
+            words.back() += text.substr(i, escapes ? 2 : 1);
+        }
+        i += escapes ? 1 : 0;
+    }
+    for (std::size_t i = 0; i + 2 < words.size(); i += 2) {
+        members.emplace_back(words[i], words[i + 1]);
+    }
+    return text.starts_with('{') && text.ends_with('}') && !quoted && words.size() % 2 == 1;
+}
+
+bool is_json_number(const std::string& text) {
+    double value = 0.0;
+    const std::string_view digits = std::string_view(text).substr(text.starts_with('-') ? 1 : 0);
+    const bool legal = digits.find_first_not_of("0123456789.eE+-") == std::string_view::npos && digits != "" &&
+                       digits[0] != '.' && digits[0] != '+' &&
+                       !(digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9') &&
+                       !digits.ends_with('.') && digits.find(".e") == std::string_view::npos &&
+                       digits.find(".E") == std::string_view::npos && read(text, value);
+    const bool is_integer = digits.find_first_of(".eE") == std::string_view::npos;
+    return legal && !(is_integer && std::abs(value) > 9007199254740992.0);
+}
+
+} // namespace
+
+std::optional<Outcome> model(std::string_view text, const Rules& rules) { return Model(rules)(text); }
+
+bool json_agrees(std::string_view json, const Outcome& outcome, const Rules& rules) {
+    std::size_t row = 0;
+    for (; !json.empty() && row < outcome.other_texts.size(); ++row) {
+        const auto& texts = outcome.other_texts[row];
+        const std::size_t end = json.find('\n');
+        std::vector<std::pair<std::string, std::string>> members;
+        if (end == std::string_view::npos || !read_object(json.substr(0, end), members) ||
+            members.size() != texts.size() + rules.names.size()) {
+            return false;
+        }
+        json.remove_prefix(end + 1);
+        std::set<std::string> keys;
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            const auto& [key, value] = members[i];
+            if (i >= texts.size() && key != '"' + rules.names[i - texts.size()] + '"') {
+                return false;
+            }
+            const bool plain = i < texts.size() && std::ranges::all_of(texts[i], [](char c) {
+                                   return c >= ' ' && c != '"' && c != '\\' && c != '\x7f';
+                               });
+            const bool is_number = plain && is_json_number(texts[i]);
+            if (plain && new_json && value != (is_number ? texts[i] : '"' + texts[i] + '"')) {
+                return false;
+            }
+            keys.insert(key);
+        }
+        if (new_json && keys.size() != members.size()) {
+            return false;
+        }
+    }
+    return json.empty() && row == outcome.other_texts.size();
+}
+
+} // namespace fuzz

@@ -1,0 +1,15 @@
+#!/bin/sh
+# short_run.sh FUZZER FOLDER SECONDS [DICTIONARY SEEDS]: runs a fuzzer on a copy of its seeds, prints what it reached, and
+# fails where something that it counts was never reached.
+set -eu
+fuzzer=$1 folder=$2 seconds=$3 dictionary=${4:+-dict=$4} seeds=${5:-}
+rm -rf "$folder"
+mkdir -p "$folder/corpus"
+cd "$folder"
+[ -z "$seeds" ] || cp "$seeds"/* corpus
+"$fuzzer" $dictionary -max_total_time="$seconds" -max_len=4096 -timeout=10 -print_final_stats=1 corpus >log 2>&1 || {
+    tail -n 60 log
+    exit 1
+}
+grep -E '^(reached|stat::number_of_executed_units)' log
+! grep -q '^reached .*: 0$' log
