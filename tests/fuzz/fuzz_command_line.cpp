@@ -17,11 +17,7 @@ namespace {
 
 using namespace rotconv;
 
-fuzz::Reach& reach() {
-    static fuzz::Reach all{"conversion", "rates",         "propagate",   "survey",
-                           "list",       "text to print", "usage error", "VALUEs"};
-    return all;
-}
+fuzz::Reach reach{"conversion", "rates", "propagate", "survey", "list", "text to print", "usage error", "VALUEs"};
 
 void require(bool holds) {
     if (!holds) {
@@ -43,9 +39,9 @@ struct Check {
         require(options.precision >= 0 && options.precision <= 100);
         require(options.width == 0 || options.width >= options.function.inputs);
         const bool is_named = std::ranges::count(words, "rates") > 0;
-        reach().add(options.function.in_order ? "propagate" : is_named ? "rates" : "conversion");
+        reach.add(options.function.in_order ? "propagate" : is_named ? "rates" : "conversion");
         if (command.has_values) {
-            reach().add("VALUEs");
+            reach.add("VALUEs");
             Nowhere nowhere;
             stream::TextSource values(command.values);
             stream::run(values, nowhere, options, [](const stream::Event&) {});
@@ -53,19 +49,19 @@ struct Check {
     }
     void operator()(const cli::SurveyCommand& command) const {
         require(command.condition >= 0.0);
-        reach().add("survey");
+        reach.add("survey");
     }
     void operator()(const cli::ListCommand& command) const {
         static_cast<void>(cli::list_one(command.name));
-        reach().add("list");
+        reach.add("list");
     }
     void operator()(const cli::PrintCommand& command) const {
         require(command.text.ends_with('\n'));
-        reach().add("text to print");
+        reach.add("text to print");
     }
     void operator()(const cli::UsageError& error) const {
         require(!error.message.empty());
-        reach().add("usage error");
+        reach.add("usage error");
     }
 };
 

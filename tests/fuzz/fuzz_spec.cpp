@@ -14,17 +14,9 @@
 
 namespace {
 
-fuzz::Reach& reach() {
-    static fuzz::Reach all{"spec",
-                           "refused spec",
-                           "columns by index",
-                           "columns by name",
-                           "refused columns",
-                           "columns found in a header",
-                           "delimiter",
-                           "number"};
-    return all;
-}
+fuzz::Reach reach{
+    "spec",      "refused spec", "columns by index", "columns by name", "refused columns", "columns found in a header",
+    "delimiter", "number"};
 
 } // namespace
 
@@ -40,20 +32,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::abort(); // the order is no permutation
         }
     }
-    reach().add(std::holds_alternative<rotconv::Spec>(parsed) ? "spec" : "refused spec");
+    reach.add(std::holds_alternative<rotconv::Spec>(parsed) ? "spec" : "refused spec");
     const auto list = rotconv::stream::ColumnList::parse(text, 4);
     if (const auto* columns = std::get_if<rotconv::stream::ColumnList>(&list)) {
         if (columns->positions().size() != 4) {
             std::abort();
         }
         const auto found = columns->positions({"timestamp", "q_w []", "q_x", "q_y", "q_z"});
-        reach().add("columns found in a header", columns->has_names() && found.index() == 0 ? 1 : 0);
-        reach().add(columns->has_names() ? "columns by name" : "columns by index");
+        reach.add("columns found in a header", columns->has_names() && found.index() == 0 ? 1 : 0);
+        reach.add(columns->has_names() ? "columns by name" : "columns by index");
     } else {
-        reach().add("refused columns");
+        reach.add("refused columns");
     }
-    reach().add("delimiter", rotconv::stream::Delimiter::parse(text) ? 1 : 0);
+    reach.add("delimiter", rotconv::stream::Delimiter::parse(text) ? 1 : 0);
     double value = 0.0;
-    reach().add("number", rotconv::stream::read_number(text, value) == rotconv::stream::NumberFault::none ? 1 : 0);
+    reach.add("number", rotconv::stream::read_number(text, value) == rotconv::stream::NumberFault::none ? 1 : 0);
     return 0;
 }

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -31,9 +32,8 @@ using namespace rotconv;
 using namespace rotconv::stream;
 using fuzz::words_of;
 
-fuzz::Reach& reach() {
-    static fuzz::Reach all{
-        // clang-format off
+fuzz::Reach reach{
+    // clang-format off
         "rows converted by conversion", "rows converted by rates", "rows converted by propagate", "rows converted by survey",
         "rows failed in conversion", "rows failed in rates", "rows failed in propagate", "rows failed in survey",
         "rows failed under --on-error=stop", "rows failed under --on-error=nan", "rows failed under --on-error=skip",
@@ -50,10 +50,8 @@ fuzz::Reach& reach() {
         "detected delimiter comma", "detected delimiter tab", "detected delimiter semicolon", "detected delimiter blank",
         "given delimiter comma", "given delimiter tab", "given delimiter semicolon", "given delimiter blank",
         "given delimiter character",
-        // clang-format on
-    };
-    return all;
-}
+    // clang-format on
+};
 
 /// The text, `times` over, in pieces. Remembers which threads read it.
 class Pieces final : public Source {
@@ -105,7 +103,7 @@ struct Result {
     }
 };
 
-/// The command's options, and a function that has seen no rows yet: to be made anew for each run.
+/// The command's options. A function that takes rows in their order remembers them: it serves one run.
 std::optional<Options> options_of(const std::vector<std::string>& words, Survey& survey) {
     auto command = fuzz::command_of(words);
     if (auto* of_survey = std::get_if<cli::SurveyCommand>(&command)) {
@@ -118,16 +116,30 @@ std::optional<Options> options_of(const std::vector<std::string>& words, Survey&
     return rows == nullptr || rows->has_values ? std::nullopt : std::optional(rows->options);
 }
 
-/// Room for the stream, as often as it is to be read.
+/// The same, for a look at it: to read a command line takes longer than a run.
+const std::optional<Options>& known_options_of(const std::string& line, const std::vector<std::string>& words) {
+    static std::map<std::string, std::optional<Options>> known;
+    if (known.size() > 1000) {
+        known.clear();
+    }
+    const auto [at, is_new] = known.try_emplace(line);
+    if (is_new && !words.empty()) {
+        static Survey nobodys;
+        at->second = options_of(words, nobodys);
+    }
+    return at->second;
+}
+
+/// A stream, and how it is to be read.
 struct Input {
     std::string_view text;
     std::size_t piece = static_cast<std::size_t>(-1);
     std::size_t times = 1;
 };
 
-Result run_once(const Input& input, const std::vector<std::string>& words, std::size_t threads) {
+Result run_once(const Input& input, const std::vector<std::string>& words, const Options& given, std::size_t threads) {
     Survey survey;
-    Options options = *options_of(words, survey);
+    Options options = given.function.in_order ? *options_of(words, survey) : given;
     options.threads = threads;
     std::atomic<std::size_t> converted = 0;
     options.function.run = [run = options.function.run, &converted](const NumberRows& rows, std::span<double> out,
@@ -170,22 +182,22 @@ std::string name_of_command(const std::vector<std::string>& words) {
 void count_reach(const Result& result, const std::vector<std::string>& words) {
     const std::string command = name_of_command(words);
     const std::size_t rows = result.converted;
-    reach().add("rows converted by " + command, rows);
-    reach().add("rows failed in " + command, result.failed.size());
-    reach().add("rows failed under --on-error=" + argument_of(words, "--on-error", "stop"), result.failed.size());
+    reach.add("rows converted by " + command, rows);
+    reach.add("rows failed in " + command, result.failed.size());
+    reach.add("rows failed under --on-error=" + argument_of(words, "--on-error", "stop"), result.failed.size());
     if (command != "survey") { // whose rows go nowhere
-        reach().add("rows converted under --format=" + argument_of(words, "--format", "csv"), rows);
+        reach.add("rows converted under --format=" + argument_of(words, "--format", "csv"), rows);
     }
-    reach().add("rows converted under --header=" + argument_of(words, "--header", "auto"), rows);
+    reach.add("rows converted under --header=" + argument_of(words, "--header", "auto"), rows);
     const std::string columns = argument_of(words, "--columns");
     const bool are_names = columns.find_first_not_of("0123456789,-") != std::string::npos;
     const auto items = words_of(columns, ',');
-    reach().add(columns.empty()                 ? "rows converted without --columns"
-                : are_names                     ? "rows converted under --columns of names"
-                : std::ranges::is_sorted(items) ? "rows converted under --columns of indices"
-                                                : "rows converted under --columns in another order",
-                rows);
-    const auto add_where = [&](bool holds, std::string_view what) { reach().add(what, holds ? rows : 0); };
+    reach.add(columns.empty()                 ? "rows converted without --columns"
+              : are_names                     ? "rows converted under --columns of names"
+              : std::ranges::is_sorted(items) ? "rows converted under --columns of indices"
+                                              : "rows converted under --columns in another order",
+              rows);
+    const auto add_where = [&](bool holds, std::string_view what) { reach.add(what, holds ? rows : 0); };
     add_where(argument_of(words, "--input-format") == "f64", "rows converted under --input-format=f64");
     add_where(has(words, "--append"), "rows converted under --append");
     add_where(argument_of(words, "--diagnostics") == "columns", "rows converted under --diagnostics=columns");
@@ -259,7 +271,8 @@ void require_same(std::string_view what, const Result& a, const Result& b) {
 
 void compare_with_model(std::string_view text, const std::vector<std::string>& words, const Options& options,
                         const Result& result) {
-    const auto rules = rules_of(words, options);
+    Survey survey;
+    const auto rules = rules_of(words, options.function.in_order ? *options_of(words, survey) : options);
     const auto outcome = rules ? fuzz::model(text, *rules) : std::nullopt;
     if (!outcome) {
         return;
@@ -269,7 +282,7 @@ void compare_with_model(std::string_view text, const std::vector<std::string>& w
     if (!same || result.failed != outcome->failed || result.to_the_end != outcome->to_the_end) {
         differ("the rules of rows say otherwise", result.bytes, outcome->bytes);
     }
-    std::ranges::for_each(outcome->met, [](const std::string& rule) { reach().add(rule); });
+    std::ranges::for_each(outcome->met, [](const std::string& rule) { reach.add(rule); });
 }
 
 } // namespace
@@ -279,22 +292,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view line = all.substr(0, all.find('\n'));
     const std::string_view text = all.substr(std::min(line.size() + 1, size));
     const auto words = words_of(line, ' ');
-    Survey survey;
-    const auto options = words.empty() ? std::nullopt : options_of(words, survey);
+    const auto& options = known_options_of(std::string(line), words);
     if (!options) {
         return 0;
     }
-    const Result whole = run_once({text}, words, 1);
+    const Result whole = run_once({text}, words, *options, 1);
     count_reach(whole, words);
-    require_same("in pieces", run_once({text, 1 + size % 16}, words, 1), whole);
+    require_same("in pieces", run_once({text, 1 + size % 16}, words, *options, 1), whole);
     compare_with_model(text, words, *options, whole);
     if (!argument_of(words, "--threads").empty() && !text.empty()) {
         // many times over, so that it is worth threads
         constexpr std::size_t enough = std::size_t{20} << 10U;
         const std::size_t times = 1 + enough / text.size();
-        const Result many = run_once({.text = text, .times = times}, words, options->threads);
-        require_same("with threads", many, run_once({.text = text, .times = times}, words, 1));
-        reach().add("runs of which many threads had a part", many.threads > 1 ? 1 : 0);
+        const Result many = run_once({.text = text, .times = times}, words, *options, options->threads);
+        require_same("with threads", many, run_once({.text = text, .times = times}, words, *options, 1));
+        reach.add("runs of which many threads had a part", many.threads > 1 ? 1 : 0);
     }
     return 0;
 }
@@ -394,12 +406,11 @@ std::string with_another_option(const std::string& line, unsigned seed) {
         if (!removes) {
             words.push_back(option);
         }
-        Survey survey;
-        if (!words.empty() && options_of(words, survey)) {
-            std::string text;
-            for (const std::string& word : words) {
-                text += (text.empty() ? "" : " ") + word;
-            }
+        std::string text;
+        for (const std::string& word : words) {
+            text += (text.empty() ? "" : " ") + word;
+        }
+        if (known_options_of(text, words)) {
             return text;
         }
     }
