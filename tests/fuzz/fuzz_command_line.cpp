@@ -60,7 +60,12 @@ struct Check {
         reach.add("text to print");
     }
     void operator()(const cli::UsageError& error) const {
+        // Texts from outside are shown without what steers a terminal or looks like a line of the program's own.
         require(!error.message.empty());
+        for (std::size_t i = 0; i < error.message.size(); ++i) {
+            const auto c = static_cast<unsigned char>(error.message[i]);
+            require(c == '\n' ? error.message.compare(i, 3, "\n  ") == 0 : c >= 0x20U && c != 0x7fU);
+        }
         reach.add("usage error");
     }
 };

@@ -14,7 +14,6 @@ namespace {
 // Rules that the program does not follow yet: until it does, what meets them is not compared.
 constexpr bool new_headers = false;            ///< '#' headers, words for a missing number, names in a later row
 constexpr bool new_json = false;               ///< no key twice, numbers stay numbers, null
-constexpr bool blanks_know_no_quotes = false;  ///< "1" is no number where blanks delimit
 constexpr bool tabs_part_empty_fields = false; ///< --append keeps the tabs of empty last fields
 
 using Fields = std::vector<std::string_view>;
@@ -246,11 +245,14 @@ private:
         if (by_name_) {
             return find_by_name(comments);
         }
-        if (rules_.header == "no" || rules_.header == "add" || row == count) {
+        if (rules_.header == "no" || rules_.header == "add") {
             return true;
         }
         if (comments && !new_headers) {
             return false;
+        }
+        if (row == count) {
+            return true;
         }
         Fields fields;
         const char delimiter = delimiter_of(lines_[row].text, rules_.delimiter);
@@ -471,9 +473,7 @@ private:
                 meet("missing field");
                 return std::nullopt;
             }
-            // quotes that blanks do not know are left out by the program
-            const char delimiter = blanks_know_no_quotes ? delimiter_ : ',';
-            const std::string text = content(fields[at], delimiter);
+            const std::string text = content(fields[at], delimiter_);
             const bool has_digits = text.find_first_of("0123456789") != std::string::npos;
             if (!read(text, numbers[i]) || (std::isinf(numbers[i]) && has_digits)) {
                 return std::nullopt;
