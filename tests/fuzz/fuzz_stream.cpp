@@ -229,11 +229,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     if (rules.diagnostic_columns) {
         rules.names.insert(rules.names.end(), {"margin", "condition", "defect", "notes"});
     }
-    if (const auto from = parse_spec(argument_of(words, "--from", "quat"));
-        const auto* spec = std::get_if<Spec>(&from)) {
-        const auto columns = spec->columns();
-        rules.representation.assign(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec->size()));
-    }
+    rules.input_names = options.function.input_names;
     rules.calculate =
         [run = options.function.run, columns = rules.diagnostic_columns,
          size = options.function.names.size()](const std::vector<double>& numbers) -> std::optional<fuzz::Answer> {

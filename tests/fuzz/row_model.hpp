@@ -25,7 +25,7 @@ struct Rules {
     std::size_t kept = 0;           ///< of them, the first that stay in the row
     std::vector<std::string> names; ///< of the result's columns, those of diagnostics included
     Calculate calculate;
-    std::vector<std::string> representation; ///< the names of the numbers that are read
+    std::vector<std::string> input_names; ///< of the numbers that are read
     std::string columns, delimiter, header = "auto", format = "csv", on_error = "stop";
     int precision = 0;
     bool append = false, diagnostic_columns = false;
@@ -36,9 +36,8 @@ struct Outcome {
     std::string bytes;
     std::vector<std::size_t> failed; ///< lines
     bool to_the_end = true;
-    std::vector<std::string> met;                      ///< rules that had a part in it
-    std::vector<std::vector<std::string>> other_texts; ///< under json, of each row its other fields, unquoted
-    std::vector<std::vector<std::string>> other_keys;  ///< and their names, empty where there is none
+    std::vector<std::string> met;                 ///< rules that had a part in it
+    std::vector<std::vector<std::string>> others; ///< under json, of each row the values of its other fields; "": any
 };
 
 /// The outcome; nothing where the text meets rules that are not modelled.
