@@ -231,12 +231,15 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     }
     rules.input_names = options.function.input_names;
     rules.calculate =
-        [run = options.function.run, columns = rules.diagnostic_columns,
-         size = options.function.names.size()](const std::vector<double>& numbers) -> std::optional<fuzz::Answer> {
+        [run = options.function.run, kept = rules.kept, columns = rules.diagnostic_columns,
+         size = options.function.names.size()](const std::vector<double>& numbers,
+                                               const std::vector<std::string>& texts) -> std::optional<fuzz::Answer> {
         fuzz::Answer answer{std::vector<double>(size), ""};
+        const std::vector<std::string_view> kept_texts(texts.begin(),
+                                                       texts.begin() + static_cast<std::ptrdiff_t>(kept));
         const std::size_t line = 1;
         Report report;
-        run({numbers, {&line, 1}, true}, answer.numbers, {&report, 1});
+        run({numbers, {&line, 1}, true, kept_texts}, answer.numbers, {&report, 1});
         if (report.fault != Fault::none) {
             return std::nullopt;
         }
@@ -388,6 +391,7 @@ constexpr std::array option_words{"--from=quat",
                                   "--interpolation=cubic",
                                   "--renormalise",
                                   "--initial=quat:0,1,0,0",
+                                  "--time-unit=ns",
                                   "--condition=10",
                                   "--method=shepperd"};
 

@@ -487,7 +487,7 @@ private:
     }
 
     /// The numbers of a row, where it has them.
-    std::optional<std::vector<double>> numbers_of(const Line& line, Fields& fields) {
+    std::optional<std::vector<double>> numbers_of(const Line& line, Fields& fields, std::vector<std::string>& texts) {
         if (!split(line.text, delimiter_, fields) || (items_.empty() && fields.size() != rules_.inputs)) {
             return std::nullopt;
         }
@@ -503,6 +503,7 @@ private:
             if (!read(text, numbers[i]) || (std::isinf(numbers[i]) && has_digits)) {
                 return std::nullopt;
             }
+            texts.push_back(text);
             if (has_quotes(fields[at], delimiter_)) {
                 meet("quoted number");
             }
@@ -512,8 +513,9 @@ private:
 
     void write_row(const Line& line, std::size_t number) {
         Fields fields;
-        const auto numbers = numbers_of(line, fields);
-        auto answer = numbers ? rules_.calculate(*numbers) : std::nullopt;
+        std::vector<std::string> texts;
+        const auto numbers = numbers_of(line, fields, texts);
+        auto answer = numbers ? rules_.calculate(*numbers, texts) : std::nullopt;
         if (line.end.size() != 1) {
             meet(line.end.empty() ? "last row without newline" : "CRLF");
         }

@@ -17,7 +17,8 @@ struct Answer {
     std::vector<double> numbers;
     std::string notes; ///< kinds joined by '+'
 };
-using Calculate = std::function<std::optional<Answer>(const std::vector<double>& numbers)>;
+using Calculate =
+    std::function<std::optional<Answer>(const std::vector<double>& numbers, const std::vector<std::string>& texts)>;
 
 /// The options as they are written, and what the command makes of numbers.
 struct Rules {
