@@ -43,17 +43,21 @@ std::optional<Delimiter> Delimiter::parse(std::string_view text) noexcept {
 }
 
 Delimiter Delimiter::of_row(std::string_view row) noexcept {
-    const bool balanced = std::ranges::count(row, '"') % 2 == 0;
-    for (const char candidate : {',', '\t', ';'}) {
-        bool quoted = false;
-        for (const char c : row) {
-            quoted = quoted != (balanced && c == '"');
-            if (c == candidate && !quoted) {
-                return character(candidate);
-            }
+    constexpr std::string_view candidates = ",\t;"; // the first of them that occurs
+    std::size_t best = candidates.size();
+    bool begins_field = true;
+    for (std::size_t at = 0; at < row.size(); ++at) {
+        const std::size_t end = begins_field && row[at] == '"' ? after_quotes(row, at) : std::string_view::npos;
+        if (end != std::string_view::npos) {
+            at = end - 1;
+            begins_field = false;
+            continue;
         }
+        const std::size_t found = candidates.find(row[at]);
+        begins_field = found != std::string_view::npos;
+        best = std::min(best, found);
     }
-    return blanks();
+    return best < candidates.size() ? character(candidates[best]) : blanks();
 }
 
 bool Delimiter::split(std::string_view row, std::vector<std::string_view>& fields) const {

@@ -103,7 +103,7 @@ template <class Fields, class WriteResult> void write_fields(Buffer& to, const L
 /// The row less trailing blanks, and the result after it.
 template <class WriteResult>
 void write_appended(Buffer& to, std::string_view row, char delimiter, const WriteResult& write_result) {
-    append(to, row.substr(0, row.find_last_not_of(" \t") + 1));
+    append(to, row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1));
     to.push_back(delimiter);
     write_result();
 }

@@ -12,7 +12,6 @@ namespace fuzz {
 namespace {
 
 /// A rule that the program does not follow yet.
-constexpr bool tabs_part_empty_fields = false; ///< --append keeps the tabs of empty last fields
 
 using Fields = std::vector<std::string_view>;
 
@@ -57,14 +56,17 @@ char delimiter_of(std::string_view row, const std::string& given) {
                : given == "blank"     ? ' '
                                       : given[0];
     }
-    const bool pairs = std::ranges::count(row, '"') % 2 == 0;
-    bool quoted = false;
-    std::string bare;
-    for (const char c : row) {
-        quoted = quoted != (pairs && c == '"');
-        bare += quoted ? '"' : c;
-    }
     const std::string_view candidates = ",\t;";
+    std::string bare; // without the fields in quotes
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const bool starts = bare.empty() || candidates.find(bare.back()) != std::string_view::npos;
+        std::size_t close = starts && row[i] == '"' ? row.find('"', i + 1) : std::string_view::npos;
+        while (close != std::string_view::npos && row.substr(close).starts_with("\"\"")) {
+            close = row.find('"', close + 2);
+        }
+        i = close == std::string_view::npos ? i : close;
+        bare += row[i];
+    }
     const auto found = std::ranges::find_if(candidates, [&](char c) { return bare.find(c) != std::string::npos; });
     return found == candidates.end() ? ' ' : *found;
 }
@@ -186,7 +188,7 @@ std::vector<Item> items_of(const std::string& list) {
 
 /// Blanks at the row's end are left out; a tab that parts fields is none.
 std::string_view without_last_blanks(std::string_view row, char delimiter) {
-    const bool tabs_are_blanks = delimiter != '\t' || !tabs_part_empty_fields;
+    const bool tabs_are_blanks = delimiter != '\t';
     return row.substr(0, row.find_last_not_of(tabs_are_blanks ? " \t" : " ") + 1);
 }
 

@@ -46,6 +46,12 @@ TEST_CASE("append keeps the row and adds the result at its end") {
     CHECK(run(convert + "--append --columns 2-5", "a;1;0;0;0;b\n") == done("a;1;0;0;0;b;0;0;0;1\n"));
 }
 
+TEST_CASE("append keeps an empty last field") {
+    // Catches a tab that parts the fields taken for a blank at the end.
+    CHECK(run("-f quat -t mrp --columns 1-4 --append --header no", "1\t0\t0\t0\t\n0\t1\t0\t0\tx\n").out ==
+          "1\t0\t0\t0\t\t0\t0\t0\n0\t1\t0\t0\tx\t1\t0\t0\n");
+}
+
 TEST_CASE("without a selection a row has exactly the numbers") {
     // Catches surplus fields that are dropped and missing ones that are made up.
     for (const char* row : {"1,0,0", "1,0,0,0,0", "1,0,0,0,", ",1,0,0,0", "1"}) {

@@ -33,6 +33,14 @@ TEST_CASE("the delimiter is comma else tab else semicolon else blanks") {
     CHECK(Delimiter::of_row("5\" disk, 3").text() == ',');
 }
 
+// Would catch: an inch sign that hides the delimiters behind it.
+TEST_CASE("a quote hides delimiters only where a field begins with it") {
+    CHECK(Delimiter::of_row("5\" pipe,1,0,0,0,6\" pipe").text() == ',');
+    CHECK(Delimiter::of_row("1\t\"a,b\"\t2").text() == '\t');
+    CHECK(Delimiter::of_row("\"a \"\"b\"\", c\";1").text() == ';');
+    CHECK(Delimiter::of_row("\"left open,1").text() == ',');
+}
+
 // Would catch: a named delimiter that is another, one that would cut numbers.
 TEST_CASE("delimiters by name and by character") {
     CHECK(Delimiter::parse("comma")->text() == ',');
