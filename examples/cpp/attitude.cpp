@@ -16,7 +16,8 @@ int main() {
         std::printf("%9.6f %9.6f %9.6f\n", R_ref_body(row, 0), R_ref_body(row, 1), R_ref_body(row, 2));
     }
     std::printf("roll %.6g pitch %.6g yaw %.6g\n", rpy.angles[0], rpy.angles[1], rpy.angles[2]);
-    if (rotconv::euler::notes(reading.rotation, rotconv::roll_pitch_yaw).has(rotconv::Kind::gimbal_lock)) {
+    if (rotconv::euler::diagnostics(reading.rotation, rotconv::roll_pitch_yaw)
+            .has(rotconv::DiagnosticKind::gimbal_lock)) {
         std::puts("at gimbal lock: only the difference of roll and yaw is defined");
     }
 }

@@ -25,7 +25,7 @@ namespace axis_angle {
 [[nodiscard]] AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
 
 /// Margin min(theta, pi - theta), condition max(1, 1/(2 sin(theta/2))).
-[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 } // namespace axis_angle
 } // namespace rotconv

@@ -9,10 +9,10 @@
 /// section 6, whose s is -c). Represents no half-turn.
 namespace rotconv::cayley {
 
-/// q ~ (1, c): nothing is rounded. Fault: not_finite.
+/// q ~ (1, c): nothing is rounded. Error: not_finite.
 [[nodiscard]] inline Reading to_rotation(const Eigen::Vector3d& c) noexcept {
     if (!c.allFinite()) [[unlikely]] {
-        return Reading::failed(Fault::not_finite);
+        return Reading::failed(Error::not_finite);
     }
     return {.rotation = Rotation::from_components(1.0, c.x(), c.y(), c.z())};
 }
@@ -22,7 +22,7 @@ namespace rotconv::cayley {
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (1 + |c|^2)/2.
-[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// The rate (w + c x w + c (c.w))/2, the cross product negative in reference axes: Stuelpnagel's Riccati equation of
 /// section 6 (of the inverse).

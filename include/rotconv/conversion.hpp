@@ -13,25 +13,25 @@ namespace rotconv {
 struct Settings {
     double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
-    bool figures = false;                            ///< margin, condition and the exact defect for every row
+    bool sensitivity = false;                        ///< margin, condition and the exact defect for every row
     const Method* method = nullptr;                  ///< one that serves this pair; null: rotconv's own
 };
 
 /// What is known of one converted row.
 struct Report {
-    Fault fault = Fault::none;
-    Notes notes;
-    double defect = 0.0; ///< below `reported_defect` and without Settings::figures only an upper bound
-    Figures figures{};   ///< where there are notes or Settings::figures asks for them
+    Error error = Error::none;
+    DiagnosticSet diagnostics;
+    double defect = 0.0;       ///< below `reported_defect` and without Settings::sensitivity only an upper bound
+    Sensitivity sensitivity{}; ///< where there are diagnostics or Settings::sensitivity asks for them
     /// With Settings::method, angle in radians from the attitude to the method's answer; nan where that is none.
     double method_error = 0.0;
     double step_error = 0.0; ///< of a propagation, see Propagated::step_error
 };
 
-struct Door;
+struct Codec;
 struct Rotations;
 
-/// A way from one representation to another, resolved once and then run over blocks of rows.
+/// A way from one representation to another, resolved once and then run over batches of rows.
 /// Thread-safe: running it changes nothing in it.
 class Conversion {
 public:
@@ -42,23 +42,24 @@ public:
     [[nodiscard]] const Spec& to() const noexcept { return to_; }
 
     /// Converts reports.size() rows of from().size() numbers each into rows of to().size() numbers. The numbers of a
-    /// row with a fault become nan. No number becomes -0.
+    /// row with a error become nan. No number becomes -0.
     /// @pre in.size() >= rows * from().size() and out.size() >= rows * to().size()
     void run(std::span<const double> in, std::span<double> out, std::span<Report> reports) const noexcept;
 
 private:
-    void run_block(const double* in, double* out, std::span<Report> reports) const noexcept;
-    [[nodiscard]] Report report(const Reading& reading, Notes notes, const double* numbers) const noexcept;
+    void run_batch(const double* in, double* out, std::span<Report> reports) const noexcept;
+    [[nodiscard]] Report report(const Reading& reading, DiagnosticSet diagnostics,
+                                const double* numbers) const noexcept;
 
     /// The method's numbers in the place of rotconv's own, still in the representation's own order.
-    void run_method(const double* in, const Rotations& rotations, std::size_t rows, double* out, Notes* notes,
-                    double* errors) const noexcept;
+    void run_method(const double* in, const Rotations& rotations, std::size_t rows, double* out,
+                    DiagnosticSet* diagnostics, double* errors) const noexcept;
 
     Spec from_;
     Spec to_;
     Settings settings_;
-    const Door* in_door_;
-    const Door* out_door_;
+    const Codec* in_codec_;
+    const Codec* out_codec_;
 };
 
 } // namespace rotconv

@@ -35,7 +35,7 @@ namespace dcm {
 [[nodiscard]] Dcm from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin infinite, condition sqrt 2.
-[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// The rates of the entries: M [w]_x, or [w]_x M in reference axes (Stuelpnagel section 1: Xdot = Omega X). Linear in
 /// any matrix.

@@ -71,7 +71,7 @@ namespace euler {
 /// Attitudes nearer to lock than this (radians) are treated as locked unless the caller says otherwise: rounding alone.
 inline constexpr double default_lock_margin = 1e-15;
 
-/// The product of three half-angle quaternions. Angles of any finite size. Fault: not_finite.
+/// The product of three half-angle quaternions. Angles of any finite size. Error: not_finite.
 [[nodiscard]] Reading to_rotation(const EulerAngles& value) noexcept;
 
 /// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi].
@@ -87,11 +87,11 @@ inline constexpr double default_lock_margin = 1e-15;
                                         double lock_margin = default_lock_margin) noexcept;
 
 /// gimbal_lock, near_gimbal_lock.
-[[nodiscard]] Notes notes(const Rotation& rotation, EulerSequence sequence,
-                          double lock_margin = default_lock_margin) noexcept;
+[[nodiscard]] DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence,
+                                        double lock_margin = default_lock_margin) noexcept;
 
 /// Margin pi/2 - |middle|, or the smaller of middle and pi - middle; condition 1/(sqrt 2 sin(margin/2)).
-[[nodiscard]] Figures figures(const Rotation& rotation, EulerSequence sequence) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept;
 
 /// The rates of the three angles, in the unit of the angles a second. For roll, pitch and yaw they solve the 3x3 system
 /// of Stuelpnagel, section 6; the other sequences differ by names and signs of the axes. Divided by the cosine (first =

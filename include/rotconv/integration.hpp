@@ -37,7 +37,7 @@ struct IntegratorEntry {
 [[nodiscard]] const IntegratorEntry& entry_of(Integrator integrator) noexcept;
 [[nodiscard]] std::optional<Integrator> find_integrator(std::string_view text) noexcept;
 /// rk4 goes with every set that has rates, exponential steps with the quaternion.
-[[nodiscard]] bool can_integrate(Name set, Integrator integrator) noexcept;
+[[nodiscard]] bool can_integrate(RepresentationId set, Integrator integrator) noexcept;
 
 /// The numbers of one set, carried on step by step. Of the set's Spec the sequence and `passive` count; angles are
 /// radians.
@@ -45,7 +45,7 @@ struct IntegratorEntry {
 /// Where a chart has another one of the same set, it changes: mrp to its shadow where |m| > 1, rotvec by a full turn
 /// where |r| > pi, angles by full turns. Where it has none, a step from which the singular attitude is within reach
 /// (euler: gimbal lock; cayley: a half-turn), because it is no further than the body turns in that step, is refused
-/// with Fault::singular: nothing that such a step finds can be trusted. So is, with Fault::coarse_step, one in which
+/// with Error::singular: nothing that such a step finds can be trusted. So is, with Error::coarse_step, one in which
 /// the body may turn, at the greatest rate in it, by as much as any attitude's distance to a singularity (euler: a
 /// quarter turn; cayley, mrp, rotvec: half a turn), or by more than half a turn with any set. The state is then lost,
 /// and every later step says the same until start().
@@ -54,21 +54,21 @@ public:
     /// @pre can_integrate(set.name, integrator)
     Stepper(const Spec& set, Integrator integrator, bool renormalise = false) noexcept;
 
-    /// The numbers of a rotation. Fault: singular.
-    Fault start(const Rotation& rotation) noexcept;
+    /// The numbers of a rotation. Error: singular.
+    Error start(const Rotation& rotation) noexcept;
 
     /// Parts of a step at which step() wants the angular velocity.
     [[nodiscard]] std::span<const double> nodes() const noexcept;
 
     /// Carries the numbers over `h` seconds. `rates`: the body's angular velocity in body axes, rad/s, at the nodes.
     /// Faults: singular; coarse_step; not_finite where a number overflows.
-    Fault step(double h, std::span<const Eigen::Vector3d> rates) noexcept;
+    Error step(double h, std::span<const Eigen::Vector3d> rates) noexcept;
 
     /// How far the last step went: the angle that the body may have turned by, in radians, or in parts of the distance
     /// to a singularity where that was less than a radian.
     [[nodiscard]] double stretch() const noexcept { return stretch_; }
 
-    /// The attitude of the numbers, and their exact defect: how far they have drifted off the set. A fault where the
+    /// The attitude of the numbers, and their exact defect: how far they have drifted off the set. A error where the
     /// state is lost, or where drift has left no attitude.
     [[nodiscard]] Reading attitude() const noexcept;
 
@@ -83,31 +83,31 @@ private:
     void turn_by(const Eigen::Vector3d& turn) noexcept;
     [[nodiscard]] double distance_to_singularity() const noexcept;
     void change_chart() noexcept;
-    Fault bring_back() noexcept;
+    Error renormalise() noexcept;
 
     Spec set_;
     Integrator integrator_;
     bool renormalised_;
     Numbers numbers_ = Numbers::Zero();
     double stretch_ = 0.0;
-    Fault fault_ = Fault::none;
+    Error error_ = Error::none;
 };
 
 /// Carries the stepper over `count` steps of `h` seconds from `start`; omega(t) is the body's angular velocity.
 template <class Omega>
-Fault integrate(Stepper& stepper, const Omega& omega, double start, double h, std::size_t count) {
+Error integrate(Stepper& stepper, const Omega& omega, double start, double h, std::size_t count) {
     std::array<Eigen::Vector3d, 3> rates;
     const auto nodes = stepper.nodes();
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             rates[k] = omega(start + (static_cast<double>(i) + nodes[k]) * h);
         }
-        const Fault fault = stepper.step(h, {rates.data(), nodes.size()});
-        if (fault != Fault::none) {
-            return fault;
+        const Error error = stepper.step(h, {rates.data(), nodes.size()});
+        if (error != Error::none) {
+            return error;
         }
     }
-    return Fault::none;
+    return Error::none;
 }
 
 } // namespace rotconv

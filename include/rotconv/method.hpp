@@ -18,28 +18,28 @@ struct Worst {
 /// A published way from one representation to another, written as it was published, weaknesses included. rotconv's own
 /// way is the row `default` of each pair, whose function is null.
 struct Method {
-    Name from;
-    Name to;
+    RepresentationId from;
+    RepresentationId to;
     std::string_view name;      ///< as in --method
     std::string_view reference; ///< author, year, equation
     std::string_view domain;    ///< where it holds
-    /// Rows of numbers in the representations' own order, active, in radians. Never faults: outside its domain a row
+    /// Rows of numbers in the representations' own order, active, in radians. Never errors: outside its domain a row
     /// may hold anything, nan included. `sequence` counts where `to` is euler.
     void (*run)(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept;
     Worst clean{};   ///< on rows that describe an attitude exactly
     Worst hostile{}; ///< on matrices off by up to 5e-4, quaternions of any length, rotation vectors up to 1e14
 
     /// Whether it is of this pair; rpy counts as euler.
-    [[nodiscard]] bool serves(Name source, Name target) const noexcept;
+    [[nodiscard]] bool serves(RepresentationId source, RepresentationId target) const noexcept;
 };
 
 /// All rows, in the order of their pairs.
 [[nodiscard]] std::span<const Method> methods() noexcept;
 
 /// The rows of a pair, see Method::serves(); empty where only rotconv's own way is known.
-[[nodiscard]] std::span<const Method> methods_of(Name from, Name to) noexcept;
+[[nodiscard]] std::span<const Method> methods_of(RepresentationId from, RepresentationId to) noexcept;
 
 /// The method of that name, or null.
-[[nodiscard]] const Method* find_method(Name from, Name to, std::string_view name) noexcept;
+[[nodiscard]] const Method* find_method(RepresentationId from, RepresentationId to, std::string_view name) noexcept;
 
 } // namespace rotconv

@@ -9,14 +9,14 @@
 /// and Junkins 1996). At a half-turn the set changes to its shadow -m/|m|^2, so that its norm stays at most 1.
 namespace rotconv::mrp {
 
-/// q ~ (1 - |m|^2, 2m), for m of any length. Fault: not_finite.
+/// q ~ (1 - |m|^2, 2m), for m of any length. Error: not_finite.
 [[nodiscard]] Reading to_rotation(const Eigen::Vector3d& m) noexcept;
 
 /// m = v/(|q| + w), w >= 0, norm at most 1; each component rounded once, 0.94 eps.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (1 + |m|^2)/4.
-[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// The rate B w/4 with B w = (1 - |m|^2) w + 2 m x w + 2 m (m.w), the cross product negative in reference axes (Schaub
 /// and Junkins 1996). B is (1 + |m|^2) times an orthogonal matrix. The same for a set and its shadow.

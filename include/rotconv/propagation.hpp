@@ -33,13 +33,13 @@ struct Propagated {
     /// Radians: the greatest of the estimates of their own error by the steps from the sample before. Two half steps
     /// against the one; 0 where the steps are so short that it is far below `reported_step_error`.
     double step_error = 0.0;
-    Fault fault = Fault::none; ///< singular, coarse_step: the chart was left, here and in all that follows
+    Error error = Error::none; ///< singular, coarse_step: the chart was left, here and in all that follows
 };
 
 /// What came of one sample.
 struct Pushed {
     /// not_finite, time_order: the sample was refused and changed nothing.
-    Fault refused = Fault::none;
+    Error refused = Error::none;
     /// linear: of this sample; cubic: of the one accepted before it.
     std::optional<Propagated> answer;
 };

@@ -35,7 +35,7 @@ namespace quaternion {
 [[nodiscard]] Quaternion from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin infinite, condition 1/2.
-[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// The rates: q (0, w)/2, or (0, w) q/2 in reference axes (Stuelpnagel section 5, of the conjugate: udot = sigma u).
 /// Linear in a quaternion of any norm, which it keeps.

@@ -9,8 +9,8 @@
 
 namespace rotconv {
 
-/// Whether the room knows its kinematic equation: all but axis-angle, whose axis has no rate at the identity.
-[[nodiscard]] bool has_rates(Name name) noexcept;
+/// Whether the representation has a kinematic equation: all but axis-angle, whose axis has no rate at the identity.
+[[nodiscard]] bool has_rates(RepresentationId name) noexcept;
 
 /// An attitude whose margin is at most this (radians) has no rates.
 inline constexpr double singular_margin = 1e-15;
@@ -25,11 +25,11 @@ struct RateSettings {
 
 /// What is known of one row.
 struct RateReport {
-    Fault fault = Fault::none; ///< singular or full_turn where the margin is at most `singular_margin`; overflow of the
+    Error error = Error::none; ///< singular or full_turn where the margin is at most `singular_margin`; overflow of the
                                ///< result; those of readings
     double defect = 0.0;       ///< as in Report
-    Figures figures{};         ///< of the numbers (they differ from the attitude's for a rotation vector past a
-                               ///< half-turn); not known with any other fault
+    Sensitivity sensitivity{}; ///< of the numbers (they differ from the attitude's for a rotation vector past a
+                               ///< half-turn); not known with any other error
 };
 
 /// The kinematic equation of a representation on rows of numbers written as its Spec says. Numbers that are angles have
@@ -47,7 +47,7 @@ public:
     /// n rates, in the order of the numbers; inverse: wx, wy, wz.
     [[nodiscard]] std::size_t out_size() const noexcept { return settings_.inverse ? 3 : spec_.size(); }
 
-    /// reports.size() rows. The results of a row with a fault become nan. No number becomes -0.
+    /// reports.size() rows. The results of a row with a error become nan. No number becomes -0.
     /// @pre in.size() >= rows * in_size() and out.size() >= rows * out_size()
     void run(std::span<const double> in, std::span<double> out, std::span<RateReport> reports) const noexcept;
 

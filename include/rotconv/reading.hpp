@@ -10,7 +10,7 @@
 namespace rotconv {
 
 /// Why numbers do not describe a rotation, or cannot be carried on. Data: words are found by whoever talks to people.
-enum class Fault : std::uint8_t {
+enum class Error : std::uint8_t {
     none,
     not_finite,      ///< a number is nan or infinite
     overflow,        ///< finite numbers whose result is too large for a double
@@ -26,19 +26,19 @@ enum class Fault : std::uint8_t {
     ended,           ///< an earlier row of the propagation has failed: nothing follows on it
 };
 
-/// What numbers describe: the rotation, how far the numbers were from describing one exactly, or a fault.
+/// What numbers describe: the rotation, how far the numbers were from describing one exactly, or a error.
 struct Reading {
     Rotation rotation;   ///< the identity where `fault` is not none
     double defect = 0.0; ///< | |q| - 1 |, or the largest singular value of M - (polar factor of M); 0 for others. Up
                          ///< to `reported_defect` it may be an upper bound
-    Fault fault = Fault::none;
+    Error error = Error::none;
 
-    [[nodiscard]] bool ok() const noexcept { return fault == Fault::none; }
-    static Reading failed(Fault why) noexcept { return {.rotation = {}, .defect = 0.0, .fault = why}; }
+    [[nodiscard]] bool ok() const noexcept { return error == Error::none; }
+    static Reading failed(Error why) noexcept { return {.rotation = {}, .defect = 0.0, .error = why}; }
 };
 
 /// Kinds of diagnostic, in the order in which they are reported.
-enum class Kind : std::uint8_t {
+enum class DiagnosticKind : std::uint8_t {
     normalized,
     gimbal_lock,
     near_gimbal_lock,
@@ -48,31 +48,31 @@ enum class Kind : std::uint8_t {
     method_error,
     coarse_step
 };
-inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::coarse_step) + 1;
+inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::coarse_step) + 1;
 
 /// The kind's name as it stands in the `notes` column, such as "gimbal-lock".
-[[nodiscard]] std::string_view name_of(Kind kind) noexcept;
+[[nodiscard]] std::string_view name_of(DiagnosticKind kind) noexcept;
 
 /// A set of kinds.
-class Notes {
+class DiagnosticSet {
 public:
-    constexpr Notes() noexcept = default;
-    constexpr Notes(Kind kind, bool present) noexcept : bits_(present ? bit(kind) : 0U) {}
+    constexpr DiagnosticSet() noexcept = default;
+    constexpr DiagnosticSet(DiagnosticKind kind, bool present) noexcept : bits_(present ? bit(kind) : 0U) {}
 
-    [[nodiscard]] constexpr bool has(Kind kind) const noexcept { return (bits_ & bit(kind)) != 0U; }
+    [[nodiscard]] constexpr bool has(DiagnosticKind kind) const noexcept { return (bits_ & bit(kind)) != 0U; }
     [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0U; }
-    constexpr Notes& operator|=(Notes other) noexcept {
+    constexpr DiagnosticSet& operator|=(DiagnosticSet other) noexcept {
         bits_ |= other.bits_;
         return *this;
     }
 
 private:
-    static constexpr unsigned bit(Kind kind) noexcept { return 1U << static_cast<unsigned>(kind); }
+    static constexpr unsigned bit(DiagnosticKind kind) noexcept { return 1U << static_cast<unsigned>(kind); }
     unsigned bits_ = 0;
 };
 
 /// How close an attitude is to where a set of parameters is singular.
-struct Figures {
+struct Sensitivity {
     /// Angle in radians to the nearest attitude at which the set is singular; infinite for a set without any.
     double margin = std::numeric_limits<double>::infinity();
     /// Largest singular value of the map from a small rotation (radians) to the parameters (radians where angles).

@@ -19,7 +19,7 @@ struct RotationVector {
 namespace rotation_vector {
 
 /// q ~ (cos(theta/2), r sin(theta/2)/theta), theta = |r| to twice the working precision: 2.5 eps up to |r| = 1e15; past
-/// that the error grows with |r| 2^-104 (none for a vector along a coordinate axis). Fault: not_finite.
+/// that the error grows with |r| 2^-104 (none for a vector along a coordinate axis). Error: not_finite.
 [[nodiscard]] Reading to_rotation(const RotationVector& value) noexcept;
 
 /// r = v 2 arg(w, |v|)/|v|, norm at most pi, with |v| and the quotient to twice the working precision: 2.7 eps, where
@@ -27,12 +27,12 @@ namespace rotation_vector {
 [[nodiscard]] RotationVector from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
 
 /// Margin pi - theta, condition (theta/2)/sin(theta/2), between 1 and pi/2.
-[[nodiscard]] Figures figures(const Rotation& rotation) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// Those of numbers that may be past a half-turn, and of the rotation that they were read as: there the margin is the
 /// distance to the nearest full turn, 0 where a length in radians (eps |r|) does not tell it from one, and the
 /// condition (theta/2)/|sin(theta/2)|.
-[[nodiscard]] Figures figures(const RotationVector& value, const Rotation& rotation) noexcept;
+[[nodiscard]] Sensitivity sensitivity(const RotationVector& value, const Rotation& rotation) noexcept;
 
 /// The rate of the vector, in its unit a second: g w + r x w/2 + (1 - g) n (n.w), the cross product negative in
 /// reference axes, with g = (theta/2) cot(theta/2), n = r/theta. This is Stuelpnagel's equation of section 6 with the

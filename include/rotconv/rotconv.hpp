@@ -1,10 +1,9 @@
 #pragma once
 
-/// Everything of rotconv::core: the hub Rotation, a room for each representation, and conversion of rows by SPEC.
+/// Everything of rotconv::core: the hub Rotation, a header for each representation, and conversion of rows by SPEC.
 
 #include <rotconv/axis_angle.hpp>
 #include <rotconv/cayley.hpp>
-#include <rotconv/columns.hpp>
 #include <rotconv/conversion.hpp>
 #include <rotconv/dcm.hpp>
 #include <rotconv/euler.hpp>
@@ -17,3 +16,4 @@
 #include <rotconv/rates.hpp>
 #include <rotconv/rotation_vector.hpp>
 #include <rotconv/survey.hpp>
+#include <rotconv/two_column.hpp>

@@ -14,8 +14,19 @@
 namespace rotconv {
 
 /// The representations, in the order in which they are listed.
-enum class Name : std::uint8_t { dcm, six_d, five_d, quat, axis_angle, rotvec, euler, rpy, cayley, mrp };
-inline constexpr std::size_t name_count = static_cast<std::size_t>(Name::mrp) + 1;
+enum class RepresentationId : std::uint8_t {
+    dcm,
+    two_column,
+    five_d,
+    quat,
+    axis_angle,
+    rotvec,
+    euler,
+    rpy,
+    cayley,
+    mrp
+};
+inline constexpr std::size_t representation_count = static_cast<std::size_t>(RepresentationId::mrp) + 1;
 
 /// What changes how a representation's numbers are written down.
 enum class Modifier : std::uint8_t { passive, deg, col, xyzw };
@@ -23,7 +34,7 @@ inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg, Modi
 
 /// One line of the table of representations.
 struct Representation {
-    Name name;
+    RepresentationId name;
     std::string_view text;                        ///< as in a SPEC
     std::array<std::string_view, 2> aliases;      ///< unused ones are empty
     std::size_t size;                             ///< how many numbers
@@ -37,21 +48,23 @@ struct Representation {
 /// A named set of conventions: which modifiers it stands for on which representations.
 struct Preset {
     std::string_view text;
-    std::array<Name, 8> passive_on; ///< the representations that it makes passive...
-    std::size_t passive_count;      ///< ...and how many of them there are
-    bool scalar_last;               ///< quat:xyzw
+    std::array<RepresentationId, 8> passive_on; ///< the representations that it makes passive...
+    std::size_t passive_count;                  ///< ...and how many of them there are
+    bool scalar_last;                           ///< quat:xyzw
 
-    [[nodiscard]] std::span<const Name> passive() const noexcept { return {passive_on.data(), passive_count}; }
+    [[nodiscard]] std::span<const RepresentationId> passive() const noexcept {
+        return {passive_on.data(), passive_count};
+    }
 };
 
 [[nodiscard]] std::span<const Representation> representations() noexcept;
 [[nodiscard]] std::span<const Preset> presets() noexcept;
-[[nodiscard]] const Representation& representation(Name name) noexcept;
+[[nodiscard]] const Representation& representation(RepresentationId name) noexcept;
 [[nodiscard]] std::string_view name_of(Modifier modifier) noexcept;
 
 /// A representation with its conventions resolved: what `NAME[:MODIFIER]...` means.
 struct Spec {
-    Name name = Name::quat;
+    RepresentationId name = RepresentationId::quat;
     EulerSequence sequence = roll_pitch_yaw; ///< of euler and rpy
     AngleUnit unit = AngleUnit::radians;     ///< of representations that have angles
     bool passive = false;                    ///< the numbers describe the inverse
@@ -68,7 +81,7 @@ struct Spec {
 };
 
 /// Why a text is no SPEC.
-struct SpecFault {
+struct SpecError {
     enum class What : std::uint8_t {
         unknown_name,
         no_sequence,
@@ -83,6 +96,6 @@ struct SpecFault {
 };
 
 /// Reads `NAME[:MODIFIER]...`, case-sensitive; `euler` is followed by its sequence.
-[[nodiscard]] std::variant<Spec, SpecFault> parse_spec(std::string_view text);
+[[nodiscard]] std::variant<Spec, SpecError> parse_spec(std::string_view text);
 
 } // namespace rotconv

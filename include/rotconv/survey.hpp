@@ -13,9 +13,9 @@ namespace rotconv {
 /// What a stream of attitudes demands of one set of parameters.
 struct SetSurvey {
     Spec set;
-    double least_margin = 0.0;       ///< radians, see Figures
+    double least_margin = 0.0;       ///< radians, see Sensitivity
     std::size_t margin_row = 0;      ///< the first row that has it
-    double greatest_condition = 0.0; ///< see Figures
+    double greatest_condition = 0.0; ///< see Sensitivity
     std::size_t condition_row = 0;   ///< the first row that has it
     std::size_t jumps = 0;           ///< see Survey
     std::size_t jump_row = 0;        ///< the first row that is jumped to
@@ -24,7 +24,7 @@ struct SetSurvey {
     /// change its sign alone, which means the same attitude, and its equation knows no singular one.
     [[nodiscard]] bool serves(double limit) const noexcept {
         return std::isfinite(greatest_condition) && greatest_condition <= limit &&
-               (jumps == 0 || set.name == Name::quat);
+               (jumps == 0 || set.name == RepresentationId::quat);
     }
 };
 

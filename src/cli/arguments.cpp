@@ -72,9 +72,9 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv,
     const auto add_option = [&](const CLI::Option& option, const std::string& argument) {
         const std::string name = option.get_name();
         if (std::ranges::count(given, &option) != 0) {
-            sorted.fault = name + " is given twice";
+            sorted.error = name + " is given twice";
         } else if (argument.empty()) {
-            sorted.fault = name + " has an empty argument";
+            sorted.error = name + " has an empty argument";
         }
         given.push_back(&option);
         sorted.options.push_back(fmt::format("{}={}", name, argument));
@@ -89,7 +89,7 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv,
             if (command != nullptr) {
                 Arguments after = sort_command(*command, argc - i, argv + i);
                 after.options.insert(after.options.begin(), sorted.options.begin(), sorted.options.end());
-                after.fault = sorted.fault.empty() ? after.fault : sorted.fault;
+                after.error = sorted.error.empty() ? after.error : sorted.error;
                 return after;
             }
             (is_value ? sorted.values : sorted.files).push_back(std::move(word));
@@ -104,7 +104,7 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv,
             sorted.options.push_back(std::move(word));
         } else if (!takes_argument(*read.option)) {
             if (read.argument) {
-                sorted.fault = read.option->get_name() + " takes no argument";
+                sorted.error = read.option->get_name() + " takes no argument";
             }
             sorted.options.push_back(read.option->get_name());
         } else {
@@ -112,7 +112,7 @@ Arguments sort_arguments(const CLI::App& app, int argc, const char* const* argv,
                 sorted.options.push_back(read.flags);
             }
             if (!read.argument && i + 1 == argc) {
-                sorted.fault = read.option->get_name() + " awaits its argument";
+                sorted.error = read.option->get_name() + " awaits its argument";
                 break;
             }
             add_option(*read.option, read.argument ? *read.argument : argv[++i]);

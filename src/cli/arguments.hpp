@@ -13,7 +13,7 @@ struct Arguments {
     std::vector<std::string> options; ///< each option that takes an argument joined with it
     std::vector<std::string> values;
     std::vector<std::string> files;
-    std::string fault;   ///< what is wrong with an option, in words; empty where nothing is
+    std::string error;   ///< what is wrong with an option, in words; empty where nothing is
     std::string command; ///< the first word, where it names one: it also stands in `options`
 };
 

@@ -13,40 +13,42 @@
 #include "arguments.hpp"
 #include "kinematics.hpp"
 #include "list.hpp"
+#include "messages.hpp"
 #include "options.hpp"
-#include "words.hpp"
 
 namespace rotconv::cli {
 namespace {
 
 void set_help(CLI::App& app) { app.set_help_flag("-h,--help", "Print this help and exit"); }
 
-void define_list(CLI::App& app, Texts& texts) { app.add_option("NAME", texts.listed, "A representation, or methods"); }
+void define_list(CLI::App& app, RawOptions& texts) {
+    app.add_option("NAME", texts.listed, "A representation, or methods");
+}
 
 /// A command beside the conversion.
 struct Entry {
     std::string_view name;
     const char* description;
     const char* usage;
-    void (*define)(CLI::App& app, Texts& texts);
-    Command (*command)(const Texts& texts, const Operands& operands);
+    void (*define)(CLI::App& app, RawOptions& texts);
+    Command (*command)(const RawOptions& texts, const Operands& operands);
 };
 
 constexpr std::array<Entry, 4> commands{
     {{"list", "List the representations, or explain one; list methods: the methods", "Usage: rotconv list [NAME]\n",
       define_list,
-      [](const Texts& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
+      [](const RawOptions& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
      {"rates", "Rates of the numbers from the angular velocity, and back",
       "Usage: rotconv rates -f SPEC [OPTION]... [VALUE]...\n"
       "       rotconv rates -f SPEC [OPTION]... [FILE]\n",
       define_rates,
-      [](const Texts& texts, const Operands& operands) -> Command { return rates_command(texts, operands); }},
+      [](const RawOptions& texts, const Operands& operands) -> Command { return rates_command(texts, operands); }},
      {"propagate", "Integrate angular velocities to attitudes", "Usage: rotconv propagate -t SPEC [OPTION]... [FILE]\n",
       define_propagate,
-      [](const Texts& texts, const Operands& operands) -> Command { return propagate_command(texts, operands); }},
+      [](const RawOptions& texts, const Operands& operands) -> Command { return propagate_command(texts, operands); }},
      {"survey", "Which sets serve a motion, and the smallest", "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n",
       define_survey,
-      [](const Texts& texts, const Operands& operands) -> Command { return survey_command(texts, operands); }}}};
+      [](const RawOptions& texts, const Operands& operands) -> Command { return survey_command(texts, operands); }}}};
 
 /// The command of that name, or null.
 const Entry* find_command(std::string_view name) {
@@ -68,7 +70,7 @@ public:
     }
 };
 
-const CLI::App* add(const Entry& entry, CLI::App& app, Texts& texts) {
+const CLI::App* add(const Entry& entry, CLI::App& app, RawOptions& texts) {
     CLI::App* command = app.add_subcommand(std::string(entry.name), entry.description);
     entry.define(*command, texts);
     set_help(*command); // anew, so that it is the last
@@ -77,7 +79,7 @@ const CLI::App* add(const Entry& entry, CLI::App& app, Texts& texts) {
 
 /// The conversion, without the commands: to define them all takes longer than the rest of a start, and a command line
 /// names one at most.
-void define(CLI::App& app, Texts& texts) {
+void define(CLI::App& app, RawOptions& texts) {
     app.formatter(std::make_shared<Formatter>());
     set_help(app);
     app.set_version_flag("--version", "rotconv " ROTCONV_VERSION, "Print the version and exit");
@@ -93,7 +95,7 @@ void define(CLI::App& app, Texts& texts) {
 }
 
 /// The help of the command that is named, which the options of others would not change; else that of the program.
-std::string help(CLI::App& app, Texts& texts) {
+std::string help(CLI::App& app, RawOptions& texts) {
     if (app.get_subcommands({}).empty()) {
         for (const Entry& entry : commands) {
             add(entry, app, texts);
@@ -107,17 +109,17 @@ std::string help(CLI::App& app, Texts& texts) {
 const Method* method_of(const Spec& from, const Spec& to, const std::string& text) {
     const Method* method = find_method(from.name, to.name, text);
     if (method == nullptr && text != "default") {
-        throw Usage("--method " + words::no_such_method(from.name, to.name, text));
+        throw Usage("--method " + messages::no_such_method(from.name, to.name, text));
     }
     return method;
 }
 
-RowsCommand convert_command(const Texts& texts, const Operands& operands) {
+RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     Settings settings = settings_of(texts);
     settings.method = method_of(from, to, texts.method);
-    return rows_command(texts, stream::row_function(Conversion(from, to, settings)),
+    return rows_command(texts, stream::conversion_operation(Conversion(from, to, settings)),
                         {std::string(representation(from.name).text), from.size(), from.name, settings.tolerance},
                         operands);
 }
@@ -128,7 +130,7 @@ std::string unexpected(const CLI::App& app) {
     const CLI::App& command = named.empty() ? app : *named.front();
     const std::string word = app.remaining(true).front();
     if (!word.starts_with('-')) {
-        return "unexpected argument " + words::quoted(word);
+        return "unexpected argument " + messages::quoted(word);
     }
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {
@@ -136,7 +138,7 @@ std::string unexpected(const CLI::App& app) {
             names.push_back("--" + name);
         }
     }
-    return words::no_such_word("option", word.substr(0, word.find('=')), {names.begin(), names.end()});
+    return messages::no_such_word("option", word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
 /// Refuses operands that exclude each other, and FILEs that are none.
@@ -145,13 +147,13 @@ void check(const Operands& operands, bool has_input) {
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
             std::vector<std::string_view> names;
             std::ranges::transform(commands, std::back_inserter(names), &Entry::name);
-            throw Usage(words::no_operand(file, error, names));
+            throw Usage(messages::no_operand(file, error, names));
         }
     }
-    const std::string file = operands.files.empty() ? std::string() : words::quoted(operands.files[0]);
+    const std::string file = operands.files.empty() ? std::string() : messages::quoted(operands.files[0]);
     if (operands.files.size() > 1) {
         throw Usage(fmt::format("{} and {} are two FILEs, and one is read; cat joins them: cat A B | rotconv ...", file,
-                                words::quoted(operands.files[1])));
+                                messages::quoted(operands.files[1])));
     }
     if (!operands.values.empty() && !operands.files.empty()) {
         throw Usage(fmt::format("VALUEs and the FILE {} exclude each other", file));
@@ -178,14 +180,14 @@ void refuse_before(const CLI::App& app, const std::string& command) {
 
 Command read_command_line(int argc, const char* const* argv) {
     CLI::App app("Converts rotations from any representation into any other.", "rotconv");
-    Texts texts;
+    RawOptions texts;
     define(app, texts);
     Arguments arguments = sort_arguments(app, argc, argv, [&](const std::string& word) {
         const Entry* entry = find_command(word);
         return entry == nullptr ? nullptr : add(*entry, app, texts);
     });
-    if (!arguments.fault.empty()) {
-        return UsageError{arguments.fault};
+    if (!arguments.error.empty()) {
+        return UsageError{arguments.error};
     }
     std::ranges::reverse(arguments.options); // as CLI11 wants them
     try {
@@ -206,7 +208,7 @@ Command read_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ExtrasError&) {
         return UsageError{unexpected(app)};
     } catch (const CLI::ParseError& error) {
-        return UsageError{words::shown(error.what())};
+        return UsageError{messages::shown(error.what())};
     } catch (const Usage& error) {
         return UsageError{error.what()};
     }

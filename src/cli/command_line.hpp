@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "../stream/layout.hpp"
-#include "words.hpp"
+#include "messages.hpp"
 
 namespace rotconv::cli {
 
@@ -14,11 +14,11 @@ enum class ShowDiagnostics { off, summary, rows, columns };
 /// A command that makes something of each row, checked: `rotconv -f FROM -t TO ...`, `rotconv rates ...` and
 /// `rotconv propagate ...`.
 struct RowsCommand {
-    RowsCommand(stream::RowFunction function, words::Subject about)
+    RowsCommand(stream::RowOperation function, messages::Subject about)
         : options(std::move(function)), subject(std::move(about)) {}
 
     stream::Options options;
-    words::Subject subject; ///< what the rows are, for messages
+    messages::Subject subject; ///< what the rows are, for messages
     ShowDiagnostics diagnostics = ShowDiagnostics::summary;
     bool strict = false;
     std::string input = "-";

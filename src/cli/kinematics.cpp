@@ -18,7 +18,7 @@ constexpr double default_condition = 1e3;
 
 void refuse_values(const Operands& operands, std::string_view command) {
     if (!operands.values.empty()) {
-        throw Usage(fmt::format("{} reads rows, not arguments: {}", command, words::quoted(operands.values[0])));
+        throw Usage(fmt::format("{} reads rows, not arguments: {}", command, messages::quoted(operands.values[0])));
     }
 }
 
@@ -33,38 +33,38 @@ void require_rates(std::string_view option, const Spec& spec) {
 Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
     const auto colon = text.rfind(':');
     if (colon == std::string::npos) {
-        throw Usage(fmt::format("--initial {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", words::quoted(text)));
+        throw Usage(fmt::format("--initial {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", messages::quoted(text)));
     }
     const Spec spec = spec_of("--initial", text.substr(0, colon), degrees);
     const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
-    stream::RowFault fault;
-    fault.text = row;
-    const auto refuse = [&](stream::RowFault::What what) {
-        fault.what = what;
-        throw Usage("--initial: " + words::explain(fault, {std::string(representation(spec.name).text), spec.size(),
-                                                           spec.name, tolerance}));
+    stream::RowError error;
+    error.text = row;
+    const auto refuse = [&](stream::RowError::What what) {
+        error.what = what;
+        throw Usage("--initial: " + messages::explain(error, {std::string(representation(spec.name).text), spec.size(),
+                                                              spec.name, tolerance}));
     };
     std::vector<std::string_view> fields;
     stream::Delimiter::of_row(row).split(row, fields);
     if (fields.size() != spec.size()) {
         throw Usage(fmt::format("--initial: {} has {} numbers, not {}: {}", representation(spec.name).text, spec.size(),
-                                fields.size(), words::quoted(row)));
+                                fields.size(), messages::quoted(row)));
     }
     std::array<double, 9> numbers{};
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto number_fault = stream::read_number(fields[i], numbers.at(i));
-        if (number_fault != stream::NumberFault::none) {
-            refuse(number_fault == stream::NumberFault::too_large ? stream::RowFault::What::too_large
-                                                                  : stream::RowFault::What::not_a_number);
+        if (number_fault != stream::NumberError::none) {
+            refuse(number_fault == stream::NumberError::too_large ? stream::RowError::What::too_large
+                                                                  : stream::RowError::What::not_a_number);
         }
     }
     std::array<double, 4> q{};
     Report report;
     Conversion(spec, Spec{}, {.tolerance = tolerance}).run(numbers, q, {&report, 1});
-    if (report.fault != Fault::none) {
-        fault.fault = report.fault;
-        fault.defect = report.defect;
-        refuse(stream::RowFault::What::attitude);
+    if (report.error != Error::none) {
+        error.error = report.error;
+        error.defect = report.defect;
+        refuse(stream::RowError::What::attitude);
     }
     return Rotation::from_components(q[0], q[1], q[2], q[3]);
 }
@@ -86,7 +86,7 @@ Integrator integrator_of(const Spec& set, const std::string& text) {
 
 } // namespace
 
-void define_rates(CLI::App& app, Texts& texts) {
+void define_rates(CLI::App& app, RawOptions& texts) {
     define_from(app, texts);
     app.add_option("--frame", texts.frame, "Axes of the angular velocity: body or reference")->type_name("FRAME");
     app.add_flag("--inverse", texts.inverse, "From the rates of the numbers to the angular velocity");
@@ -94,7 +94,7 @@ void define_rates(CLI::App& app, Texts& texts) {
     define_output(app, texts);
 }
 
-void define_propagate(CLI::App& app, Texts& texts) {
+void define_propagate(CLI::App& app, RawOptions& texts) {
     define_to(app, texts);
     app.add_option("--initial", texts.initial, "The first attitude, as SPEC: NUMBERS (default: the identity)")
         ->type_name("ATTITUDE");
@@ -112,7 +112,7 @@ void define_propagate(CLI::App& app, Texts& texts) {
     define_lock_margin(app, texts);
 }
 
-void define_survey(CLI::App& app, Texts& texts) {
+void define_survey(CLI::App& app, RawOptions& texts) {
     define_from(app, texts);
     app.add_option("--condition", texts.condition, "The greatest condition that serves (default 1e3)")
         ->type_name("LIMIT");
@@ -120,7 +120,7 @@ void define_survey(CLI::App& app, Texts& texts) {
     define_input(app, texts);
 }
 
-RowsCommand rates_command(const Texts& texts, const Operands& operands) {
+RowsCommand rates_command(const RawOptions& texts, const Operands& operands) {
     const Spec spec = spec_of("--from", texts.from, texts.degrees);
     require_rates("--from", spec);
     const RateSettings settings{
@@ -128,14 +128,14 @@ RowsCommand rates_command(const Texts& texts, const Operands& operands) {
         .degrees = texts.degrees,
         .frame = choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}}),
         .tolerance = settings_of(texts).tolerance};
-    auto function = stream::rates_function(spec, settings);
+    auto function = stream::rates_operation(spec, settings);
     const std::string subject =
         fmt::format("{} with {}", representation(spec.name).text, settings.inverse ? "its rates" : "wx wy wz");
-    words::Subject about{subject, function.inputs, spec.name, settings.tolerance};
+    messages::Subject about{subject, function.inputs, spec.name, settings.tolerance};
     return rows_command(texts, std::move(function), std::move(about), operands);
 }
 
-RowsCommand propagate_command(const Texts& texts, const Operands& operands) {
+RowsCommand propagate_command(const RawOptions& texts, const Operands& operands) {
     refuse_values(operands, "propagate");
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     const Spec set = spec_of("--with", texts.with, false);
@@ -146,7 +146,7 @@ RowsCommand propagate_command(const Texts& texts, const Operands& operands) {
     rows.degrees = texts.degrees;
     rows.to = to;
     rows.conversion = settings;
-    rows.stop_at_fault = on_error_of(texts) == stream::OnError::stop;
+    rows.stop_at_error = on_error_of(texts) == stream::OnError::stop;
     rows.settings.set = set;
     rows.settings.integrator = integrator_of(set, texts.integrator);
     rows.settings.interpolation = choose<Interpolation>(
@@ -158,22 +158,22 @@ RowsCommand propagate_command(const Texts& texts, const Operands& operands) {
     if (!texts.initial.empty()) {
         rows.settings.initial = initial_of(texts.initial, texts.degrees, settings.tolerance);
     }
-    auto function = stream::propagation_function(rows);
-    words::Subject about{"t wx wy wz", function.inputs, set.name, settings.tolerance};
+    auto function = stream::propagation_operation(rows);
+    messages::Subject about{"t wx wy wz", function.inputs, set.name, settings.tolerance};
     RowsCommand command = rows_command(texts, std::move(function), std::move(about), operands);
     command.progress = true;
     return command;
 }
 
-SurveyCommand survey_command(const Texts& texts, const Operands& operands) {
+SurveyCommand survey_command(const RawOptions& texts, const Operands& operands) {
     refuse_values(operands, "survey");
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const double tolerance = settings_of(texts).tolerance;
-    Texts input = texts;
+    RawOptions input = texts;
     input.format.clear(); // that of the survey
     SurveyCommand command{
         .rows =
-            rows_command(input, stream::reading_function(from, tolerance, [](const Rotation&, std::size_t) {}),
+            rows_command(input, stream::reading_operation(from, tolerance, [](const Rotation&, std::size_t) {}),
                          {std::string(representation(from.name).text), from.size(), from.name, tolerance}, operands),
         .from = from,
         .condition = amount_of("--condition", texts.condition, default_condition, true),

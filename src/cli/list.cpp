@@ -8,7 +8,7 @@
 #include <rotconv/method.hpp>
 #include <rotconv/spec.hpp>
 
-#include "words.hpp"
+#include "messages.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -30,7 +30,7 @@ std::string columns_of(const Representation& entry) {
 /// What a preset makes of a representation.
 std::string effect_of(const Preset& preset, const Representation& entry) {
     const bool passive = std::ranges::count(preset.passive(), entry.name) != 0;
-    const bool scalar_last = preset.scalar_last && entry.name == Name::quat;
+    const bool scalar_last = preset.scalar_last && entry.name == RepresentationId::quat;
     if (passive && scalar_last) {
         return "passive, xyzw";
     }
@@ -45,8 +45,8 @@ std::string list_all() {
     std::string text = fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", "NAME", "also", "n", "numbers",
                                    "range on output", "singular at");
     for (const Representation& entry : representations()) {
-        const auto about = words::about(entry.name);
-        const std::string name = entry.name == Name::euler ? "euler:SEQ" : std::string(entry.text);
+        const auto about = messages::about(entry.name);
+        const std::string name = entry.name == RepresentationId::euler ? "euler:SEQ" : std::string(entry.text);
         text += fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", name, aliases_of(entry), entry.size,
                             columns_of(entry), about.range, about.singular);
     }
@@ -62,7 +62,7 @@ std::optional<std::string> list_one(std::string_view name) {
     if (found == table.end()) {
         return std::nullopt;
     }
-    const auto about = words::about(found->name);
+    const auto about = messages::about(found->name);
     const std::string aliases = aliases_of(*found);
     std::string text = fmt::format("{}{}\n", found->text, aliases.empty() ? "" : " (also " + aliases + ")");
     const auto line = [&text](std::string_view label, std::string_view what) {
@@ -72,14 +72,15 @@ std::optional<std::string> list_one(std::string_view name) {
     line("numbers", columns_of(*found));
     line("range", about.range);
     line("singular", about.singular);
-    if (found->name == Name::euler) {
+    if (found->name == RepresentationId::euler) {
         line("sequences", "three letters, neighbours different: upper case XYZ turns about the body's own");
         line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic)");
     }
-    line("modifiers", words::modifiers_of(*found));
+    line("modifiers", messages::modifiers_of(*found));
     for (const Preset& preset : presets()) {
         line(&preset == presets().data() ? "presets" : "",
-             fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, *found), words::about_preset(preset.text)));
+             fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, *found),
+                         messages::about_preset(preset.text)));
     }
     return text;
 }
@@ -103,7 +104,7 @@ std::string list_methods() {
 std::string help_footer() {
     std::string text = "Representations (rotconv list explains them):\n ";
     for (const Representation& entry : representations()) {
-        text += fmt::format(" {}", entry.name == Name::euler ? "euler:SEQ" : entry.text);
+        text += fmt::format(" {}", entry.name == RepresentationId::euler ? "euler:SEQ" : entry.text);
     }
     text += "\n\nExamples:\n"
             "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"

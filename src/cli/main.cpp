@@ -8,10 +8,10 @@
 #include "command_line.hpp"
 #include "exit_code.hpp"
 #include "list.hpp"
+#include "messages.hpp"
+#include "print_error.hpp"
 #include "rows.hpp"
-#include "say.hpp"
 #include "survey.hpp"
-#include "words.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -25,12 +25,12 @@ ExitCode print(const std::string& text) {
     if (error == 0 || error == EPIPE) {
         return ExitCode::done;
     }
-    say("-: " + words::explain(stream::StreamFault{stream::StreamFault::What::write, 0, error, {}}, {}));
+    print_error("-: " + messages::explain(stream::StreamError{stream::StreamError::What::write, 0, error, {}}, {}));
     return ExitCode::incomplete;
 }
 
 ExitCode usage(const std::string& message) {
-    say(message);
+    print_error(message);
     return ExitCode::incomplete;
 }
 
@@ -48,7 +48,7 @@ struct Run {
             return print(list_methods());
         }
         const auto text = list_one(command.name);
-        return text ? print(*text) : usage(words::explain(SpecFault{SpecFault::What::unknown_name, command.name}));
+        return text ? print(*text) : usage(messages::explain(SpecError{SpecError::What::unknown_name, command.name}));
     }
 };
 
@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
         static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // a closed pipe is an error code of write()
         return static_cast<int>(std::visit(rotconv::cli::Run{}, rotconv::cli::read_command_line(argc, argv)));
     } catch (const std::exception& error) { // such as std::bad_alloc
-        rotconv::cli::say(error.what());
+        rotconv::cli::print_error(error.what());
     }
     return static_cast<int>(rotconv::cli::ExitCode::incomplete);
 }

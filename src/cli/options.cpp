@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "../stream/file.hpp"
-#include "../stream/lines.hpp"
+#include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
@@ -18,7 +18,7 @@ bool is_row(std::string_view text) {
     return !stream::is_blank(text) && !stream::is_comment(text) && text.find_first_of("\r\n") == std::string_view::npos;
 }
 
-ShowDiagnostics diagnostics_of(const Texts& texts) {
+ShowDiagnostics diagnostics_of(const RawOptions& texts) {
     return choose<ShowDiagnostics>("place for --diagnostics", texts.diagnostics,
                                    {{"off", ShowDiagnostics::off},
                                     {"summary", ShowDiagnostics::summary},
@@ -29,14 +29,15 @@ ShowDiagnostics diagnostics_of(const Texts& texts) {
 /// The canonical names of quat, dcm, or roll, pitch and yaw, in the order in which the SPEC has them; for other SPECs
 /// none.
 std::vector<std::string_view> name_order(const Spec& spec) {
-    if (spec.name == Name::quat || spec.name == Name::dcm) {
+    if (spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
         const auto columns = spec.columns();
         return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
     }
     std::vector<std::string_view> order;
-    if (spec.name == Name::rpy || (spec.name == Name::euler && !spec.sequence.proper())) {
+    if (spec.name == RepresentationId::rpy || (spec.name == RepresentationId::euler && !spec.sequence.proper())) {
         for (std::size_t i = 0; i < spec.size(); ++i) {
-            order.push_back(representation(Name::rpy).columns.at(static_cast<std::size_t>(spec.sequence.axis(i))));
+            order.push_back(
+                representation(RepresentationId::rpy).columns.at(static_cast<std::size_t>(spec.sequence.axis(i))));
         }
     }
     return order;
@@ -46,14 +47,14 @@ std::vector<std::string_view> name_order(const Spec& spec) {
 std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::string_view>& names) {
     Spec first = like;
     Spec second = like;
-    if (like.name == Name::quat) {
+    if (like.name == RepresentationId::quat) {
         second.scalar_last = !like.scalar_last;
-    } else if (like.name == Name::dcm) {
+    } else if (like.name == RepresentationId::dcm) {
         second.column_major = !like.column_major;
     } else { // yaw, pitch, roll about the body's axes are roll, pitch, yaw about the fixed ones
-        first.name = Name::rpy;
+        first.name = RepresentationId::rpy;
         first.sequence = roll_pitch_yaw;
-        second.name = Name::euler;
+        second.name = RepresentationId::euler;
         second.sequence = *EulerSequence::parse("ZYX");
     }
     return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
@@ -69,12 +70,12 @@ void refuse_other_order(const std::string& list, const stream::Options& options)
     names.resize(std::min(names.size(), from->size()));
     const auto order = name_order(*from);
     if (names != order && std::ranges::is_permutation(names, order)) {
-        throw Usage("--columns " + words::other_order(list, *from, order, spec_in_order(*from, names)));
+        throw Usage("--columns " + messages::other_order(list, *from, order, spec_in_order(*from, names)));
     }
 }
 
 /// Doubles of a binary row; 0 where the input is text.
-std::size_t width_of(const Texts& texts, const stream::Options& options) {
+std::size_t width_of(const RawOptions& texts, const stream::Options& options) {
     constexpr int widest = 100'000;
     const auto given = static_cast<std::size_t>(count_of("--width", texts.width, widest));
     if (!choose<bool>("input format", texts.input_format, {{"csv", false}, {"f64", true}})) {
@@ -96,20 +97,20 @@ std::size_t width_of(const Texts& texts, const stream::Options& options) {
 
 } // namespace
 
-void define_from(CLI::App& app, Texts& texts) {
+void define_from(CLI::App& app, RawOptions& texts) {
     app.add_option("-f,--from", texts.from, "What the input is: NAME[:MODIFIER]...")->type_name("SPEC");
 }
 
-void define_to(CLI::App& app, Texts& texts) {
+void define_to(CLI::App& app, RawOptions& texts) {
     app.add_option("-t,--to", texts.to, "What to make of it: NAME[:MODIFIER]...")->type_name("SPEC");
 }
 
-void define_lock_margin(CLI::App& app, Texts& texts) {
+void define_lock_margin(CLI::App& app, RawOptions& texts) {
     app.add_option("--lock-margin", texts.lock_margin, "Radians from gimbal lock that count as locked (default 1e-15)")
         ->type_name("ANGLE");
 }
 
-void define_input(CLI::App& app, Texts& texts) {
+void define_input(CLI::App& app, RawOptions& texts) {
     app.add_flag("-d,--degrees", texts.degrees, "Angles in degrees, wherever there are angles");
     app.add_option("-i,--input", texts.input, "Read FILE instead of stdin (-)")->type_name("FILE");
     app.add_option("-o,--output", texts.output, "Write FILE instead of stdout (-)")->type_name("FILE");
@@ -125,7 +126,7 @@ void define_input(CLI::App& app, Texts& texts) {
         ->type_name("T");
 }
 
-void define_output(CLI::App& app, Texts& texts) {
+void define_output(CLI::App& app, RawOptions& texts) {
     app.add_flag("--append", texts.append, "Keep the row and add the result at its end");
     app.add_option("--format", texts.format, "csv, json, pretty, or f64: little-endian doubles and nothing else")
         ->type_name("FORMAT");
@@ -144,8 +145,8 @@ Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
         throw Usage(fmt::format("{} SPEC is missing; see rotconv --help", option));
     }
     const auto parsed = parse_spec(text);
-    if (const auto* fault = std::get_if<SpecFault>(&parsed)) {
-        throw Usage(fmt::format("{} {}: {}", option, words::quoted(text), words::explain(*fault)));
+    if (const auto* error = std::get_if<SpecError>(&parsed)) {
+        throw Usage(fmt::format("{} {}: {}", option, messages::quoted(text), messages::explain(*error)));
     }
     const Spec& spec = std::get<Spec>(parsed);
     return degrees ? spec.in_degrees() : spec;
@@ -156,9 +157,9 @@ double amount_of(std::string_view option, const std::string& text, double defaul
         return default_value;
     }
     double value = 0.0;
-    if (stream::read_number(text, value) != stream::NumberFault::none || !(value >= 0.0) ||
+    if (stream::read_number(text, value) != stream::NumberError::none || !(value >= 0.0) ||
         (std::isinf(value) && !infinite)) {
-        throw Usage(fmt::format("{} {} must be a {}number that is not negative", option, words::quoted(text),
+        throw Usage(fmt::format("{} {} must be a {}number that is not negative", option, messages::quoted(text),
                                 infinite ? "" : "finite "));
     }
     return value;
@@ -169,26 +170,26 @@ int count_of(std::string_view option, const std::string& text, int most) {
         return 0;
     }
     double value = 0.0;
-    if (stream::read_number(text, value) != stream::NumberFault::none || value != std::floor(value) || value < 1 ||
+    if (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) || value < 1 ||
         value > most) {
-        throw Usage(fmt::format("{} {} must be a whole number from 1 to {}", option, words::quoted(text), most));
+        throw Usage(fmt::format("{} {} must be a whole number from 1 to {}", option, messages::quoted(text), most));
     }
     return static_cast<int>(value);
 }
 
-stream::OnError on_error_of(const Texts& texts) {
+stream::OnError on_error_of(const RawOptions& texts) {
     return choose<stream::OnError>(
         "policy of --on-error", texts.on_error,
         {{"stop", stream::OnError::stop}, {"nan", stream::OnError::nan}, {"skip", stream::OnError::skip}});
 }
 
-Settings settings_of(const Texts& texts) {
+Settings settings_of(const RawOptions& texts) {
     return {.tolerance = amount_of("--tolerance", texts.tolerance, Settings{}.tolerance, true),
             .lock_margin = amount_of("--lock-margin", texts.lock_margin, Settings{}.lock_margin, false),
-            .figures = diagnostics_of(texts) == ShowDiagnostics::columns};
+            .sensitivity = diagnostics_of(texts) == ShowDiagnostics::columns};
 }
 
-RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
+RowsCommand rows_command(const RawOptions& texts, stream::RowOperation function, messages::Subject subject,
                          const Operands& operands) {
     RowsCommand command(std::move(function), std::move(subject));
     command.diagnostics = diagnostics_of(texts);
@@ -202,7 +203,7 @@ RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words
     options.precision = count_of("--precision", texts.precision, 100);
     options.diagnostic_columns = command.diagnostics == ShowDiagnostics::columns;
     options.show_diagnostics = command.diagnostics != ShowDiagnostics::off;
-    options.describe = words::describe;
+    options.describe = messages::describe;
     options.header = choose<stream::HeaderMode>("mode of --header", texts.header,
                                                 {{"auto", stream::HeaderMode::automatic},
                                                  {"yes", stream::HeaderMode::yes},
@@ -219,13 +220,13 @@ RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words
         if (!options.delimiter) {
             throw Usage(fmt::format(
                 "--delimiter {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
-                words::quoted(texts.delimiter)));
+                messages::quoted(texts.delimiter)));
         }
     }
     if (!texts.columns.empty()) {
         auto parsed = stream::ColumnList::parse(texts.columns, options.function.inputs);
-        if (const auto* fault = std::get_if<stream::ColumnFault>(&parsed)) {
-            throw Usage("--columns: " + words::explain(*fault, command.subject));
+        if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
+            throw Usage("--columns: " + messages::explain(*error, command.subject));
         }
         options.columns = std::get<stream::ColumnList>(std::move(parsed));
         refuse_other_order(texts.columns, options);
@@ -239,7 +240,7 @@ RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words
         command.has_values = true;
         command.values = fmt::format("{}", fmt::join(operands.values, " "));
         if (!is_row(command.values)) {
-            throw Usage(fmt::format("the VALUEs are no row of numbers: {}", words::quoted(command.values)));
+            throw Usage(fmt::format("the VALUEs are no row of numbers: {}", messages::quoted(command.values)));
         }
         if (operands.values.size() > 1) {
             options.delimiter = stream::Delimiter::blanks();

@@ -11,15 +11,15 @@
 
 #include <rotconv/conversion.hpp>
 
-#include "../stream/row_function.hpp"
+#include "../stream/row_operation.hpp"
 #include "command_line.hpp"
-#include "words.hpp"
+#include "messages.hpp"
 
 /// The options that commands share: their text, and what it means.
 namespace rotconv::cli {
 
 /// What the options say, as text: CLI11 reads it, and the functions below check it.
-struct Texts {
+struct RawOptions {
     std::string from;
     std::string to;
     std::string input = "-";
@@ -64,13 +64,13 @@ class Usage : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-void define_from(CLI::App& app, Texts& texts);
-void define_to(CLI::App& app, Texts& texts);
-void define_lock_margin(CLI::App& app, Texts& texts);
+void define_from(CLI::App& app, RawOptions& texts);
+void define_to(CLI::App& app, RawOptions& texts);
+void define_lock_margin(CLI::App& app, RawOptions& texts);
 /// Where rows come from and how they are read.
-void define_input(CLI::App& app, Texts& texts);
+void define_input(CLI::App& app, RawOptions& texts);
 /// How rows are written.
-void define_output(CLI::App& app, Texts& texts);
+void define_output(CLI::App& app, RawOptions& texts);
 
 template <class Value> Value choose(std::string_view what, std::string_view text,
                                     const std::vector<std::pair<std::string_view, Value>>& choices) {
@@ -81,7 +81,7 @@ template <class Value> Value choose(std::string_view what, std::string_view text
         }
         legal.push_back(word);
     }
-    throw Usage(words::no_such_word(what, text, legal));
+    throw Usage(messages::no_such_word(what, text, legal));
 }
 
 [[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
@@ -89,13 +89,13 @@ template <class Value> Value choose(std::string_view what, std::string_view text
 [[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
 /// A whole number from 1 to `most`; 0 where the option was not given.
 [[nodiscard]] int count_of(std::string_view option, const std::string& text, int most);
-[[nodiscard]] stream::OnError on_error_of(const Texts& texts);
+[[nodiscard]] stream::OnError on_error_of(const RawOptions& texts);
 /// Tolerance, lock margin, and figures where they are to be shown.
-[[nodiscard]] Settings settings_of(const Texts& texts);
+[[nodiscard]] Settings settings_of(const RawOptions& texts);
 
 /// The command of a row function.
 /// @throw Usage
-[[nodiscard]] RowsCommand rows_command(const Texts& texts, stream::RowFunction function, words::Subject subject,
-                                       const Operands& operands);
+[[nodiscard]] RowsCommand rows_command(const RawOptions& texts, stream::RowOperation function,
+                                       messages::Subject subject, const Operands& operands);
 
 } // namespace rotconv::cli

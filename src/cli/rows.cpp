@@ -11,9 +11,9 @@
 
 #include "../stream/run.hpp"
 #include "exit_code.hpp"
+#include "messages.hpp"
+#include "print_error.hpp"
 #include "progress.hpp"
-#include "say.hpp"
-#include "words.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -24,9 +24,9 @@ public:
     Reporter(const RowsCommand& command, std::string where) : command_(&command), where_(std::move(where)) {}
 
     void operator()(const stream::Event& event) {
-        if (const auto* fault = std::get_if<stream::RowFault>(&event)) {
-            ++faults_;
-            tell(fault->line, words::explain(*fault, command_->subject));
+        if (const auto* error = std::get_if<stream::RowError>(&event)) {
+            ++errors_;
+            tell(error->line, messages::explain(*error, command_->subject));
             return;
         }
         const auto& diagnostic = std::get<stream::Diagnostic>(event);
@@ -35,15 +35,15 @@ public:
             count.first = diagnostic;
         }
         if (command_->diagnostics == ShowDiagnostics::rows) {
-            tell(diagnostic.line, words::describe(diagnostic));
+            tell(diagnostic.line, messages::describe(diagnostic));
         }
     }
 
     void tell(std::size_t line, const std::string& message) const {
         if (line == 0 || command_->has_values) {
-            say(fmt::format("{}: {}", where_, message));
+            print_error(fmt::format("{}: {}", where_, message));
         } else {
-            say(fmt::format("{}:{}: {}", where_, line, message));
+            print_error(fmt::format("{}:{}: {}", where_, line, message));
         }
     }
 
@@ -56,19 +56,20 @@ public:
                 continue;
             }
             if (command_->has_values) {
-                tell(0, words::describe(count.first));
+                tell(0, messages::describe(count.first));
             } else {
                 tell(0, fmt::format("{}: {} row{}, first at line {}; {}", name_of(count.first.kind), count.rows,
-                                    count.rows == 1 ? "" : "s", count.first.line, words::meaning(count.first.kind)));
+                                    count.rows == 1 ? "" : "s", count.first.line, messages::meaning(count.first.kind)));
             }
         }
     }
 
-    [[nodiscard]] bool met_fault() const noexcept { return faults_ > 0; }
+    [[nodiscard]] bool met_error() const noexcept { return errors_ > 0; }
     /// Any kind but normalized.
     [[nodiscard]] bool met_singularity() const noexcept {
-        return std::ranges::any_of(
-            counts_, [](const Count& count) { return count.rows > 0 && count.first.kind != Kind::normalized; });
+        return std::ranges::any_of(counts_, [](const Count& count) {
+            return count.rows > 0 && count.first.kind != DiagnosticKind::normalized;
+        });
     }
 
 private:
@@ -78,18 +79,18 @@ private:
     };
     const RowsCommand* command_;
     std::string where_;
-    std::array<Count, kind_count> counts_{};
-    std::size_t faults_ = 0;
+    std::array<Count, diagnostic_kind_count> counts_{};
+    std::size_t errors_ = 0;
 };
 
 /// Where rows go that nobody wants.
-class Nowhere final : public stream::Sink {
+class NullSink final : public stream::Sink {
 public:
     int write(std::string_view /*bytes*/) override { return 0; }
 };
 
 ExitCode failed(const std::string& message) {
-    say(message);
+    print_error(message);
     return ExitCode::incomplete;
 }
 
@@ -98,7 +99,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
 } // namespace
 
 ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
-    const std::string input_name = words::shown(command.input);
+    const std::string input_name = messages::shown(command.input);
     auto input = command.input == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
                                       : std::make_unique<stream::File>(command.input.c_str(), stream::File::Mode::read);
     if (!input->is_open()) {
@@ -109,7 +110,7 @@ ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
         return failed("the same file is input and output");
     }
     const auto unwritten = [&command](int error) {
-        return failed(fmt::format("{}: cannot be written: {}", words::shown(command.output), reason(error)));
+        return failed(fmt::format("{}: cannot be written: {}", messages::shown(command.output), reason(error)));
     };
     if (!command.has_values) {
         input->widen();
@@ -120,22 +121,22 @@ ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
     const bool on_screen = command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
     const auto progress = std::make_unique<Progress>(*input, command.progress && !on_screen);
     stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
-    Nowhere nowhere;
+    NullSink nowhere;
     stream::Sink& sink = conclusion ? static_cast<stream::Sink&>(nowhere) : output;
-    const stream::Ending ending =
+    const stream::RunResult ending =
         stream::run(source, sink, command.options, [&reporter](const stream::Event& event) { reporter(event); });
     if (ending.reader_left) {
         return ExitCode::done;
     }
     reporter.summarize();
-    if (ending.fault) {
-        if (ending.fault->what == stream::StreamFault::What::write) {
-            return unwritten(ending.fault->error);
+    if (ending.error) {
+        if (ending.error->what == stream::StreamError::What::write) {
+            return unwritten(ending.error->error_number);
         }
-        reporter.tell(ending.fault->what == stream::StreamFault::What::read ? 0 : ending.fault->line,
-                      words::explain(*ending.fault, command.subject));
+        reporter.tell(ending.error->what == stream::StreamError::What::read ? 0 : ending.error->line,
+                      messages::explain(*ending.error, command.subject));
     }
-    const bool is_whole = !ending.fault && !ending.stopped;
+    const bool is_whole = !ending.error && !ending.stopped;
     if (conclusion && is_whole) {
         const int error = output.write(conclusion());
         if (error == EPIPE) {
@@ -152,7 +153,7 @@ ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
         return ExitCode::incomplete;
     }
     const bool strict = command.strict && reporter.met_singularity();
-    return reporter.met_fault() || strict ? ExitCode::reservations : ExitCode::done;
+    return reporter.met_error() || strict ? ExitCode::reservations : ExitCode::done;
 }
 
 } // namespace rotconv::cli

@@ -6,9 +6,9 @@
 
 #include <rotconv/survey.hpp>
 
+#include "messages.hpp"
+#include "print_error.hpp"
 #include "rows.hpp"
-#include "say.hpp"
-#include "words.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -19,7 +19,7 @@ std::string in_table(const Survey& survey, double limit) {
                     "at line", "greatest condition", "at line", "jumps", "first at", "serves");
     for (const SetSurvey& set : survey.sets()) {
         text += fmt::format("{:<10}  {:>1}  {:>12.6g}  {:>7}  {:>18.6g}  {:>7}  {:>6}  {:>8}  {}\n",
-                            words::spec_text(set.set), set.set.size(), set.least_margin, set.margin_row,
+                            messages::spec_text(set.set), set.set.size(), set.least_margin, set.margin_row,
                             set.greatest_condition, set.condition_row, set.jumps,
                             set.jumps == 0 ? "-" : std::to_string(set.jump_row), set.serves(limit) ? "yes" : "no");
     }
@@ -37,7 +37,7 @@ std::string in_json(const Survey& survey, double limit) {
         text += fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
                             R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
                             "\n",
-                            words::spec_text(set.set), set.set.size(), json_number(set.least_margin), set.margin_row,
+                            messages::spec_text(set.set), set.set.size(), json_number(set.least_margin), set.margin_row,
                             json_number(set.greatest_condition), set.condition_row, set.jumps,
                             set.jumps == 0 ? "null" : std::to_string(set.jump_row), set.serves(limit));
     }
@@ -49,19 +49,19 @@ std::string in_json(const Survey& survey, double limit) {
 ExitCode survey(const SurveyCommand& command) {
     Survey survey;
     RowsCommand rows = command.rows;
-    rows.options.function =
-        stream::reading_function(command.from, rows.subject.tolerance,
-                                 [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
+    rows.options.function = stream::reading_operation(
+        command.from, rows.subject.tolerance,
+        [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
     bool none_serves = false;
     const ExitCode code = run_rows(rows, [&] {
         if (survey.rows() == 0) {
-            say(fmt::format("{}: there is no attitude in it", rows.input));
+            print_error(fmt::format("{}: there is no attitude in it", rows.input));
             none_serves = true;
             return std::string(command.json ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n");
         }
         const SetSurvey* smallest = survey.smallest(command.condition);
         none_serves = smallest == nullptr;
-        const std::string name = none_serves ? "none" : words::spec_text(smallest->set);
+        const std::string name = none_serves ? "none" : messages::spec_text(smallest->set);
         return command.json
                    ? fmt::format("{}{{\"rows\": {}, \"smallest\": \"{}\"}}\n", in_json(survey, command.condition),
                                  survey.rows(), name)

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "angles.hpp"
-#include "door.hpp"
+#include "numerics/angles.hpp"
+#include "representations/codec.hpp"
 
 namespace rotconv {
 namespace {
@@ -46,14 +46,14 @@ template <std::size_t size> void to_written_order(const Spec& spec, double* numb
 }
 
 /// The numbers of the inverse rotation, of a representation that methods start from.
-void invert(Name name, double* numbers) noexcept {
-    if (name == Name::dcm) {
+void invert(RepresentationId name, double* numbers) noexcept {
+    if (name == RepresentationId::dcm) {
         std::swap(numbers[1], numbers[3]);
         std::swap(numbers[2], numbers[6]);
         std::swap(numbers[5], numbers[7]);
         return;
     }
-    const std::size_t first = name == Name::quat ? 1 : 0; // of the vector
+    const std::size_t first = name == RepresentationId::quat ? 1 : 0; // of the vector
     for (std::size_t i = first; i < first + 3; ++i) {
         numbers[i] = -numbers[i];
     }
@@ -79,7 +79,7 @@ double angle_between(const Rotation& p, const Rotation& q) noexcept {
 } // namespace
 
 Conversion::Conversion(const Spec& from, const Spec& to, const Settings& settings)
-    : from_(from), to_(to), settings_(settings), in_door_(&door_of(from.name)), out_door_(&door_of(to.name)) {
+    : from_(from), to_(to), settings_(settings), in_codec_(&codec_of(from.name)), out_codec_(&codec_of(to.name)) {
     if (settings.method != nullptr && !settings.method->serves(from.name, to.name)) {
         throw std::invalid_argument("a method of another pair");
     }
@@ -89,34 +89,34 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::spa
     const double* from = in.data();
     double* to = out.data();
     while (!reports.empty()) {
-        const std::size_t rows = std::min(block, reports.size());
-        run_block(from, to, reports.first(rows));
+        const std::size_t rows = std::min(batch_rows, reports.size());
+        run_batch(from, to, reports.first(rows));
         from += rows * from_.size();
         to += rows * to_.size();
         reports = reports.subspan(rows);
     }
 }
 
-void Conversion::run_block(const double* in, double* out, std::span<Report> reports) const noexcept {
+void Conversion::run_batch(const double* in, double* out, std::span<Report> reports) const noexcept {
     const std::size_t rows = reports.size();
-    std::array<double, block * widest> own_order; // NOLINT(*-member-init): written before it is read
+    std::array<double, batch_rows * widest> own_order; // NOLINT(*-member-init): written before it is read
     if (reordered(from_)) {
         to_own_order(from_, in, rows, own_order.data());
         in = own_order.data();
     }
     Readings readings; // NOLINT(*-member-init)
-    in_door_->read(from_, in, rows, readings);
+    in_codec_->read(from_, in, rows, readings);
     if (from_.passive != to_.passive) {
         for (std::size_t i = 0; i < rows; ++i) {
             readings.w[i] = -readings.w[i];
         }
     }
-    std::array<Notes, block> notes; // NOLINT(*-member-init)
-    out_door_->write(to_, settings_.lock_margin, readings, rows, out, notes.data());
-    std::array<double, block> method_errors; // NOLINT(*-member-init)
+    std::array<DiagnosticSet, batch_rows> diagnostics; // NOLINT(*-member-init)
+    out_codec_->write(to_, settings_.lock_margin, readings, rows, out, diagnostics.data());
+    std::array<double, batch_rows> method_errors; // NOLINT(*-member-init)
     const bool by_method = settings_.method != nullptr && settings_.method->run != nullptr;
     if (by_method) {
-        run_method(in, readings, rows, out, notes.data(), method_errors.data());
+        run_method(in, readings, rows, out, diagnostics.data(), method_errors.data());
     }
     const std::size_t width = to_.size();
     for (std::size_t i = 0; i < rows * width; ++i) {
@@ -125,26 +125,26 @@ void Conversion::run_block(const double* in, double* out, std::span<Report> repo
     if (reordered(to_)) {
         (to_.size() == 4 ? to_written_order<4> : to_written_order<9>)(to_, out, rows); // a quaternion or a matrix
     }
-    const double unremarkable = settings_.figures ? -1.0 : std::min(settings_.tolerance, reported_defect);
+    const double unremarkable = settings_.sensitivity ? -1.0 : std::min(settings_.tolerance, reported_defect);
     for (std::size_t i = 0; i < rows; ++i) {
         const bool remarkable =
-            !(readings.defect[i] <= unremarkable) || readings.fault[i] != Fault::none || !notes[i].empty();
+            !(readings.defect[i] <= unremarkable) || readings.error[i] != Error::none || !diagnostics[i].empty();
         reports[i] = {};
         reports[i].defect = readings.defect[i];
         if (remarkable) {
-            reports[i] = report(readings.reading(i), notes[i], in + i * from_.size());
+            reports[i] = report(readings.reading(i), diagnostics[i], in + i * from_.size());
         }
         reports[i].method_error = by_method ? method_errors[i] : 0.0;
-        if (reports[i].fault != Fault::none) {
+        if (reports[i].error != Error::none) {
             std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
         }
     }
 }
 
-void Conversion::run_method(const double* in, const Rotations& rotations, std::size_t rows, double* out, Notes* notes,
-                            double* errors) const noexcept {
+void Conversion::run_method(const double* in, const Rotations& rotations, std::size_t rows, double* out,
+                            DiagnosticSet* diagnostics, double* errors) const noexcept {
     // What the methods do not know of is done to the numbers: the inverse, and degrees.
-    std::array<double, block * widest> active; // NOLINT(*-member-init): written before it is read
+    std::array<double, batch_rows * widest> active; // NOLINT(*-member-init): written before it is read
     const std::size_t in_size = from_.size();
     std::copy_n(in, rows * in_size, active.begin());
     if (from_.passive != to_.passive) {
@@ -161,37 +161,38 @@ void Conversion::run_method(const double* in, const Rotations& rotations, std::s
         std::for_each_n(out, rows * out_size, [](double& v) { v *= degrees_per_radian; });
     }
     Readings answers; // NOLINT(*-member-init)
-    out_door_->read(to_, out, rows, answers);
+    out_codec_->read(to_, out, rows, answers);
     for (std::size_t i = 0; i < rows; ++i) {
-        if (to_.name == Name::quat) {
+        if (to_.name == RepresentationId::quat) {
             make_sign_canonical(out + i * out_size);
         }
-        if (notes[i].has(Kind::infinite)) {
+        if (diagnostics[i].has(DiagnosticKind::infinite)) {
             errors[i] = 0.0; // no finite number is nearer
             continue;
         }
-        errors[i] = answers.fault[i] == Fault::none ? angle_between(answers.at(i), rotations.at(i))
+        errors[i] = answers.error[i] == Error::none ? angle_between(answers.at(i), rotations.at(i))
                                                     : std::numeric_limits<double>::quiet_NaN();
-        notes[i] |= {Kind::method_error, !(errors[i] <= reported_method_error)};
+        diagnostics[i] |= {DiagnosticKind::method_error, !(errors[i] <= reported_method_error)};
     }
 }
 
-Report Conversion::report(const Reading& reading, Notes notes, const double* numbers) const noexcept {
-    Report report{.fault = reading.fault, .notes = {}, .defect = reading.defect, .figures = {}, .method_error = 0.0};
+Report Conversion::report(const Reading& reading, DiagnosticSet diagnostics, const double* numbers) const noexcept {
+    Report report{
+        .error = reading.error, .diagnostics = {}, .defect = reading.defect, .sensitivity = {}, .method_error = 0.0};
     if (!reading.ok()) {
         return report;
     }
-    if (in_door_->exact_defect != nullptr && (settings_.figures || settings_.tolerance < reading.defect)) {
-        report.defect = in_door_->exact_defect(numbers);
+    if (in_codec_->exact_defect != nullptr && (settings_.sensitivity || settings_.tolerance < reading.defect)) {
+        report.defect = in_codec_->exact_defect(numbers);
     }
     if (report.defect > settings_.tolerance) {
-        report.fault = Fault::defect;
+        report.error = Error::defect;
         return report;
     }
-    report.notes = notes;
-    report.notes |= {Kind::normalized, report.defect > reported_defect};
-    if (settings_.figures || !report.notes.empty()) {
-        report.figures = out_door_->figures(to_, reading.rotation);
+    report.diagnostics = diagnostics;
+    report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
+    if (settings_.sensitivity || !report.diagnostics.empty()) {
+        report.sensitivity = out_codec_->sensitivity(to_, reading.rotation);
     }
     return report;
 }

@@ -6,22 +6,22 @@
 
 namespace rotconv {
 
-std::string_view name_of(Kind kind) noexcept {
+std::string_view name_of(DiagnosticKind kind) noexcept {
     struct Line {
-        Kind kind;
+        DiagnosticKind kind;
         std::string_view text;
     };
     static constexpr auto names = std::to_array<Line>({
-        {Kind::normalized, "normalized"},
-        {Kind::gimbal_lock, "gimbal-lock"},
-        {Kind::near_gimbal_lock, "near-gimbal-lock"},
-        {Kind::half_turn, "half-turn"},
-        {Kind::infinite, "infinite"},
-        {Kind::identity_axis, "identity-axis"},
-        {Kind::method_error, "method-error"},
-        {Kind::coarse_step, "coarse-step"},
+        {DiagnosticKind::normalized, "normalized"},
+        {DiagnosticKind::gimbal_lock, "gimbal-lock"},
+        {DiagnosticKind::near_gimbal_lock, "near-gimbal-lock"},
+        {DiagnosticKind::half_turn, "half-turn"},
+        {DiagnosticKind::infinite, "infinite"},
+        {DiagnosticKind::identity_axis, "identity-axis"},
+        {DiagnosticKind::method_error, "method-error"},
+        {DiagnosticKind::coarse_step, "coarse-step"},
     });
-    static_assert(is_indexed(names, kind_count, &Line::kind));
+    static_assert(is_indexed(names, diagnostic_kind_count, &Line::kind));
     return names[static_cast<std::size_t>(kind)].text;
 }
 

@@ -1,6 +1,6 @@
 #include <rotconv/rotation.hpp>
 
-#include "scaling.hpp"
+#include "numerics/scaling.hpp"
 
 namespace rotconv {
 

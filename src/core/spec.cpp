@@ -14,26 +14,33 @@ constexpr std::array<bool, all_modifiers.size()> matrix{true, false, true, false
 constexpr std::array<bool, all_modifiers.size()> scalar_and_vector{true, false, false, true};
 
 constexpr auto table = std::to_array<Representation>({
-    {Name::dcm, "dcm", {"matrix"}, 9, {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, matrix},
-    {Name::six_d, "6d", {"two-column"}, 6, {"r11", "r21", "r31", "r12", "r22", "r32"}, plain},
-    {Name::five_d, "5d", {"hopf"}, 5, {"y1", "y2", "y3", "y4", "y5"}, plain},
-    {Name::quat, "quat", {"quaternion"}, 4, {"qw", "qx", "qy", "qz"}, scalar_and_vector},
-    {Name::axis_angle, "axis-angle", {"axang"}, 4, {"ax", "ay", "az", "angle"}, with_angles},
-    {Name::rotvec, "rotvec", {"exp"}, 3, {"rx", "ry", "rz"}, with_angles},
-    {Name::euler, "euler", {}, 3, {"e1", "e2", "e3"}, with_angles},
-    {Name::rpy, "rpy", {}, 3, {"roll", "pitch", "yaw"}, with_angles},
-    {Name::cayley, "cayley", {"gibbs", "rodrigues"}, 3, {"cx", "cy", "cz"}, plain},
-    {Name::mrp, "mrp", {}, 3, {"mx", "my", "mz"}, plain},
+    {RepresentationId::dcm,
+     "dcm",
+     {"matrix"},
+     9,
+     {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"},
+     matrix},
+    {RepresentationId::two_column, "6d", {"two-column"}, 6, {"r11", "r21", "r31", "r12", "r22", "r32"}, plain},
+    {RepresentationId::five_d, "5d", {"hopf"}, 5, {"y1", "y2", "y3", "y4", "y5"}, plain},
+    {RepresentationId::quat, "quat", {"quaternion"}, 4, {"qw", "qx", "qy", "qz"}, scalar_and_vector},
+    {RepresentationId::axis_angle, "axis-angle", {"axang"}, 4, {"ax", "ay", "az", "angle"}, with_angles},
+    {RepresentationId::rotvec, "rotvec", {"exp"}, 3, {"rx", "ry", "rz"}, with_angles},
+    {RepresentationId::euler, "euler", {}, 3, {"e1", "e2", "e3"}, with_angles},
+    {RepresentationId::rpy, "rpy", {}, 3, {"roll", "pitch", "yaw"}, with_angles},
+    {RepresentationId::cayley, "cayley", {"gibbs", "rodrigues"}, 3, {"cx", "cy", "cz"}, plain},
+    {RepresentationId::mrp, "mrp", {}, 3, {"mx", "my", "mz"}, plain},
 });
-static_assert(is_indexed(table, name_count, &Representation::name));
+static_assert(is_indexed(table, representation_count, &Representation::name));
 
-constexpr std::array matrices{Name::dcm, Name::six_d, Name::five_d};
-constexpr std::array all_but_euler{Name::dcm,        Name::six_d,  Name::five_d, Name::quat,
-                                   Name::axis_angle, Name::rotvec, Name::cayley, Name::mrp};
-constexpr std::array stuelpnagel_sets{Name::dcm, Name::six_d, Name::five_d, Name::quat, Name::cayley};
+constexpr std::array matrices{RepresentationId::dcm, RepresentationId::two_column, RepresentationId::five_d};
+constexpr std::array all_but_euler{RepresentationId::dcm,    RepresentationId::two_column, RepresentationId::five_d,
+                                   RepresentationId::quat,   RepresentationId::axis_angle, RepresentationId::rotvec,
+                                   RepresentationId::cayley, RepresentationId::mrp};
+constexpr std::array stuelpnagel_sets{RepresentationId::dcm, RepresentationId::two_column, RepresentationId::five_d,
+                                      RepresentationId::quat, RepresentationId::cayley};
 
 template <std::size_t Count>
-constexpr Preset preset(std::string_view text, const std::array<Name, Count>& passive, bool scalar_last) {
+constexpr Preset preset(std::string_view text, const std::array<RepresentationId, Count>& passive, bool scalar_last) {
     Preset made{text, {}, Count, scalar_last};
     std::copy(passive.begin(), passive.end(), made.passive_on.begin());
     return made;
@@ -65,7 +72,7 @@ void apply(const Preset& preset, Spec& spec) noexcept {
     if (std::ranges::count(preset.passive(), spec.name) != 0) {
         spec.passive = true;
     }
-    if (preset.scalar_last && spec.name == Name::quat) {
+    if (preset.scalar_last && spec.name == RepresentationId::quat) {
         spec.scalar_last = true;
     }
 }
@@ -89,7 +96,7 @@ std::span<const Representation> representations() noexcept { return table; }
 
 std::span<const Preset> presets() noexcept { return preset_table; }
 
-const Representation& representation(Name name) noexcept { return table[static_cast<std::size_t>(name)]; }
+const Representation& representation(RepresentationId name) noexcept { return table[static_cast<std::size_t>(name)]; }
 
 std::string_view name_of(Modifier modifier) noexcept {
     static constexpr std::array<std::string_view, all_modifiers.size()> names{"passive", "deg", "col", "xyzw"};
@@ -98,10 +105,10 @@ std::string_view name_of(Modifier modifier) noexcept {
 }
 
 std::array<std::uint8_t, 9> Spec::order() const noexcept {
-    if (name == Name::dcm && column_major) {
+    if (name == RepresentationId::dcm && column_major) {
         return {0, 3, 6, 1, 4, 7, 2, 5, 8};
     }
-    if (name == Name::quat && scalar_last) {
+    if (name == RepresentationId::quat && scalar_last) {
         return {1, 2, 3, 0, 4, 5, 6, 7, 8};
     }
     return {0, 1, 2, 3, 4, 5, 6, 7, 8};
@@ -122,28 +129,28 @@ Spec Spec::in_degrees() const noexcept {
     return spec;
 }
 
-std::variant<Spec, SpecFault> parse_spec(std::string_view text) {
-    using What = SpecFault::What;
+std::variant<Spec, SpecError> parse_spec(std::string_view text) {
+    using What = SpecError::What;
     std::string_view rest = text;
     const std::string_view name = next_part(rest);
     const auto* found = std::ranges::find_if(table, [name](const Representation& entry) {
         return !name.empty() && (name == entry.text || std::ranges::count(entry.aliases, name) != 0);
     });
     if (found == table.end()) {
-        return SpecFault{What::unknown_name, std::string(name)};
+        return SpecError{What::unknown_name, std::string(name)};
     }
     Spec spec;
     spec.name = found->name;
     bool more = name.size() < text.size();
-    if (found->name == Name::euler) {
+    if (found->name == RepresentationId::euler) {
         if (!more) {
-            return SpecFault{What::no_sequence, std::string(text), found};
+            return SpecError{What::no_sequence, std::string(text), found};
         }
         more = rest.find(':') != std::string_view::npos;
         const auto letters = next_part(rest);
         const auto sequence = EulerSequence::parse(letters);
         if (!sequence) {
-            return SpecFault{What::unknown_sequence, std::string(letters), found};
+            return SpecError{What::unknown_sequence, std::string(letters), found};
         }
         spec.sequence = *sequence;
     }
@@ -153,7 +160,7 @@ std::variant<Spec, SpecFault> parse_spec(std::string_view text) {
         const std::string_view part = next_part(rest);
         if (const Preset* preset = find_text(preset_table, part)) {
             if (used_preset != nullptr && used_preset != preset) {
-                return SpecFault{What::second_preset, std::string(part), found};
+                return SpecError{What::second_preset, std::string(part), found};
             }
             used_preset = preset;
             apply(*preset, spec);
@@ -161,10 +168,10 @@ std::variant<Spec, SpecFault> parse_spec(std::string_view text) {
         }
         const auto* modifier = std::ranges::find(all_modifiers, part, [](Modifier m) { return name_of(m); });
         if (modifier == all_modifiers.end()) {
-            return SpecFault{What::unknown_modifier, std::string(part), found};
+            return SpecError{What::unknown_modifier, std::string(part), found};
         }
         if (!found->accepts(*modifier)) {
-            return SpecFault{What::meaningless_modifier, std::string(part), found};
+            return SpecError{What::meaningless_modifier, std::string(part), found};
         }
         apply(*modifier, spec);
     }

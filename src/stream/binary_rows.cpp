@@ -1,4 +1,4 @@
-#include "rows.hpp"
+#include "row_transformer.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -65,7 +65,7 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
     const std::size_t row_size = options_->width * sizeof(double);
     const std::size_t width = function_.names.size();
     const auto is_remarkable = [](const Report& report) {
-        return report.fault != Fault::none || !report.notes.empty();
+        return report.error != Error::none || !report.diagnostics.empty();
     };
     while (!text.empty() && !output.stopped) {
         const std::size_t rows = std::min(batch, text.size() / row_size);

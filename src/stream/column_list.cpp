@@ -12,7 +12,7 @@
 namespace rotconv::stream {
 namespace {
 
-using What = ColumnFault::What;
+using What = ColumnError::What;
 
 bool is_digits(std::string_view text) noexcept {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -30,10 +30,10 @@ std::optional<std::size_t> read_index(std::string_view text) noexcept {
 }
 
 /// The item that stands twice in `positions`, as an index.
-std::optional<ColumnFault> find_twice(const std::vector<std::size_t>& positions) {
+std::optional<ColumnError> find_twice(const std::vector<std::size_t>& positions) {
     for (auto at = positions.begin(); at != positions.end(); ++at) {
         if (std::find(positions.begin(), at, *at) != at) {
-            return ColumnFault{What::twice, std::to_string(*at + 1)};
+            return ColumnError{What::twice, std::to_string(*at + 1)};
         }
     }
     return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<ColumnFault> find_twice(const std::vector<std::size_t>& positions)
 
 } // namespace
 
-std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, std::size_t count) {
+std::variant<ColumnList, ColumnError> ColumnList::parse(std::string_view list, std::size_t count) {
     ColumnList made;
     std::size_t counted = 0;
     std::string_view rest = list;
@@ -55,11 +55,11 @@ std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, s
             dash != std::string_view::npos && is_digits(item.substr(0, dash)) && is_digits(item.substr(dash + 1));
         if (!is_range && !is_digits(item)) {
             if (item.empty()) {
-                return ColumnFault{What::not_an_item, std::string(item)};
+                return ColumnError{What::not_an_item, std::string(item)};
             }
             if (++counted <= count) {
                 if (std::ranges::count(made.items_, item, &Item::name) != 0) {
-                    return ColumnFault{What::twice, std::string(item)};
+                    return ColumnError{What::twice, std::string(item)};
                 }
                 made.items_.push_back({std::string(item)});
             }
@@ -68,7 +68,7 @@ std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, s
         const auto first = read_index(item.substr(0, is_range ? dash : item.size()));
         const auto last = is_range ? read_index(item.substr(dash + 1)) : first;
         if (!first || !last || *first > *last) {
-            return ColumnFault{What::not_an_item, std::string(item)};
+            return ColumnError{What::not_an_item, std::string(item)};
         }
         counted += *last - *first + 1;
         for (std::size_t index = *first; index <= *last && made.items_.size() <= count; ++index) {
@@ -76,7 +76,7 @@ std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, s
         }
     }
     if (counted != count) {
-        return ColumnFault{What::wrong_count, std::string(list), counted};
+        return ColumnError{What::wrong_count, std::string(list), counted};
     }
     std::vector<std::size_t> indices;
     for (const Item& item : made.items_) {
@@ -84,8 +84,8 @@ std::variant<ColumnList, ColumnFault> ColumnList::parse(std::string_view list, s
             indices.push_back(item.position);
         }
     }
-    if (auto fault = find_twice(indices)) {
-        return *fault;
+    if (auto error = find_twice(indices)) {
+        return *error;
     }
     return made;
 }
@@ -106,11 +106,11 @@ std::vector<std::size_t> ColumnList::positions() const {
     return positions;
 }
 
-std::variant<std::vector<std::size_t>, ColumnFault>
+std::variant<std::vector<std::size_t>, ColumnError>
 ColumnList::positions(const std::vector<std::string>& header) const {
     std::vector<std::size_t> positions;
-    ColumnFault missing{What::missing, {}};
-    std::optional<ColumnFault> ambiguous;
+    ColumnError missing{What::missing, {}};
+    std::optional<ColumnError> ambiguous;
     for (const Item& item : items_) {
         if (item.name.empty()) {
             positions.push_back(item.position);
@@ -130,15 +130,15 @@ ColumnList::positions(const std::vector<std::string>& header) const {
         }
         (count == 0 ? missing.lacking : missing.present).push_back(item.name);
         if (count > 1 && !ambiguous) {
-            ambiguous = ColumnFault{What::ambiguous, item.name};
+            ambiguous = ColumnError{What::ambiguous, item.name};
         }
         positions.push_back(static_cast<std::size_t>(found - header.begin()));
     }
     if (!missing.lacking.empty()) {
         return missing;
     }
-    if (auto fault = ambiguous ? ambiguous : find_twice(positions)) {
-        return *fault;
+    if (auto error = ambiguous ? ambiguous : find_twice(positions)) {
+        return *error;
     }
     return positions;
 }

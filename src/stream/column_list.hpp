@@ -10,7 +10,7 @@
 namespace rotconv::stream {
 
 /// Why a list of columns cannot be used.
-struct ColumnFault {
+struct ColumnError {
     enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous };
     What what = What::not_an_item;
     std::string text;                   ///< the item at fault; the row in which names are missing
@@ -24,7 +24,7 @@ struct ColumnFault {
 class ColumnList {
 public:
     /// Reads the list, which must name `count` different columns.
-    [[nodiscard]] static std::variant<ColumnList, ColumnFault> parse(std::string_view list, std::size_t count);
+    [[nodiscard]] static std::variant<ColumnList, ColumnError> parse(std::string_view list, std::size_t count);
 
     [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
     [[nodiscard]] bool has_names() const noexcept;
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::vector<std::size_t> positions() const;
     /// 0-based positions with the names looked up in a header. A name matches one of the header's, or one of those up
     /// to its first blank.
-    [[nodiscard]] std::variant<std::vector<std::size_t>, ColumnFault>
+    [[nodiscard]] std::variant<std::vector<std::size_t>, ColumnError>
     positions(const std::vector<std::string>& header) const;
 
 private:

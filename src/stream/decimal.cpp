@@ -135,7 +135,7 @@ Decimal operator-(const Decimal& a, const Decimal& b) {
 double Decimal::rounded(int power) const {
     const std::string text = (negative_ ? "-0." : "0.") + digits_ + "e" + std::to_string(point_ + power);
     double value = 0.0;
-    if (!digits_.empty() && read_number(text, value) == NumberFault::too_large) {
+    if (!digits_.empty() && read_number(text, value) == NumberError::too_large) {
         value = std::numeric_limits<double>::infinity();
         value = negative_ ? -value : value;
     }

@@ -14,38 +14,38 @@
 namespace rotconv::stream {
 
 /// A row that has no attitude: where, why, and the text at fault.
-struct RowFault {
+struct RowError {
     enum class What : std::uint8_t {
         not_a_number,   ///< `text` is the field
         too_large,      ///< `text` is the field
         wrong_count,    ///< `found` fields where the representation has `expected`
         missing_column, ///< `found` fields, column `expected` is selected
         open_quote,
-        attitude, ///< the numbers describe none: see `fault`, `defect`
+        attitude, ///< the numbers describe none: see `error`, `defect`
     };
     std::size_t line = 0;
     What what = What::attitude;
     std::string text;
     std::size_t found = 0;
     std::size_t expected = 0;
-    Fault fault = Fault::none;
+    Error error = Error::none;
     double defect = 0.0;
 };
 
 /// One diagnostic of one row; the figure is the defect, the margin, the condition or an error, by kind.
 struct Diagnostic {
     std::size_t line = 0;
-    Kind kind = Kind::normalized;
+    DiagnosticKind kind = DiagnosticKind::normalized;
     double figure = 0.0;
 };
 
-using Event = std::variant<RowFault, Diagnostic>;
+using Event = std::variant<RowError, Diagnostic>;
 
 /// What a block of rows became: bytes to write and then events to tell, both in the order of the rows.
 struct Output {
     Buffer bytes;
     std::vector<Event> events;
-    bool stopped = false; ///< a row fault ended the run
+    bool stopped = false; ///< a row error ended the run
 
     void clear() noexcept {
         bytes.clear();
@@ -54,11 +54,11 @@ struct Output {
     }
 };
 
-/// Why a run ended early, other than by a row fault.
-struct StreamFault {
+/// Why a run ended early, other than by a row error.
+struct StreamError {
     enum class What : std::uint8_t {
-        read,          ///< `error` is an errno
-        write,         ///< `error` is an errno
+        read,          ///< `error_number` is an errno
+        write,         ///< `error_number` is an errno
         line_too_long, ///< line `line`
         partial_row,   ///< the input ends in row `line`, which begins at byte `offset`
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
@@ -66,8 +66,8 @@ struct StreamFault {
     };
     What what = What::read;
     std::size_t line = 0;
-    int error = 0;
-    ColumnFault column{};
+    int error_number = 0;
+    ColumnError column{};
     std::size_t offset = 0;
 };
 

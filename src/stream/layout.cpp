@@ -14,9 +14,9 @@ bool is_missing(std::string_view text) noexcept {
 }
 
 /// Not one of the names was missing, whatever else is wrong with them.
-bool has_all(const std::variant<std::vector<std::size_t>, ColumnFault>& found) noexcept {
-    const auto* fault = std::get_if<ColumnFault>(&found);
-    return fault == nullptr || fault->what != ColumnFault::What::missing;
+bool has_all(const std::variant<std::vector<std::size_t>, ColumnError>& found) noexcept {
+    const auto* error = std::get_if<ColumnError>(&found);
+    return error == nullptr || error->what != ColumnError::What::missing;
 }
 
 } // namespace
@@ -45,7 +45,7 @@ void append_result_names(Buffer& to, const Options& options, char delimiter) {
     }
 }
 
-Preamble::Preamble(const Options& options)
+HeaderReader::HeaderReader(const Options& options)
     : options_(&options), header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
     if (options.columns.empty()) {
         layout_.select_all(options.function.inputs, options.function.kept);
@@ -54,7 +54,7 @@ Preamble::Preamble(const Options& options)
     }
 }
 
-bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
+bool HeaderReader::read(std::string_view& rest, std::size_t& line, Output& output) {
     if (options_->width > 0) {
         layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
         if (options_->header == HeaderMode::add) {
@@ -62,7 +62,7 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
         }
         return true;
     }
-    while (!rest.empty() && !fault_) {
+    while (!rest.empty() && !error_) {
         std::string_view after = rest;
         const Line current = next_line(after);
         if (is_data(current, line, output)) {
@@ -75,7 +75,7 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
     return false;
 }
 
-void Preamble::finish(Output& output, bool at_end) {
+void HeaderReader::finish(Output& output, bool at_end) {
     if (at_end && options_->columns.has_names()) {
         take_named({}, output);
     }
@@ -90,11 +90,11 @@ void Preamble::finish(Output& output, bool at_end) {
     }
 }
 
-std::string Preamble::Header::name(std::size_t at) const {
+std::string HeaderReader::Header::name(std::size_t at) const {
     return std::string(trimmed(delimiter.unquoted(trimmed(fields[at]))));
 }
 
-std::vector<std::string> Preamble::Header::names() const {
+std::vector<std::string> HeaderReader::Header::names() const {
     std::vector<std::string> names;
     names.reserve(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -103,7 +103,7 @@ std::vector<std::string> Preamble::Header::names() const {
     return names;
 }
 
-Preamble::Header Preamble::header_of(const Line& line, Delimiter delimiter) {
+HeaderReader::Header HeaderReader::header_of(const Line& line, Delimiter delimiter) {
     const std::size_t prefix =
         is_comment(line.text) ? std::min(line.text.find_first_not_of(" \t", 1), line.text.size()) : 0;
     Header header{line, line.text.substr(0, prefix), delimiter, {}, true};
@@ -111,11 +111,11 @@ Preamble::Header Preamble::header_of(const Line& line, Delimiter delimiter) {
     return header;
 }
 
-Delimiter Preamble::delimiter_of(std::string_view row) const noexcept {
+Delimiter HeaderReader::delimiter_of(std::string_view row) const noexcept {
     return options_->delimiter.value_or(Delimiter::of_row(row));
 }
 
-bool Preamble::is_data(const Line& line, std::size_t number, Output& output) {
+bool HeaderReader::is_data(const Line& line, std::size_t number, Output& output) {
     if (is_blank(line.text)) {
         pass(line, output);
         return false;
@@ -139,23 +139,23 @@ bool Preamble::is_data(const Line& line, std::size_t number, Output& output) {
         return false;
     }
     if (is_first && is_json(line)) {
-        fault_ = StreamFault{.what = StreamFault::What::json, .line = number};
+        error_ = StreamError{.what = StreamError::What::json, .line = number};
         return false;
     }
     if (by_name) {
         const Header row = header_of(line, delimiter_of(line.text));
         const bool is_cut = row.fields.size() > 1; // else it does not tell what delimits
-        if (!take_named(is_cut ? std::optional(row.delimiter) : std::nullopt, output) && !fault_) {
-            auto column = std::get<ColumnFault>(find_names(line, row.delimiter).second);
+        if (!take_named(is_cut ? std::optional(row.delimiter) : std::nullopt, output) && !error_) {
+            auto column = std::get<ColumnError>(find_names(line, row.delimiter).second);
             column.text = line.text;
-            fault_ = StreamFault{StreamFault::What::columns, number, 0, std::move(column)};
+            error_ = StreamError{StreamError::What::columns, number, 0, std::move(column)};
         }
-        return !fault_;
+        return !error_;
     }
     return header_done_ || !is_header_line(line, output);
 }
 
-bool Preamble::is_header_line(const Line& line, Output& output) {
+bool HeaderReader::is_header_line(const Line& line, Output& output) {
     const Header row = header_of(line, delimiter_of(line.text));
     const bool must_be = options_->header == HeaderMode::yes;
     const bool may_be = is_header(row);
@@ -170,13 +170,13 @@ bool Preamble::is_header_line(const Line& line, Output& output) {
     return must_be || may_be;
 }
 
-void Preamble::write(std::string_view text, Output& output) const {
+void HeaderReader::write(std::string_view text, Output& output) const {
     if (options_->format == Format::csv) {
         append(output.bytes, text);
     }
 }
 
-void Preamble::pass(const Line& line, Output& output) {
+void HeaderReader::pass(const Line& line, Output& output) {
     if (!held_.empty()) {
         hold(line, output);
         return;
@@ -185,7 +185,7 @@ void Preamble::pass(const Line& line, Output& output) {
     write(line.end, output);
 }
 
-void Preamble::hold(const Line& line, Output& output) {
+void HeaderReader::hold(const Line& line, Output& output) {
     if (held_.empty()) {
         held_first_ = line.text.size() + line.end.size();
     }
@@ -200,9 +200,9 @@ void Preamble::hold(const Line& line, Output& output) {
     }
 }
 
-void Preamble::release(Output& output) { write(std::exchange(held_, {}), output); }
+void HeaderReader::release(Output& output) { write(std::exchange(held_, {}), output); }
 
-void Preamble::settle(const Line& row, Output& output) {
+void HeaderReader::settle(const Line& row, Output& output) {
     layout_.delimiter = delimiter_of(row.text);
     layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
     if (options_->header == HeaderMode::add) {
@@ -219,12 +219,12 @@ void Preamble::settle(const Line& row, Output& output) {
     }
 }
 
-bool Preamble::has_selected(const Header& header) const noexcept {
+bool HeaderReader::has_selected(const Header& header) const noexcept {
     return layout_.positions.empty() ? header.fields.size() == options_->function.inputs
                                      : layout_.in_row_order.back() < header.fields.size();
 }
 
-std::vector<std::string> Preamble::selected(const Header& header) const {
+std::vector<std::string> HeaderReader::selected(const Header& header) const {
     if (layout_.positions.empty()) {
         return header.names();
     }
@@ -234,12 +234,12 @@ std::vector<std::string> Preamble::selected(const Header& header) const {
     return texts;
 }
 
-bool Preamble::is_header(const Header& header) const {
+bool HeaderReader::is_header(const Header& header) const {
     return header.is_closed && has_selected(header) &&
            std::ranges::none_of(selected(header), [](const auto& text) { return is_number(text) || is_missing(text); });
 }
 
-bool Preamble::is_json(const Line& row) const {
+bool HeaderReader::is_json(const Line& row) const {
     const char first = trimmed(row.text).front();
     if ((first != '{' && first != '[') || options_->header == HeaderMode::yes) {
         return false;
@@ -248,7 +248,7 @@ bool Preamble::is_json(const Line& row) const {
     return !has_selected(fields) || !std::ranges::all_of(selected(fields), is_number);
 }
 
-bool Preamble::take_comment(const Header& row, Output& output) {
+bool HeaderReader::take_comment(const Header& row, Output& output) {
     if (held_.empty()) {
         return false;
     }
@@ -272,8 +272,8 @@ bool Preamble::take_comment(const Header& row, Output& output) {
     return true;
 }
 
-std::pair<Preamble::Header, Preamble::Lookup> Preamble::find_names(const Line& line,
-                                                                   std::optional<Delimiter> delimiter) const {
+std::pair<HeaderReader::Header, HeaderReader::Lookup>
+HeaderReader::find_names(const Line& line, std::optional<Delimiter> delimiter) const {
     if (!delimiter) {
         delimiter = options_->delimiter;
     }
@@ -291,7 +291,7 @@ std::pair<Preamble::Header, Preamble::Lookup> Preamble::find_names(const Line& l
     return {std::move(header), std::move(found)};
 }
 
-bool Preamble::take_named(std::optional<Delimiter> delimiter, Output& output) {
+bool HeaderReader::take_named(std::optional<Delimiter> delimiter, Output& output) {
     std::optional<std::pair<Header, Lookup>> last;
     std::size_t line = 0;
     std::size_t number = held_line_;
@@ -307,8 +307,8 @@ bool Preamble::take_named(std::optional<Delimiter> delimiter, Output& output) {
         return false;
     }
     auto& [header, found] = *last;
-    if (const auto* fault = std::get_if<ColumnFault>(&found)) {
-        fault_ = StreamFault{StreamFault::What::columns, line, 0, *fault};
+    if (const auto* error = std::get_if<ColumnError>(&found)) {
+        error_ = StreamError{StreamError::What::columns, line, 0, *error};
         return false;
     }
     layout_.select(std::get<std::vector<std::size_t>>(std::move(found)), options_->function.kept);
@@ -321,7 +321,7 @@ bool Preamble::take_named(std::optional<Delimiter> delimiter, Output& output) {
     return true;
 }
 
-void Preamble::take(const Header& header, Output& output) {
+void HeaderReader::take(const Header& header, Output& output) {
     header_done_ = true;
     if (options_->format == Format::csv) {
         write_header(header, output);
@@ -330,7 +330,7 @@ void Preamble::take(const Header& header, Output& output) {
     }
 }
 
-void Preamble::write_header(const Header& header, Output& output) const {
+void HeaderReader::write_header(const Header& header, Output& output) const {
     const char delimiter = header.delimiter.text();
     Buffer& to = output.bytes;
     const auto write_result = [&] { append_result_names(to, *options_, delimiter); };
@@ -343,7 +343,7 @@ void Preamble::write_header(const Header& header, Output& output) const {
     append(to, header.line.end.empty() ? std::string_view("\n") : header.line.end);
 }
 
-void Preamble::write_added_header(std::size_t field_count, Output& output) const {
+void HeaderReader::write_added_header(std::size_t field_count, Output& output) const {
     if (options_->format != Format::csv) {
         return;
     }

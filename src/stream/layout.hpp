@@ -13,9 +13,9 @@
 #include "column_list.hpp"
 #include "delimiter.hpp"
 #include "event.hpp"
+#include "io_block.hpp"
 #include "json_keys.hpp"
-#include "lines.hpp"
-#include "row_function.hpp"
+#include "row_operation.hpp"
 
 namespace rotconv::stream {
 
@@ -25,10 +25,10 @@ enum class OnError : std::uint8_t { stop, nan, skip };
 
 /// What a run does with its rows.
 struct Options {
-    explicit Options(RowFunction given) : function(std::move(given)) {}
-    explicit Options(const Conversion& conversion) : Options(row_function(conversion)) {}
+    explicit Options(RowOperation given) : function(std::move(given)) {}
+    explicit Options(const Conversion& conversion) : Options(conversion_operation(conversion)) {}
 
-    RowFunction function;
+    RowOperation function;
     ColumnList columns;                 ///< empty: a row is its numbers and nothing else
     std::optional<Delimiter> delimiter; ///< nothing: that of the first data row
     std::size_t width = 0;              ///< doubles of a row of binary input; 0: the input is text
@@ -110,19 +110,19 @@ void write_appended(Buffer& to, std::string_view row, char delimiter, const Writ
 
 /// Reads what stands before the first data row: comments, blank rows, the header. Where only a later row tells whether
 /// a line is the header, that line waits, and what follows it, up to `most_held` bytes.
-class Preamble {
+class HeaderReader {
 public:
-    explicit Preamble(const Options& options);
+    explicit HeaderReader(const Options& options);
 
     /// Takes lines off `rest` up to the first data row and counts them in `line`; what comes out of them is added to
     /// `output`.
     /// @return true once the layout is settled
     bool read(std::string_view& rest, std::size_t& line, Output& output);
-    /// To be called where no data row came: at the end of input, or at a fault.
+    /// To be called where no data row came: at the end of input, or at a error.
     void finish(Output& output, bool at_end);
 
     [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
-    [[nodiscard]] const std::optional<StreamFault>& fault() const noexcept { return fault_; }
+    [[nodiscard]] const std::optional<StreamError>& error() const noexcept { return error_; }
 
 private:
     static constexpr std::size_t most_held = std::size_t{64} << 10U;
@@ -138,7 +138,7 @@ private:
         [[nodiscard]] std::string name(std::size_t at) const;
         [[nodiscard]] std::vector<std::string> names() const;
     };
-    using Lookup = std::variant<std::vector<std::size_t>, ColumnFault>;
+    using Lookup = std::variant<std::vector<std::size_t>, ColumnError>;
 
     [[nodiscard]] static Header header_of(const Line& line, Delimiter delimiter);
     [[nodiscard]] Delimiter delimiter_of(std::string_view row) const noexcept;
@@ -177,7 +177,7 @@ private:
 
     const Options* options_;
     Layout layout_;
-    std::optional<StreamFault> fault_;
+    std::optional<StreamError> error_;
     bool met_row_ = false; ///< that is not blank
     bool header_done_ = false;
     std::string held_;

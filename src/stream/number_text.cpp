@@ -96,36 +96,36 @@ std::string_view trimmed(std::string_view text) noexcept {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-NumberFault read_number(std::string_view text, double& value) noexcept {
+NumberError read_number(std::string_view text, double& value) noexcept {
     const char* const whole_end = text.data() + text.size();
     if (const auto [stop, error] = std::from_chars(text.data(), whole_end, value);
         stop == whole_end && error == std::errc{}) {
-        return NumberFault::none; // as nearly all are
+        return NumberError::none; // as nearly all are
     }
     text = trimmed(text);
     if (text.starts_with('+')) {
         text.remove_prefix(1);
         if (text.starts_with('-')) {
-            return NumberFault::not_a_number;
+            return NumberError::not_a_number;
         }
     }
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error == std::errc::invalid_argument || stop != end) {
-        return NumberFault::not_a_number;
+        return NumberError::not_a_number;
     }
     if (error == std::errc::result_out_of_range) {
         if (is_large(text)) {
-            return NumberFault::too_large;
+            return NumberError::too_large;
         }
         value = 0.0;
     }
-    return NumberFault::none;
+    return NumberError::none;
 }
 
 bool is_number(std::string_view text) noexcept {
     double value = 0.0;
-    return read_number(text, value) != NumberFault::not_a_number;
+    return read_number(text, value) != NumberError::not_a_number;
 }
 
 void append_number(Buffer& to, double value, int precision) {

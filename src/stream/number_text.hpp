@@ -11,11 +11,11 @@ namespace rotconv::stream {
 /// The text without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;
 
-enum class NumberFault : std::uint8_t { none, not_a_number, too_large };
+enum class NumberError : std::uint8_t { none, not_a_number, too_large };
 
 /// Reads a decimal number as in C, `nan` or `inf`, with an optional sign and blanks around it; no hexadecimal.
 /// Correctly rounded, independent of the locale. Too small for a double is 0.
-NumberFault read_number(std::string_view text, double& value) noexcept;
+NumberError read_number(std::string_view text, double& value) noexcept;
 
 /// True where read_number() would take the text, too large ones included.
 [[nodiscard]] bool is_number(std::string_view text) noexcept;

@@ -34,14 +34,15 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
     if (row.failed) {
         return {nan, nan, nan};
     }
-    return {row.report->figures.margin, row.report->figures.condition, row.report->defect};
+    return {row.report->sensitivity.margin, row.report->sensitivity.condition, row.report->defect};
 }
 
 } // namespace
 
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
     const auto& spec = options.function.attitude;
-    if (options.precision > 0 && spec && (spec->name == Name::euler || spec->name == Name::rpy)) {
+    if (options.precision > 0 && spec &&
+        (spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy)) {
         const bool degrees = spec->unit == AngleUnit::degrees;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
         half_a_digit_ = 0.5 * std::pow(10.0, (degrees ? 3 : 1) - options.precision);
@@ -169,7 +170,7 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
         write_number(text, row.result[i], i);
         return fmt::to_string(text);
     };
-    if (spec && spec->name == Name::dcm) {
+    if (spec && spec->name == RepresentationId::dcm) {
         const auto order = spec->order();
         std::array<std::string, 9> texts;
         std::size_t width = 0;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "event.hpp"
+#include "io_block.hpp"
 #include "layout.hpp"
-#include "lines.hpp"
 
 namespace rotconv::stream {
 
@@ -46,17 +46,17 @@ private:
 
 /// The diagnostics of a row, in order of kind, with their figures.
 template <class Visit> void for_each_diagnostic(const Report& report, std::size_t line, const Visit& visit) {
-    if (report.notes.empty()) {
+    if (report.diagnostics.empty()) {
         return;
     }
-    for (std::size_t i = 0; i < kind_count; ++i) {
-        const auto kind = static_cast<Kind>(i);
-        if (report.notes.has(kind)) {
-            const double figure = kind == Kind::normalized         ? report.defect
-                                  : kind == Kind::near_gimbal_lock ? report.figures.condition
-                                  : kind == Kind::method_error     ? report.method_error
-                                  : kind == Kind::coarse_step      ? report.step_error
-                                                                   : report.figures.margin;
+    for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
+        const auto kind = static_cast<DiagnosticKind>(i);
+        if (report.diagnostics.has(kind)) {
+            const double figure = kind == DiagnosticKind::normalized         ? report.defect
+                                  : kind == DiagnosticKind::near_gimbal_lock ? report.sensitivity.condition
+                                  : kind == DiagnosticKind::method_error     ? report.method_error
+                                  : kind == DiagnosticKind::coarse_step      ? report.step_error
+                                                                             : report.sensitivity.margin;
             visit(Diagnostic{line, kind, figure});
         }
     }

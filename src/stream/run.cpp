@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "lines.hpp"
-#include "rows.hpp"
+#include "io_block.hpp"
+#include "row_transformer.hpp"
 
 namespace rotconv::stream {
 namespace {
@@ -23,9 +23,9 @@ constexpr std::size_t most_threads = 16;
 /// Blocks under way beside one for each thread, so that nobody has to wait for a slow one.
 constexpr std::size_t spare_jobs = 2;
 /// Bytes of all blocks of text under way: what they become can be many times as long.
-constexpr std::size_t most_under_way = 2 * BlockReader::largest_block;
+constexpr std::size_t most_under_way = 2 * IoBlockReader::largest_block;
 /// From so many bytes on no block joins them: lines are longer than blocks.
-constexpr std::size_t too_long = 32 * BlockReader::largest_block;
+constexpr std::size_t too_long = 32 * IoBlockReader::largest_block;
 
 std::size_t thread_limit(const Options& options) {
     return options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
@@ -34,14 +34,14 @@ std::size_t thread_limit(const Options& options) {
 /// Bytes of a block: the more threads, the smaller, but for doubles that remain doubles.
 std::size_t block_size(const Options& options) {
     if (options.width > 0 && options.format == Format::f64) {
-        return BlockReader::largest_block;
+        return IoBlockReader::largest_block;
     }
-    return std::min(BlockReader::largest_block, most_under_way / (thread_limit(options) + spare_jobs));
+    return std::min(IoBlockReader::largest_block, most_under_way / (thread_limit(options) + spare_jobs));
 }
 
 /// A block on its way from the input to the output.
 struct Job {
-    Block block;
+    IoBlock block;
     std::string_view rest; ///< its data rows, not yet converted...
     std::size_t line = 1;  ///< ...and the line of the first
     Output output;
@@ -55,10 +55,10 @@ class Run {
 public:
     Run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
         : sink_(&sink), options_(&options), report_(&report),
-          reader_(source, options.width * sizeof(double), block_size(options)), preamble_(options),
+          reader_(source, options.width * sizeof(double), block_size(options)), header_reader_(options),
           large_(block_size(options) / 2), most_(thread_limit(options)) {}
 
-    Ending operator()();
+    RunResult operator()();
 
 private:
     using Lock = std::unique_lock<std::mutex>;
@@ -86,11 +86,11 @@ private:
     Sink* sink_;
     const Options* options_;
     const std::function<void(const Event&)>* report_;
-    BlockReader reader_; ///< of the thread that reads
-    Preamble preamble_;  ///< likewise; the layout is settled before the first data row
+    IoBlockReader reader_;       ///< of the thread that reads
+    HeaderReader header_reader_; ///< likewise; the layout is settled before the first data row
     bool has_layout_ = false;
     std::size_t large_; ///< bytes of a block that is worth another thread
-    Ending ending_;     ///< of the thread that writes
+    RunResult ending_;  ///< of the thread that writes
 
     std::mutex mutex_; ///< of all that follows
     std::condition_variable changed_;
@@ -106,7 +106,7 @@ private:
     std::exception_ptr exception_;
 };
 
-Ending Run::operator()() {
+RunResult Run::operator()() {
     Transformer transformer;
     try {
         work(transformer, true);
@@ -212,9 +212,9 @@ bool Run::read(Job& job) {
     job.output.clear();
     job.done = false;
     if (!has_layout_ && !job.rest.empty()) {
-        has_layout_ = preamble_.read(job.rest, job.line, job.output);
+        has_layout_ = header_reader_.read(job.rest, job.line, job.output);
     }
-    if (preamble_.fault()) {
+    if (header_reader_.error()) {
         job.rest = {};
         return false;
     }
@@ -226,7 +226,7 @@ void Run::convert(Job& job, Transformer& transformer) const {
         return;
     }
     if (!transformer) {
-        transformer.emplace(*options_, preamble_.layout());
+        transformer.emplace(*options_, header_reader_.layout());
     }
     transformer->transform(job.rest, job.line, job.output);
 }
@@ -251,7 +251,7 @@ bool Run::hand_on(const Output& output) {
     if (const int error = sink_->write({output.bytes.data(), output.bytes.size()}); error != 0) {
         ending_.reader_left = error == EPIPE;
         if (!ending_.reader_left) {
-            ending_.fault = StreamFault{StreamFault::What::write, 0, error, {}};
+            ending_.error = StreamError{StreamError::What::write, 0, error, {}};
         }
         return false;
     }
@@ -265,16 +265,16 @@ void Run::finish(Transformer& transformer) {
     if (transformer) {
         transformer->finish(output);
     } else if (!has_layout_) {
-        preamble_.finish(output, !preamble_.fault() && !reader_.fault());
+        header_reader_.finish(output, !header_reader_.error() && !reader_.error());
     }
     if (hand_on(output)) {
-        ending_.fault = preamble_.fault() ? preamble_.fault() : reader_.fault();
+        ending_.error = header_reader_.error() ? header_reader_.error() : reader_.error();
     }
 }
 
 } // namespace
 
-Ending run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report) {
+RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report) {
     return Run(source, sink, options, report)();
 }
 

@@ -10,13 +10,13 @@
 namespace rotconv::stream {
 
 /// How a run ended.
-struct Ending {
-    bool reader_left = false; ///< the other end of the pipe was closed: not a fault
-    bool stopped = false;     ///< at a row fault, which was reported
-    std::optional<StreamFault> fault;
+struct RunResult {
+    bool reader_left = false; ///< the other end of the pipe was closed: not a error
+    bool stopped = false;     ///< at a row error, which was reported
+    std::optional<StreamError> error;
 };
 
 /// Converts a stream. Every row is written before anything is reported of it, and as soon as it has been read.
-Ending run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report);
+RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report);
 
 } // namespace rotconv::stream

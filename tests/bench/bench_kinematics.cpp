@@ -64,11 +64,11 @@ std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{
 
 /// One row of the file. `time`: how far the figures reach.
 void write(std::ostream& csv, const char* kind, const Motion& motion, const Way& way, double h, double time,
-           double error, double defect, double nanoseconds, Fault fault) {
+           double error, double defect, double nanoseconds, Error error) {
     csv << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", kind, motion.name, way.set,
                        entry_of(way.integrator).text, h, way.renormalised ? 1 : 0, field(time), field(error),
                        field(nanoseconds / h), field(entry_of(way.integrator).evaluations / h), field(defect),
-                       fault == Fault::none ? "ok" : "singular");
+                       error == Error::none ? "ok" : "singular");
 }
 
 // --- Work and precision: 20 s at several steps -----------------------------------------------------------------------
@@ -107,21 +107,21 @@ void work(std::ostream& csv, const Motion& motion) {
         for (std::size_t per_look = 1; per_look <= 128; per_look *= 2) {
             const double h = look / static_cast<double>(per_look);
             Stepper stepper = way.stepper();
-            Fault fault = stepper.start(start);
+            Error error = stepper.start(start);
             double error = 0.0;
             double defect = 0.0;
             double until = 0.0;
-            for (int i = 0; i < looks && fault == Fault::none; ++i) {
-                fault = integrate(stepper, omega, i * look, h, per_look);
-                if (fault == Fault::none) {
+            for (int i = 0; i < looks && error == Error::none; ++i) {
+                error = integrate(stepper, omega, i * look, h, per_look);
+                if (error == Error::none) {
                     const Reading reading = stepper.attitude();
                     error = std::max(error, error_of(exact[static_cast<std::size_t>(i) + 1], reading.rotation));
                     defect = std::max(defect, reading.defect);
                     until = (i + 1) * look;
                 }
             }
-            if (fault != Fault::none) {
-                write(csv, "work", motion, way, h, until, none, none, none, fault);
+            if (error != Error::none) {
+                write(csv, "work", motion, way, h, until, none, none, none, error);
                 continue;
             }
             std::vector<Vector3d> rates;
@@ -130,7 +130,7 @@ void work(std::ostream& csv, const Motion& motion) {
                     rates.push_back(motion.omega((static_cast<double>(i) + node) * h));
                 }
             }
-            write(csv, "work", motion, way, h, seconds, error, defect, time_of_step(way, start, h, rates), fault);
+            write(csv, "work", motion, way, h, seconds, error, defect, time_of_step(way, start, h, rates), error);
         }
     }
 }
@@ -142,15 +142,15 @@ void drift(std::ostream& csv, const Motion& motion) {
     const auto omega = [&](double t) { return motion.omega(t); };
     for (const Way& way : ways()) {
         Stepper stepper = way.stepper();
-        Fault fault = stepper.start(rotation_of(motion.attitude(0)));
+        Error error = stepper.start(rotation_of(motion.attitude(0)));
         std::size_t done = 0;
         double worst = 0.0;
         for (int point = 0; point <= 60; ++point) { // fifteen a decade, from 1 s on
             const auto goal = static_cast<std::size_t>(std::lround(std::pow(10.0, 2.0 + point / 15.0)));
             const double start = static_cast<double>(done) * h;
-            fault = integrate(stepper, omega, start, h, goal - done);
-            if (fault != Fault::none) { // the last point that it reached
-                write(csv, "drift", motion, way, h, start, none, none, none, fault);
+            error = integrate(stepper, omega, start, h, goal - done);
+            if (error != Error::none) { // the last point that it reached
+                write(csv, "drift", motion, way, h, start, none, none, none, error);
                 break;
             }
             done = goal;
@@ -158,7 +158,7 @@ void drift(std::ostream& csv, const Motion& motion) {
             const Reading reading = stepper.attitude();
             const auto exact = motion.attitude(oracle::Real(h) * static_cast<double>(done));
             worst = std::max(worst, error_of(exact, reading.rotation));
-            write(csv, "drift", motion, way, h, time, worst, reading.defect, none, fault);
+            write(csv, "drift", motion, way, h, time, worst, reading.defect, none, error);
         }
     }
 }

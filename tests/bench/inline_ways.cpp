@@ -16,7 +16,7 @@ namespace bench {
 namespace {
 
 using rotconv::EulerSequence;
-using rotconv::Name;
+using rotconv::RepresentationId;
 
 using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 using In = Eigen::Map<const Matrix>;
@@ -116,25 +116,29 @@ void typed_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t ro
 
 } // namespace
 
-Run eigen_way(Name from, Name to) {
-    static const std::map<std::pair<Name, Name>, Run> ways{
-        {{Name::dcm, Name::quat}, eigen_dcm_quat},       {{Name::dcm, Name::rotvec}, eigen_dcm_rotvec},
-        {{Name::dcm, Name::cayley}, eigen_dcm_cayley},   {{Name::quat, Name::dcm}, eigen_quat_dcm},
-        {{Name::quat, Name::rotvec}, eigen_quat_rotvec}, {{Name::quat, Name::euler}, eigen_quat_euler},
-        {{Name::rotvec, Name::dcm}, eigen_rotvec_dcm},   {{Name::cayley, Name::dcm}, eigen_cayley_dcm},
+Run eigen_way(RepresentationId from, RepresentationId to) {
+    static const std::map<std::pair<RepresentationId, RepresentationId>, Run> ways{
+        {{RepresentationId::dcm, RepresentationId::quat}, eigen_dcm_quat},
+        {{RepresentationId::dcm, RepresentationId::rotvec}, eigen_dcm_rotvec},
+        {{RepresentationId::dcm, RepresentationId::cayley}, eigen_dcm_cayley},
+        {{RepresentationId::quat, RepresentationId::dcm}, eigen_quat_dcm},
+        {{RepresentationId::quat, RepresentationId::rotvec}, eigen_quat_rotvec},
+        {{RepresentationId::quat, RepresentationId::euler}, eigen_quat_euler},
+        {{RepresentationId::rotvec, RepresentationId::dcm}, eigen_rotvec_dcm},
+        {{RepresentationId::cayley, RepresentationId::dcm}, eigen_cayley_dcm},
     };
     const auto found = ways.find({from, to});
     return found == ways.end() ? nullptr : found->second;
 }
 
-Run typed_way(Name from, Name to) {
-    if (from == Name::dcm && to == Name::quat) {
+Run typed_way(RepresentationId from, RepresentationId to) {
+    if (from == RepresentationId::dcm && to == RepresentationId::quat) {
         return typed_dcm_quat;
     }
-    if (from == Name::cayley && to == Name::dcm) {
+    if (from == RepresentationId::cayley && to == RepresentationId::dcm) {
         return typed_cayley_dcm;
     }
-    return from == Name::quat && to == Name::dcm ? typed_quat_dcm : nullptr;
+    return from == RepresentationId::quat && to == RepresentationId::dcm ? typed_quat_dcm : nullptr;
 }
 
 } // namespace bench

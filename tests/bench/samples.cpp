@@ -9,7 +9,7 @@
 
 namespace bench {
 
-using rotconv::Name;
+using rotconv::RepresentationId;
 using rotconv::Spec;
 
 namespace {
@@ -50,17 +50,17 @@ Sample sweep_at(const Spec& from, const Spec& to, Sweep sweep, int exponent) {
     return sample;
 }
 
-std::vector<Sweep> kinds_of(Name from, Name to) {
-    if (from == Name::dcm && to == Name::quat) {
+std::vector<Sweep> kinds_of(RepresentationId from, RepresentationId to) {
+    if (from == RepresentationId::dcm && to == RepresentationId::quat) {
         return {Sweep::half_turn, Sweep::noise};
     }
-    if (from == Name::dcm && to == Name::rotvec) {
+    if (from == RepresentationId::dcm && to == RepresentationId::rotvec) {
         return {Sweep::half_turn, Sweep::identity};
     }
-    if (from == Name::quat && to == Name::rotvec) {
+    if (from == RepresentationId::quat && to == RepresentationId::rotvec) {
         return {Sweep::identity};
     }
-    return to == Name::euler ? std::vector{Sweep::lock} : std::vector<Sweep>{};
+    return to == RepresentationId::euler ? std::vector{Sweep::lock} : std::vector<Sweep>{};
 }
 
 void add_strata(const Spec& from, const Spec& to, std::vector<Sample>& samples) {
@@ -89,7 +89,7 @@ void Sample::add(std::vector<double> row) {
 std::vector<Sample> strata_of(const Pair& pair) {
     std::vector<Sample> samples;
     add_strata(pair.source(), pair.target(), samples);
-    if (pair.to == Name::euler) {
+    if (pair.to == RepresentationId::euler) {
         add_strata(pair.source(), pair.target("ZXZ"), samples);
     }
     return samples;

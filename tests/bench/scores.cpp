@@ -9,7 +9,7 @@
 
 namespace bench {
 
-using rotconv::Name;
+using rotconv::RepresentationId;
 
 namespace {
 
@@ -20,8 +20,8 @@ double error_of(const Sample& sample, std::size_t i, std::span<const double> res
     const bool finite = std::ranges::all_of(result, [](double v) { return std::isfinite(v); });
     if (!finite) {
         // an infinite vector without nan says that this is a half-turn
-        const bool half_turn =
-            sample.to.name == Name::cayley && std::ranges::none_of(result, [](double v) { return std::isnan(v); });
+        const bool half_turn = sample.to.name == RepresentationId::cayley &&
+                               std::ranges::none_of(result, [](double v) { return std::isnan(v); });
         return half_turn ? static_cast<double>(2 * abs(sample.exact[i].w())) / oracle::eps : none;
     }
     const auto attitude = oracle::attitude(sample.to, result);
@@ -64,7 +64,7 @@ Score score(const Sample& sample, const Way& way) {
             }
             continue;
         }
-        if (sample.to.name == Name::dcm) {
+        if (sample.to.name == RepresentationId::dcm) {
             made.defect = std::fmax(made.defect, static_cast<double>(oracle::defect(sample.to, result)) / oracle::eps);
         }
         made.squares += error * error;

@@ -14,7 +14,7 @@
 
 namespace bench {
 
-using rotconv::Name;
+using rotconv::RepresentationId;
 using rotconv::Spec;
 
 namespace {
@@ -32,13 +32,15 @@ std::vector<double> timed_rows(const Spec& spec, bool hostile) {
         double* const row = &rows[i * spec.size()];
         Eigen::Map<Eigen::Vector3d> vector(row);
         switch (spec.name) {
-        case Name::dcm: Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{row} = q.toRotationMatrix(); break;
-        case Name::rotvec: {
+        case RepresentationId::dcm:
+            Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{row} = q.toRotationMatrix();
+            break;
+        case RepresentationId::rotvec: {
             const Eigen::AngleAxisd a(q);
             vector = a.angle() * a.axis();
             break;
         }
-        case Name::cayley: vector = q.vec() / q.w(); break;
+        case RepresentationId::cayley: vector = q.vec() / q.w(); break;
         default: Eigen::Map<Eigen::Vector4d>{row} << q.w(), q.vec(); break;
         }
         if (hostile) {
@@ -105,7 +107,8 @@ Times::Times(const std::vector<Pair>& pairs) {
     initialize();
     Least least(times_);
     std::vector<double> out(million * 9);
-    for (const Name from : {Name::dcm, Name::quat, Name::rotvec, Name::cayley}) {
+    for (const RepresentationId from :
+         {RepresentationId::dcm, RepresentationId::quat, RepresentationId::rotvec, RepresentationId::cayley}) {
         benchmark::ClearRegisteredBenchmarks();
         std::deque<std::vector<double>> kept; // the benchmarks refer to them
         for (const Pair& pair : pairs) {

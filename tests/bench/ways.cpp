@@ -22,7 +22,7 @@ public:
         : conversion_(from, to,
                       {.tolerance = std::numeric_limits<double>::infinity(),
                        .lock_margin = 0.0,
-                       .figures = false,
+                       .sensitivity = false,
                        .method = nullptr}) {}
 
     void run(const double* in, std::size_t rows, double* out) {
@@ -37,7 +37,7 @@ public:
 
 private:
     Conversion conversion_;
-    std::array<Report, block> reports_{};
+    std::array<Report, batch_rows> reports_{};
 };
 
 } // namespace
@@ -56,7 +56,7 @@ Convert Way::between(const Spec& from, const Spec& to) const {
 Spec Pair::source() const { return parse(text_of(from)); }
 
 Spec Pair::target(const char* sequence) const {
-    return parse(to == Name::euler ? std::string("euler:") + sequence : text_of(to));
+    return parse(to == RepresentationId::euler ? std::string("euler:") + sequence : text_of(to));
 }
 
 std::vector<Pair> pairs() {
@@ -76,6 +76,6 @@ std::vector<Pair> pairs() {
     return found;
 }
 
-std::string text_of(Name name) { return std::string(representation(name).text); }
+std::string text_of(RepresentationId name) { return std::string(representation(name).text); }
 
 } // namespace bench

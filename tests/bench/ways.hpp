@@ -17,8 +17,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN(); ///< an empty 
 using Run = decltype(rotconv::Method::run);
 
 /// Eigen's way, and rotconv's as a C++ program writes it that has the types at hand; null where there is none.
-Run eigen_way(rotconv::Name from, rotconv::Name to);
-Run typed_way(rotconv::Name from, rotconv::Name to);
+Run eigen_way(rotconv::RepresentationId from, rotconv::RepresentationId to);
+Run typed_way(rotconv::RepresentationId from, rotconv::RepresentationId to);
 
 /// Converts rows of numbers; all that it needs is made beforehand.
 using Convert = std::function<void(const double* in, std::size_t rows, double* out)>;
@@ -33,8 +33,8 @@ struct Way {
 
 /// All ways of a conversion.
 struct Pair {
-    rotconv::Name from;
-    rotconv::Name to;
+    rotconv::RepresentationId from;
+    rotconv::RepresentationId to;
     std::vector<Way> ways;
 
     [[nodiscard]] rotconv::Spec source() const;
@@ -44,6 +44,6 @@ struct Pair {
 
 std::vector<Pair> pairs();
 
-std::string text_of(rotconv::Name name);
+std::string text_of(rotconv::RepresentationId name);
 
 } // namespace bench

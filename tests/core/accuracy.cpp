@@ -14,13 +14,13 @@
 namespace accuracy {
 namespace {
 
-using rotconv::Name;
+using rotconv::RepresentationId;
 using rotconv::Spec;
 using Rows = std::vector<std::vector<double>>;
 
 std::string text_of(const Spec& spec) {
     std::string text(rotconv::representation(spec.name).text);
-    if (spec.name == Name::euler) {
+    if (spec.name == RepresentationId::euler) {
         const auto letters = spec.sequence.letters();
         text += ':' + std::string(letters.data(), letters.size());
     }
@@ -32,7 +32,7 @@ std::vector<Spec> all_of(const std::string& name, rotconv::AngleUnit unit) {
     if (name == "euler") {
         for (const auto sequence : rotconv::EulerSequence::all()) {
             Spec made;
-            made.name = Name::euler;
+            made.name = RepresentationId::euler;
             made.sequence = sequence;
             specs.push_back(made);
         }
@@ -60,22 +60,22 @@ const std::vector<Way>& ways() {
 }
 
 double limit_from(const Spec& from) {
-    const bool euler = from.name == Name::euler || from.name == Name::rpy;
+    const bool euler = from.name == RepresentationId::euler || from.name == RepresentationId::rpy;
     const std::string name = euler ? "euler" : std::string(rotconv::representation(from.name).text);
-    return from.name == Name::quat
+    return from.name == RepresentationId::quat
                ? 0.0
                : std::ranges::find_if(ways(), [&](const Way& way) { return way.from == name; })->limit;
 }
 
 double limit_to(const Spec& to) {
-    const bool euler = to.name == Name::euler || to.name == Name::rpy;
+    const bool euler = to.name == RepresentationId::euler || to.name == RepresentationId::rpy;
     const std::string name = euler ? "euler" : std::string(rotconv::representation(to.name).text);
     return std::ranges::find_if(ways(), [&](const Way& way) { return way.from == "quat" && way.to == name; })->limit;
 }
 
 Convert own(const Spec& from, const Spec& to) {
     const rotconv::Conversion conversion(
-        from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .figures = false});
+        from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .sensitivity = false});
     return [conversion](std::span<const double> row) {
         std::vector<double> result(conversion.to().size());
         rotconv::Report report;
@@ -85,12 +85,12 @@ Convert own(const Spec& from, const Spec& to) {
 }
 
 Rows inputs(const Spec& from, const Spec& to, int size) {
-    if (from.name == Name::euler || from.name == Name::rpy) {
+    if (from.name == RepresentationId::euler || from.name == RepresentationId::rpy) {
         return strata::euler_angles(from, 4 * size);
     }
     Rows all;
     for (auto& stratum : strata::rows_of(from, to, size)) {
-        if (stratum.hostile && from.name == Name::cayley) {
+        if (stratum.hostile && from.name == RepresentationId::cayley) {
             continue; // longer by 1e150: beyond what the closed form's squares hold, and measured in the charts
         }
         std::ranges::move(stratum.rows, std::back_inserter(all));
@@ -107,7 +107,8 @@ Worst worst_error(const Spec& from, const Spec& to, const Convert& convert, cons
         double error = std::numeric_limits<double>::infinity();
         if (finite) {
             error = oracle::error_in_eps(exact, oracle::attitude(to, result));
-        } else if (to.name == Name::cayley && std::ranges::none_of(result, [](double v) { return std::isnan(v); })) {
+        } else if (to.name == RepresentationId::cayley &&
+                   std::ranges::none_of(result, [](double v) { return std::isnan(v); })) {
             // an infinite vector says that this is a half-turn
             error = static_cast<double>(2 * abs(exact.w())) / oracle::eps;
         }

@@ -1,4 +1,4 @@
-// The rooms' typed doors, as a C++ user meets them.
+// The typed conversions, as a C++ user meets them.
 
 #include <cmath>
 #include <numbers>
@@ -10,14 +10,14 @@
 
 using namespace rotconv;
 
-// Would catch: a typed door that means something else than its SPEC.
-TEST_CASE("typed doors convert a quarter turn about z") {
+// Would catch: a typed conversion that means something else than its SPEC.
+TEST_CASE("typed codecs convert a quarter turn about z") {
     const Reading reading = euler::to_rotation({{90, 0, 0}, *EulerSequence::parse("ZYX"), AngleUnit::degrees});
     REQUIRE(reading.ok());
     const Rotation& turn = reading.rotation;
     const Dcm expected{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
     CHECK(dcm::from_rotation(turn) == expected);
-    CHECK(columns::from_rotation(turn) == expected.leftCols<2>());
+    CHECK(two_column::from_rotation(turn) == expected.leftCols<2>());
     CHECK(dcm::to_rotation(expected).rotation.z() == dcm::to_rotation(expected).rotation.w());
     CHECK(rotation_vector::from_rotation(turn, AngleUnit::degrees).vector == Eigen::Vector3d(0, 0, 90));
     CHECK(axis_angle::from_rotation(turn).axis == Eigen::Vector3d(0, 0, 1));
@@ -25,7 +25,7 @@ TEST_CASE("typed doors convert a quarter turn about z") {
     CHECK(cayley::from_rotation(turn) == Eigen::Vector3d(0, 0, 1));
     CHECK(mrp::from_rotation(turn).z() == Approx(std::numbers::sqrt2 - 1));
     CHECK(quaternion::from_rotation(turn.inverse()).z == Approx(-std::numbers::sqrt2 / 2));
-    const Rotation back = hopf::to_rotation(hopf::from_rotation(turn)).rotation;
+    const Rotation back = five_d::to_rotation(five_d::from_rotation(turn)).rotation;
     CHECK(back.z() / back.w() == Approx(1).epsilon(1e-15));
     CHECK(euler::from_rotation(turn, roll_pitch_yaw).angles[2] == Approx(std::numbers::pi / 2));
 }
@@ -49,12 +49,12 @@ TEST_CASE("a conversion takes no method of another pair") {
     const Spec quat = std::get<Spec>(parse_spec("quat"));
     const Spec dcm = std::get<Spec>(parse_spec("dcm"));
     const Spec rpy = std::get<Spec>(parse_spec("rpy"));
-    const Settings unit{.method = find_method(Name::quat, Name::dcm, "unit")};
+    const Settings unit{.method = find_method(RepresentationId::quat, RepresentationId::dcm, "unit")};
     REQUIRE(unit.method != nullptr);
     CHECK_NOTHROW(Conversion(quat, dcm, unit));
     CHECK_THROWS_AS(Conversion(dcm, quat, unit), std::invalid_argument);
     CHECK_THROWS_AS(Conversion(quat, quat, unit), std::invalid_argument);
-    const Settings classic{.method = find_method(Name::quat, Name::euler, "classic")};
+    const Settings classic{.method = find_method(RepresentationId::quat, RepresentationId::euler, "classic")};
     REQUIRE(classic.method != nullptr);
     CHECK_NOTHROW(Conversion(quat, rpy, classic));
     CHECK_THROWS_AS(Conversion(quat, dcm, classic), std::invalid_argument);

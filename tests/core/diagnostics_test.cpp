@@ -1,4 +1,4 @@
-// Diagnostics by kind, margin and condition by their definitions, faults.
+// Diagnostics by kind, margin and condition by their definitions, errors.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@
 #include "strata.hpp"
 
 using accuracy::spec;
-using rotconv::Fault;
-using rotconv::Kind;
+using rotconv::DiagnosticKind;
+using rotconv::Error;
 using rotconv::Report;
 
 namespace {
@@ -32,21 +32,21 @@ Report report_of(const std::string& from, const std::string& to, const std::vect
     Report report;
     conversion.run(row, result, {&report, 1});
     const bool all_nan = std::ranges::all_of(result, [](double v) { return std::isnan(v); });
-    CHECK(all_nan == (report.fault != Fault::none));
+    CHECK(all_nan == (report.error != Error::none));
     return report;
 }
 
-std::vector<Kind> kinds_of(const Report& report) {
-    std::vector<Kind> kinds;
-    for (std::size_t i = 0; i < rotconv::kind_count; ++i) {
-        if (report.notes.has(static_cast<Kind>(i))) {
-            kinds.push_back(static_cast<Kind>(i));
+std::vector<DiagnosticKind> kinds_of(const Report& report) {
+    std::vector<DiagnosticKind> kinds;
+    for (std::size_t i = 0; i < rotconv::diagnostic_kind_count; ++i) {
+        if (report.diagnostics.has(static_cast<DiagnosticKind>(i))) {
+            kinds.push_back(static_cast<DiagnosticKind>(i));
         }
     }
     return kinds;
 }
 
-const rotconv::Settings with_figures{.tolerance = infinity, .lock_margin = 0.0, .figures = true};
+const rotconv::Settings with_figures{.tolerance = infinity, .lock_margin = 0.0, .sensitivity = true};
 
 /// The numbers of an attitude in high precision, in radians: for differentiation by small rotations.
 Eigen::VectorXd numbers_in_detail(const std::string& to, const oracle::Quaternion& q) {
@@ -74,24 +74,25 @@ double condition_by_differences(const std::string& to, const oracle::Quaternion&
 TEST_CASE("each kind is reported where it holds and nowhere else") {
     const double s = std::sqrt(0.5);
     CHECK(kinds_of(report_of("quat", "dcm", {1, 0, 0, 2e-6})).empty());
-    CHECK(kinds_of(report_of("quat", "dcm", {1.00001, 0, 0, 0})) == std::vector{Kind::normalized});
-    CHECK(kinds_of(report_of("quat", "euler:ZYX", {s, 0, s, 0})) == std::vector{Kind::gimbal_lock});
+    CHECK(kinds_of(report_of("quat", "dcm", {1.00001, 0, 0, 0})) == std::vector{DiagnosticKind::normalized});
+    CHECK(kinds_of(report_of("quat", "euler:ZYX", {s, 0, s, 0})) == std::vector{DiagnosticKind::gimbal_lock});
     CHECK(kinds_of(report_of("quat", "euler:ZXZ", {1, 0, 0, 0.5}, {.tolerance = 1})) ==
-          std::vector{Kind::normalized, Kind::gimbal_lock});
+          std::vector{DiagnosticKind::normalized, DiagnosticKind::gimbal_lock});
     CHECK(kinds_of(report_of("euler:ZYX", "euler:ZYX", {0.1, pi / 2 - 1e-7, 0.2})) ==
-          std::vector{Kind::near_gimbal_lock});
+          std::vector{DiagnosticKind::near_gimbal_lock});
     CHECK(kinds_of(report_of("euler:ZYX", "euler:ZYX", {0.1, pi / 2 - 1e-5, 0.2})).empty());
-    CHECK(kinds_of(report_of("euler:ZXZ", "euler:ZXZ", {0.1, 1e-7, 0.2})) == std::vector{Kind::near_gimbal_lock});
+    CHECK(kinds_of(report_of("euler:ZXZ", "euler:ZXZ", {0.1, 1e-7, 0.2})) ==
+          std::vector{DiagnosticKind::near_gimbal_lock});
     for (const std::string to : {"rotvec", "axis-angle", "mrp"}) {
-        CHECK(kinds_of(report_of("quat", to, {0, 0, 1, 0})) == std::vector{Kind::half_turn});
-        CHECK(kinds_of(report_of("quat", to, {4.9e-16, 0, 1, 0})) == std::vector{Kind::half_turn});
+        CHECK(kinds_of(report_of("quat", to, {0, 0, 1, 0})) == std::vector{DiagnosticKind::half_turn});
+        CHECK(kinds_of(report_of("quat", to, {4.9e-16, 0, 1, 0})) == std::vector{DiagnosticKind::half_turn});
         CHECK(kinds_of(report_of("quat", to, {5.1e-16, 0, 1, 0})).empty());
     }
-    CHECK(kinds_of(report_of("quat", "axis-angle", {1, 0, 0, 0})) == std::vector{Kind::identity_axis});
+    CHECK(kinds_of(report_of("quat", "axis-angle", {1, 0, 0, 0})) == std::vector{DiagnosticKind::identity_axis});
     CHECK(kinds_of(report_of("quat", "axis-angle", {1, 0, 1e-300, 0})).empty());
     CHECK(kinds_of(report_of("quat", "rotvec", {1, 0, 0, 0})).empty());
-    CHECK(kinds_of(report_of("quat", "cayley", {0, 0, 1, 0})) == std::vector{Kind::infinite});
-    CHECK(kinds_of(report_of("quat", "cayley", {1e-309, 0, 1, 0})) == std::vector{Kind::infinite});
+    CHECK(kinds_of(report_of("quat", "cayley", {0, 0, 1, 0})) == std::vector{DiagnosticKind::infinite});
+    CHECK(kinds_of(report_of("quat", "cayley", {1e-309, 0, 1, 0})) == std::vector{DiagnosticKind::infinite});
     CHECK(kinds_of(report_of("quat", "cayley", {1e-300, 0, 1, 0})).empty());
 }
 
@@ -113,9 +114,9 @@ TEST_CASE("locked angles have a zero third and a middle at its limit") {
             std::vector<double> angles(3);
             Report report;
             conversion.run(row, angles, {&report, 1});
-            const double margin = report_of("quat", text, row, with_figures).figures.margin;
+            const double margin = report_of("quat", text, row, with_figures).sensitivity.margin;
             INFO(text << " margin " << margin);
-            CHECK(report.notes.has(Kind::gimbal_lock) == (margin <= 1e-3));
+            CHECK(report.diagnostics.has(DiagnosticKind::gimbal_lock) == (margin <= 1e-3));
             if (margin <= 1e-3) {
                 CHECK(angles[2] == 0.0);
                 const double low = sequence.proper() ? 0.0 : -pi / 2;
@@ -148,9 +149,9 @@ TEST_CASE("condition is the largest singular value of the map from small rotatio
             const auto q = oracle::about(source.axis(), oracle::Real(source.uniform(0.3, 2.8)));
             const auto report = report_of("quat", to, oracle::numbers(spec("quat"), q), with_figures);
             INFO(to);
-            if (report.figures.margin > 0.2) {
+            if (report.sensitivity.margin > 0.2) {
                 // the sign of a quaternion flips at a half-turn, past which the differences would reach
-                CHECK(report.figures.condition == Approx(condition_by_differences(to, q)).epsilon(1e-5));
+                CHECK(report.sensitivity.condition == Approx(condition_by_differences(to, q)).epsilon(1e-5));
             }
         }
     }
@@ -160,21 +161,21 @@ TEST_CASE("condition is the largest singular value of the map from small rotatio
 TEST_CASE("margin is the angle to the nearest singular attitude") {
     const auto about_z = [](double angle) { return std::vector<double>{0, 0, 1, angle}; };
     for (const std::string to : {"quat", "dcm", "6d", "5d"}) {
-        CHECK(report_of("axis-angle", to, about_z(1), with_figures).figures.margin == infinity);
+        CHECK(report_of("axis-angle", to, about_z(1), with_figures).sensitivity.margin == infinity);
     }
-    CHECK(report_of("axis-angle", "cayley", about_z(1), with_figures).figures.margin == Approx(pi - 1));
-    CHECK(report_of("axis-angle", "mrp", about_z(2), with_figures).figures.margin == Approx(pi - 2));
-    CHECK(report_of("axis-angle", "axis-angle", about_z(1), with_figures).figures.margin == Approx(1));
-    CHECK(report_of("axis-angle", "axis-angle", about_z(3), with_figures).figures.margin == Approx(pi - 3));
-    CHECK(report_of("euler:ZYX", "rpy", {0.3, -1.2, 0.1}, with_figures).figures.margin == Approx(pi / 2 - 1.2));
-    CHECK(report_of("euler:ZXZ", "euler:ZXZ", {0.3, 3.0, 0.1}, with_figures).figures.margin == Approx(pi - 3));
-    CHECK(report_of("euler:ZXZ", "euler:ZXZ", {0.3, 1e-200, 0.1}, with_figures).figures.margin ==
+    CHECK(report_of("axis-angle", "cayley", about_z(1), with_figures).sensitivity.margin == Approx(pi - 1));
+    CHECK(report_of("axis-angle", "mrp", about_z(2), with_figures).sensitivity.margin == Approx(pi - 2));
+    CHECK(report_of("axis-angle", "axis-angle", about_z(1), with_figures).sensitivity.margin == Approx(1));
+    CHECK(report_of("axis-angle", "axis-angle", about_z(3), with_figures).sensitivity.margin == Approx(pi - 3));
+    CHECK(report_of("euler:ZYX", "rpy", {0.3, -1.2, 0.1}, with_figures).sensitivity.margin == Approx(pi / 2 - 1.2));
+    CHECK(report_of("euler:ZXZ", "euler:ZXZ", {0.3, 3.0, 0.1}, with_figures).sensitivity.margin == Approx(pi - 3));
+    CHECK(report_of("euler:ZXZ", "euler:ZXZ", {0.3, 1e-200, 0.1}, with_figures).sensitivity.margin ==
           Approx(1e-200).margin(0).epsilon(1e-14));
-    CHECK(report_of("quat", "rotvec", {1e-30, 0, 1, 0}, with_figures).figures.margin ==
+    CHECK(report_of("quat", "rotvec", {1e-30, 0, 1, 0}, with_figures).sensitivity.margin ==
           Approx(2e-30).margin(0).epsilon(1e-14));
-    CHECK(report_of("quat", "rotvec", {1, 0, 0, 0}, with_figures).figures.condition == 1.0);
-    CHECK(report_of("quat", "rotvec", {0, 0, 1, 0}, with_figures).figures.condition == Approx(pi / 2));
-    CHECK(report_of("quat", "axis-angle", {1, 0, 0, 0}, with_figures).figures.condition == infinity);
+    CHECK(report_of("quat", "rotvec", {1, 0, 0, 0}, with_figures).sensitivity.condition == 1.0);
+    CHECK(report_of("quat", "rotvec", {0, 0, 1, 0}, with_figures).sensitivity.condition == Approx(pi / 2));
+    CHECK(report_of("quat", "axis-angle", {1, 0, 0, 0}, with_figures).sensitivity.condition == infinity);
 }
 
 // Would catch: a defect in another norm, or one that is only a bound where it decides.
@@ -190,8 +191,8 @@ TEST_CASE("the defect is the largest deviation of a singular value") {
             const double exact = static_cast<double>(oracle::defect(spec(from), row));
             INFO(from << ' ' << noise);
             CHECK(report_of(from, "quat", row, with_figures).defect == Approx(exact).epsilon(1e-5).margin(1e-15));
-            CHECK((report_of(from, "quat", row, {.tolerance = 1.001 * exact + 1e-15}).fault == Fault::none));
-            CHECK((report_of(from, "quat", row, {.tolerance = 0.999 * exact - 1e-15}).fault == Fault::defect));
+            CHECK((report_of(from, "quat", row, {.tolerance = 1.001 * exact + 1e-15}).error == Error::none));
+            CHECK((report_of(from, "quat", row, {.tolerance = 0.999 * exact - 1e-15}).error == Error::defect));
         }
     }
     CHECK(report_of("dcm", "quat", {1e200, 0, 0, 0, 1e200, 0, 0, 0, 1e200}, with_figures).defect == Approx(1e200));
@@ -204,37 +205,37 @@ TEST_CASE("each way in which columns can be off is seen") {
     for (const std::size_t entry : {0, 4, 3}) { // first length, second length, angle
         std::vector<double> row{1, 0, 0, 0, 1, 0};
         row[entry] += 0.01;
-        CHECK(report_of("6d", "quat", row, {}).fault == Fault::defect);
+        CHECK(report_of("6d", "quat", row, {}).error == Error::defect);
         row[entry] -= 0.0099;
         const auto report = report_of("6d", "quat", row, {});
-        CHECK(report.fault == Fault::none);
-        CHECK(report.notes.has(Kind::normalized));
+        CHECK(report.error == Error::none);
+        CHECK(report.diagnostics.has(DiagnosticKind::normalized));
         CHECK(report.defect == Approx(static_cast<double>(oracle::defect(spec("6d"), row))));
     }
 }
 
 // Would catch: a crash, or an answer, where there is no attitude.
-TEST_CASE("numbers without an attitude are faults") {
+TEST_CASE("numbers without an attitude are errors") {
     const rotconv::Settings any{.tolerance = infinity};
-    CHECK(report_of("quat", "dcm", {0, 0, 0, 0}, any).fault == Fault::zero_quaternion);
-    CHECK(report_of("axis-angle", "dcm", {0, 0, 0, 1}, any).fault == Fault::zero_axis);
-    CHECK(report_of("axis-angle", "dcm", {0, 0, 0, 0}, any).fault == Fault::none);
-    CHECK(report_of("axis-angle:deg", "dcm", {0, 0, 0, 720}, any).fault == Fault::none);
-    CHECK(report_of("dcm", "quat", {1, 0, 0, 0, 1, 0, 0, 0, -1}, any).fault == Fault::not_proper);
-    CHECK(report_of("dcm", "quat", {1, 2, 3, 4, 5, 6, 7, 8, 9}, any).fault == Fault::not_proper);
-    CHECK(report_of("dcm", "quat", {0, 0, 0, 0, 0, 0, 0, 0, 0}, any).fault == Fault::not_proper);
-    CHECK(report_of("dcm", "quat", {1e-9, 0, 0, 0, 1, 0, 0, 0, 1}, any).fault == Fault::none);
-    CHECK(report_of("6d", "quat", {1, 2, 3, 2, 4, 6}, any).fault == Fault::rank_deficient);
-    CHECK(report_of("6d", "quat", {0, 0, 0, 0, 1, 0}, any).fault == Fault::rank_deficient);
-    CHECK(report_of("6d", "quat", {1, 0, 0, 1, 1e-9, 0}, any).fault == Fault::none);
-    CHECK(report_of("5d", "quat", {0, 0, 0, 0, 0}, any).fault == Fault::rank_deficient);
+    CHECK(report_of("quat", "dcm", {0, 0, 0, 0}, any).error == Error::zero_quaternion);
+    CHECK(report_of("axis-angle", "dcm", {0, 0, 0, 1}, any).error == Error::zero_axis);
+    CHECK(report_of("axis-angle", "dcm", {0, 0, 0, 0}, any).error == Error::none);
+    CHECK(report_of("axis-angle:deg", "dcm", {0, 0, 0, 720}, any).error == Error::none);
+    CHECK(report_of("dcm", "quat", {1, 0, 0, 0, 1, 0, 0, 0, -1}, any).error == Error::not_proper);
+    CHECK(report_of("dcm", "quat", {1, 2, 3, 4, 5, 6, 7, 8, 9}, any).error == Error::not_proper);
+    CHECK(report_of("dcm", "quat", {0, 0, 0, 0, 0, 0, 0, 0, 0}, any).error == Error::not_proper);
+    CHECK(report_of("dcm", "quat", {1e-9, 0, 0, 0, 1, 0, 0, 0, 1}, any).error == Error::none);
+    CHECK(report_of("6d", "quat", {1, 2, 3, 2, 4, 6}, any).error == Error::rank_deficient);
+    CHECK(report_of("6d", "quat", {0, 0, 0, 0, 1, 0}, any).error == Error::rank_deficient);
+    CHECK(report_of("6d", "quat", {1, 0, 0, 1, 1e-9, 0}, any).error == Error::none);
+    CHECK(report_of("5d", "quat", {0, 0, 0, 0, 0}, any).error == Error::rank_deficient);
     for (const auto& entry : rotconv::representations()) {
-        const std::string name = entry.name == rotconv::Name::euler ? "euler:ZYX" : std::string(entry.text);
+        const std::string name = entry.name == rotconv::RepresentationId::euler ? "euler:ZYX" : std::string(entry.text);
         for (std::size_t i = 0; i < entry.size; ++i) {
             for (const double bad : {infinity, -infinity, std::nan("")}) {
                 std::vector<double> row(entry.size, 0.5);
                 row[i] = bad;
-                CHECK(report_of(name, "quat", row, any).fault == Fault::not_finite);
+                CHECK(report_of(name, "quat", row, any).error == Error::not_finite);
             }
         }
     }
@@ -249,11 +250,12 @@ TEST_CASE("the defect decides the same with and without figures") {
                 for (const double tolerance : {off, 1.0}) {
                     const std::vector<double> row{s, 0, 0, 0, 1, 0, 0, 0, 1};
                     const auto plain = report_of("dcm", "quat", row, {.tolerance = tolerance});
-                    const auto figures = report_of("dcm", "quat", row, {.tolerance = tolerance, .figures = true});
+                    const auto figures = report_of("dcm", "quat", row, {.tolerance = tolerance, .sensitivity = true});
                     INFO(off << ' ' << sign << ' ' << nudge);
-                    CHECK(plain.fault == figures.fault);
-                    CHECK((plain.fault == Fault::defect) == (tolerance == off && nudge > 0));
-                    CHECK(plain.notes.has(Kind::normalized) == figures.notes.has(Kind::normalized));
+                    CHECK(plain.error == figures.error);
+                    CHECK((plain.error == Error::defect) == (tolerance == off && nudge > 0));
+                    CHECK(plain.diagnostics.has(DiagnosticKind::normalized) ==
+                          figures.diagnostics.has(DiagnosticKind::normalized));
                 }
             }
         }
@@ -267,11 +269,11 @@ TEST_CASE("nearly singular matrices have the polar factor of their sign") {
                                                             {1, 0, 0, 0, 1e-15, 0, 0, 0, 1e-15},
                                                             {1e-300, 0, 0, 0, 1, 0, 0, 0, 1e300},
                                                             {1, 0, 0, 0, 1e-200, 0, 0, 0, 1e-200}}) {
-        CHECK(report_of("dcm", "quat", row, any).fault == Fault::none);
+        CHECK(report_of("dcm", "quat", row, any).error == Error::none);
         CHECK(accuracy::own(spec("dcm"), spec("quat"))(row) == std::vector<double>{1, 0, 0, 0});
         auto mirrored = row;
         mirrored[8] = -mirrored[8];
-        CHECK(report_of("dcm", "quat", mirrored, any).fault == Fault::not_proper);
+        CHECK(report_of("dcm", "quat", mirrored, any).error == Error::not_proper);
     }
     strata::Source source(71);
     int proper = 0;
@@ -282,7 +284,7 @@ TEST_CASE("nearly singular matrices have the polar factor of their sign") {
             row[3 * k + 1] = source.normal();
             row[3 * k + 2] = row[3 * k] - 0.5 * row[3 * k + 1] + 1e-16 * source.normal();
         }
-        if (report_of("dcm", "quat", row, any).fault != Fault::none) {
+        if (report_of("dcm", "quat", row, any).error != Error::none) {
             continue;
         }
         ++proper;

@@ -1,4 +1,4 @@
-// The kinematic equations as they stand in the documents, against the rooms' own.
+// The kinematic equations as they stand in the documents, against the representations' own.
 
 #include <cmath>
 #include <vector>
@@ -80,17 +80,17 @@ TEST_CASE("Stuelpnagel's equations of six and of five numbers") {
     Matrix56 v = Matrix56::Zero();
     v.rightCols<5>().setIdentity();
     for (const Case& c : cases()) {
-        const Columns x0 = columns::from_rotation(c.x());
-        CHECK(distance(columns::rate(x0, -c.w, Frame::reference), omega(c) * x0) < rounding);
+        const Columns x0 = two_column::from_rotation(c.x());
+        CHECK(distance(two_column::rate(x0, -c.w, Frame::reference), omega(c) * x0) < rounding);
 
-        const hopf::Vector5 y = hopf::from_rotation(c.x());
+        const five_d::Vector5 y = five_d::from_rotation(c.x());
         Matrix6 big = Matrix6::Zero();
         big.topLeftCorner<3, 3>() = omega(c);
         big.bottomRightCorner<3, 3>() = omega(c);
-        const hopf::Vector5 linear = v * big * a;
-        const hopf::Vector5 printed =
+        const five_d::Vector5 linear = v * big * a;
+        const five_d::Vector5 printed =
             0.5 * (y.squaredNorm() - 1.0) * linear - y * y.dot(linear) + v * big * v.transpose() * y;
-        CHECK(distance(hopf::rate(y, -c.w, Frame::reference), printed) < rounding);
+        CHECK(distance(five_d::rate(y, -c.w, Frame::reference), printed) < rounding);
     }
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("Stuelpnagel's equation of roll, pitch and yaw") {
             0, std::cos(phi), std::sin(phi) * std::cos(theta), //
             0, -std::sin(phi), std::cos(phi) * std::cos(theta);
         const auto rates = euler::rate(value, c.w);
-        const double condition = euler::figures(c.rotation, roll_pitch_yaw).condition;
+        const double condition = euler::sensitivity(c.rotation, roll_pitch_yaw).condition;
         CHECK(distance(printed * Vector3d(rates[0], rates[1], rates[2]), c.w) < rounding * condition);
         CHECK(printed.determinant() == Approx(std::cos(theta)));
     }
@@ -196,9 +196,9 @@ TEST_CASE("columns that are not orthonormal turn as the attitude that they stand
     for (const Case& c : cases()) {
         Eigen::Matrix2d shear;
         shear << 1.3, 0.2, 0.0, 0.8;
-        const Columns exact = columns::from_rotation(c.rotation);
+        const Columns exact = two_column::from_rotation(c.rotation);
         const Columns off = exact * shear;
-        CHECK(distance(columns::rate(off, c.w), columns::rate(exact, c.w) * shear) < rounding);
-        CHECK(distance(columns::angular_velocity(off, columns::rate(off, c.w)), c.w) < rounding);
+        CHECK(distance(two_column::rate(off, c.w), two_column::rate(exact, c.w) * shear) < rounding);
+        CHECK(distance(two_column::angular_velocity(off, two_column::rate(off, c.w)), c.w) < rounding);
     }
 }

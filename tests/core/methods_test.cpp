@@ -25,13 +25,13 @@ namespace {
 
 using accuracy::spec;
 using rotconv::Method;
-using rotconv::Name;
+using rotconv::RepresentationId;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 accuracy::Convert by(const Method& method, const rotconv::Spec& from, const rotconv::Spec& to) {
-    const rotconv::Conversion conversion(from, to,
-                                         {.tolerance = inf, .lock_margin = 0.0, .figures = false, .method = &method});
+    const rotconv::Conversion conversion(
+        from, to, {.tolerance = inf, .lock_margin = 0.0, .sensitivity = false, .method = &method});
     return [conversion](std::span<const double> row) {
         std::vector<double> result(conversion.to().size());
         rotconv::Report report;
@@ -277,24 +277,25 @@ TEST_CASE("a method's error is reported with its angle") {
     };
     const std::vector<double> half_turn{-1, 0, 0, 0, 1, 0, 0, 0, -1};
     const auto wrong = report_of("dcm", "quat", "baruh", half_turn);
-    CHECK(wrong.notes.has(rotconv::Kind::method_error));
+    CHECK(wrong.diagnostics.has(rotconv::DiagnosticKind::method_error));
     CHECK(std::isnan(wrong.method_error));
-    CHECK(report_of("dcm", "quat", "shepperd", half_turn).notes.empty());
-    CHECK(report_of("dcm", "quat", "default", half_turn).notes.empty());
+    CHECK(report_of("dcm", "quat", "shepperd", half_turn).diagnostics.empty());
+    CHECK(report_of("dcm", "quat", "default", half_turn).diagnostics.empty());
     // 90 degrees about z, k times too long: the unit formula gives the angle of (1 - k^2, k^2).
     const double k = 1.0001;
     const auto off = report_of("quat", "dcm", "unit", {k * std::sqrt(0.5), 0, 0, k * std::sqrt(0.5)});
-    CHECK(off.notes.has(rotconv::Kind::method_error));
+    CHECK(off.diagnostics.has(rotconv::DiagnosticKind::method_error));
     CHECK(off.method_error == Approx(std::atan2(k * k - 1.0, k * k)).epsilon(1e-9));
     // By less than is reported, on a row with nothing to report: k^2 below 1 + 1e-7.
     const double close = 1.0 + 4e-8;
     const auto unremarkable = report_of("quat", "dcm", "unit", {close * std::sqrt(0.5), 0, 0, close * std::sqrt(0.5)});
-    CHECK(unremarkable.notes.empty());
+    CHECK(unremarkable.diagnostics.empty());
     CHECK(unremarkable.method_error == Approx(std::atan2(close * close - 1.0, close * close)).epsilon(1e-6));
     // Both are infinite at a half-turn, as the vector is.
-    CHECK_FALSE(report_of("dcm", "cayley", "quaternion", half_turn).notes.has(rotconv::Kind::method_error));
-    // A row without an attitude stays a fault.
-    CHECK(report_of("dcm", "quat", "trace", {0, 0, 0, 0, 0, 0, 0, 0, 0}).fault == rotconv::Fault::not_proper);
+    CHECK_FALSE(
+        report_of("dcm", "cayley", "quaternion", half_turn).diagnostics.has(rotconv::DiagnosticKind::method_error));
+    // A row without an attitude stays a error.
+    CHECK(report_of("dcm", "quat", "trace", {0, 0, 0, 0, 0, 0, 0, 0, 0}).error == rotconv::Error::not_proper);
 }
 
 // Would catch: a README that counts other methods than there are.

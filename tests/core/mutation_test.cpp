@@ -16,7 +16,7 @@ using Row = std::span<const double>;
 /// ZYX angles, with everything nearer to lock than 1e-7 treated as locked.
 std::vector<double> lock_threshold(Row q) {
     static const rotconv::Conversion conversion(spec("quat"), spec("euler:ZYX"),
-                                                {.tolerance = 1e300, .lock_margin = 1e-7, .figures = false});
+                                                {.tolerance = 1e300, .lock_margin = 1e-7, .sensitivity = false});
     std::vector<double> angles(3);
     rotconv::Report report;
     conversion.run(q, angles, {&report, 1});

@@ -58,7 +58,8 @@ TEST_CASE("conversions to quat stay within their limits on vectors from elsewher
     const auto quat = accuracy::spec("quat");
     for (const auto& vector : vectors()) {
         const auto result = accuracy::own(vector.spec, quat)(vector.numbers);
-        const double limit = accuracy::limit_from(vector.spec) + (vector.spec.name == rotconv::Name::quat ? 1.0 : 0.0);
+        const double limit =
+            accuracy::limit_from(vector.spec) + (vector.spec.name == rotconv::RepresentationId::quat ? 1.0 : 0.0);
         INFO(rotconv::representation(vector.spec.name).text);
         CHECK(oracle::error_in_eps(vector.exact, oracle::attitude(quat, result)) <= limit);
     }

@@ -38,7 +38,7 @@ const std::vector<std::string>& all_specs() {
 
 } // namespace
 
-// Would catch: a convention applied on one side only, or a room that is right alone and wrong behind another.
+// Would catch: a convention applied on one side only, or a representation that is right alone and wrong behind another.
 TEST_CASE("any pair errs by no more than its two ways together") {
     for (const auto& from_text : all_specs()) {
         const auto from = accuracy::spec(from_text);
@@ -93,7 +93,7 @@ TEST_CASE("rows in blocks come out as rows one by one") {
     }
     std::vector<double> out(rows.size() * 9);
     std::vector<rotconv::Report> reports(rows.size());
-    rotconv::Conversion(from, to, {.tolerance = 1e300, .lock_margin = 0.0, .figures = false}).run(in, out, reports);
+    rotconv::Conversion(from, to, {.tolerance = 1e300, .lock_margin = 0.0, .sensitivity = false}).run(in, out, reports);
     const auto one = accuracy::own(from, to);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto expected = one(rows[i]);

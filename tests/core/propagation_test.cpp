@@ -35,10 +35,10 @@ double error_of(const Motion& motion, const oracle::Real& time, const Rotation& 
 }
 
 struct Result {
-    double error = 0.0; ///< largest, radians
+    double worst = 0.0; ///< largest, radians
     double defect = 0.0;
     double norm = 0.0; ///< largest of the numbers
-    Fault fault = Fault::none;
+    Error error = Error::none;
     double until = 0.0; ///< time of the last step that held
 };
 
@@ -47,19 +47,19 @@ Result integrated(const Motion& motion, const std::string& set, Integrator integ
                   bool renormalise = false) {
     Stepper stepper(spec(set), integrator, renormalise);
     Result result;
-    result.fault = stepper.start(rotation_of(motion.attitude(0)));
+    result.error = stepper.start(rotation_of(motion.attitude(0)));
     const auto steps = static_cast<std::size_t>(std::lround(20.0 / h));
     const auto look = std::max<std::size_t>(1, steps / 400);
-    for (std::size_t i = 0; i < steps && result.fault == Fault::none; i += look) {
+    for (std::size_t i = 0; i < steps && result.error == Error::none; i += look) {
         const double start = static_cast<double>(i) * h;
         const auto omega = [&](double t) { return motion.omega(t); };
-        result.fault = integrate(stepper, omega, start, h, look);
+        result.error = integrate(stepper, omega, start, h, look);
         const Reading reading = stepper.attitude();
-        CHECK(reading.fault == result.fault);
-        if (result.fault == Fault::none) {
+        CHECK(reading.error == result.error);
+        if (result.error == Error::none) {
             result.until = static_cast<double>(i + look) * h;
-            result.error = std::max(
-                result.error, error_of(motion, oracle::Real(h) * static_cast<double>(i + look), reading.rotation));
+            result.worst = std::max(
+                result.worst, error_of(motion, oracle::Real(h) * static_cast<double>(i + look), reading.rotation));
             result.defect = std::max(result.defect, reading.defect);
             double square = 0.0;
             for (const double v : stepper.numbers()) {
@@ -72,8 +72,8 @@ Result integrated(const Motion& motion, const std::string& set, Integrator integ
 }
 
 void check_order(const Motion& motion, const std::string& set, Integrator integrator, double h) {
-    const double coarse = integrated(motion, set, integrator, h).error;
-    const double fine = integrated(motion, set, integrator, 0.5 * h).error;
+    const double coarse = integrated(motion, set, integrator, h).worst;
+    const double fine = integrated(motion, set, integrator, 0.5 * h).worst;
     INFO(set << " " << entry_of(integrator).text << ": " << coarse << ", " << fine);
     CHECK(std::log2(coarse / fine) == Approx(entry_of(integrator).order).margin(0.15));
 }
@@ -91,7 +91,7 @@ Rows propagated(const PropagationSettings& settings, const Motion& motion, doubl
     for (int i = 0; i <= count; ++i) {
         const double time = i / frequency;
         const Pushed pushed = propagator.push(time - (i - 1) / frequency, motion.omega(time));
-        REQUIRE(pushed.refused == Fault::none);
+        REQUIRE(pushed.refused == Error::none);
         if (pushed.answer) {
             rows.push_back({*pushed.answer, static_cast<double>(rows.size()) / frequency});
         }
@@ -109,7 +109,7 @@ double angle_of(const Propagated& row) { return 2.0 * std::atan2(row.rotation.z(
 double worst_error(const Rows& rows, const Motion& motion) {
     double worst = 0.0;
     for (std::size_t i = 0; i < rows.size(); i += std::max<std::size_t>(1, rows.size() / 200)) {
-        REQUIRE(rows[i].fault == Fault::none);
+        REQUIRE(rows[i].error == Error::none);
         worst = std::max(worst, error_of(motion, rows[i].time, rows[i].rotation));
     }
     return worst;
@@ -144,7 +144,7 @@ TEST_CASE("every integrator has its order") {
 TEST_CASE("the sets and integrators rank as measured") {
     const Motion motion = motions::tumbling();
     const auto error = [&](const char* set, Integrator integrator) {
-        return integrated(motion, set, integrator, 0.01).error;
+        return integrated(motion, set, integrator, 0.01).worst;
     };
     const double euler = error("euler:ZYX", Integrator::rk4);
     const double five = error("5d", Integrator::rk4);
@@ -176,11 +176,11 @@ TEST_CASE("the sets and integrators rank as measured") {
 TEST_CASE("charts that have another one change to it, and keep their bounds") {
     for (const Motion& motion : {motions::tumbling(), motions::spin()}) {
         const Result mrp = integrated(motion, "mrp", Integrator::rk4, 0.01);
-        CHECK(mrp.fault == Fault::none);
+        CHECK(mrp.error == Error::none);
         CHECK(mrp.norm <= 1.0);
         CHECK(mrp.norm > 0.9);
         const Result rotvec = integrated(motion, "rotvec", Integrator::rk4, 0.01);
-        CHECK(rotvec.fault == Fault::none);
+        CHECK(rotvec.error == Error::none);
         CHECK(rotvec.norm <= std::numbers::pi);
         CHECK(rotvec.norm > 3.0);
     }
@@ -188,7 +188,7 @@ TEST_CASE("charts that have another one change to it, and keep their bounds") {
     const Motion spin{"spin", {{2, 0.0, 40.0}}};
     const Result euler = integrated(spin, "euler:ZYX", Integrator::rk4, 0.01);
     CHECK(euler.norm <= std::numbers::pi);
-    CHECK(euler.error < 1e-12);
+    CHECK(euler.worst < 1e-12);
 }
 
 // What is said of the motion: how near to the lock it comes in 20 s, and when.
@@ -218,44 +218,44 @@ TEST_CASE("the tumbling motion passes the lock of euler:ZYX as near as it is sai
 TEST_CASE("charts that have no other fail, before the singularity is reached") {
     for (const double h : {0.1, 0.01, 0.001}) {
         const Result lock = integrated(motions::through_lock(), "euler:ZYX", Integrator::rk4, h);
-        CHECK(lock.fault == Fault::singular);
+        CHECK(lock.error == Error::singular);
         CHECK(lock.until < std::numbers::pi / 2);
         CHECK(lock.until > std::numbers::pi / 2 - 0.06 - 2 * h);
         const Result half_turn = integrated(motions::spin(), "cayley", Integrator::rk4, h);
-        CHECK(half_turn.fault == Fault::singular);
+        CHECK(half_turn.error == Error::singular);
         CHECK(half_turn.until < std::numbers::pi / 1.5);
         CHECK(half_turn.until > std::numbers::pi / 1.5 - 0.06 - 2 * h);
     }
     // too fast for the step, and an attitude that the set has no numbers for
-    CHECK(integrated(motions::tumbling(), "euler:ZYX", Integrator::rk4, 0.05).fault == Fault::singular);
+    CHECK(integrated(motions::tumbling(), "euler:ZYX", Integrator::rk4, 0.05).error == Error::singular);
     Stepper cayley(spec("cayley"), Integrator::rk4);
-    CHECK(cayley.start(Rotation::from_components(0, 1, 0, 0)) == Fault::singular);
-    CHECK(cayley.attitude().fault == Fault::singular);
+    CHECK(cayley.start(Rotation::from_components(0, 1, 0, 0)) == Error::singular);
+    CHECK(cayley.attitude().error == Error::singular);
 }
 
 // Catches a step that no start could bear, blamed on an attitude that is nowhere near.
 TEST_CASE("a step that turns by more than the set can follow is called coarse") {
-    const auto fault = [](const char* set, double h, double rate) {
+    const auto error = [](const char* set, double h, double rate) {
         Stepper stepper(spec(set), Integrator::rk4);
-        REQUIRE(stepper.start({}) == Fault::none);
+        REQUIRE(stepper.start({}) == Error::none);
         const std::vector<Vector3d> rates(3, Vector3d(0, 0, rate));
-        const Fault found = stepper.step(h, rates);
-        CHECK(stepper.attitude().fault == found);
+        const Error found = stepper.step(h, rates);
+        CHECK(stepper.attitude().error == found);
         return found;
     };
     for (const char* set : {"mrp", "rotvec", "cayley"}) {
-        CHECK(fault(set, 1.0, 3.2) == Fault::coarse_step);
-        CHECK(fault(set, -1.0, 3.2) == Fault::coarse_step);
-        CHECK(fault(set, 1.0, 1e200) == Fault::coarse_step);
-        CHECK(fault(set, 1.0, 3.0) == Fault::none);
+        CHECK(error(set, 1.0, 3.2) == Error::coarse_step);
+        CHECK(error(set, -1.0, 3.2) == Error::coarse_step);
+        CHECK(error(set, 1.0, 1e200) == Error::coarse_step);
+        CHECK(error(set, 1.0, 3.0) == Error::none);
     }
     for (const char* set : {"quat", "dcm", "6d", "5d"}) {
-        CHECK(fault(set, 1.0, 3.2) == Fault::coarse_step);
-        CHECK(fault(set, 1.0, 1e200) == Fault::coarse_step);
-        CHECK(fault(set, -1.0, std::numbers::pi) == Fault::none);
+        CHECK(error(set, 1.0, 3.2) == Error::coarse_step);
+        CHECK(error(set, 1.0, 1e200) == Error::coarse_step);
+        CHECK(error(set, -1.0, std::numbers::pi) == Error::none);
     }
-    CHECK(fault("euler:ZYX", 1.0, 1.6) == Fault::coarse_step);
-    CHECK(fault("euler:ZYX", 1.0, 1.5) == Fault::none);
+    CHECK(error("euler:ZYX", 1.0, 1.6) == Error::coarse_step);
+    CHECK(error("euler:ZYX", 1.0, 1.5) == Error::none);
 }
 
 TEST_CASE("the greatest rate of a step counts wherever it is") {
@@ -265,19 +265,19 @@ TEST_CASE("the greatest rate of a step counts wherever it is") {
             PropagationSettings settings;
             settings.integrator = entry.integrator;
             settings.interpolation = interpolation;
-            const auto fault = [&settings](double first, double last) {
+            const auto error = [&settings](double first, double last) {
                 Propagator propagator(settings);
                 propagator.push(0, {0, first, 0});
                 auto answer = propagator.push(1, {last, 0, 0}).answer;
                 answer = answer && settings.interpolation == Interpolation::linear ? answer : propagator.settle();
                 REQUIRE(answer);
-                return answer->fault;
+                return answer->error;
             };
             INFO(entry.text);
-            CHECK(fault(3.13, 0) == Fault::none);
-            CHECK(fault(0, 3.13) == Fault::none);
-            CHECK(fault(3.15, 0) == Fault::coarse_step);
-            CHECK(fault(0, 3.15) == Fault::coarse_step);
+            CHECK(error(3.13, 0) == Error::none);
+            CHECK(error(0, 3.13) == Error::none);
+            CHECK(error(3.15, 0) == Error::coarse_step);
+            CHECK(error(0, 3.15) == Error::coarse_step);
         }
     }
     // the ends of a parabola, which rk4 has among its nodes
@@ -288,7 +288,7 @@ TEST_CASE("the greatest rate of a step counts wherever it is") {
     propagator.push(0, {0, 0, 0});
     propagator.push(1, {0, 0, 0.5});
     propagator.push(1, {0, 0, 3.15});
-    CHECK(propagator.settle()->fault == Fault::coarse_step);
+    CHECK(propagator.settle()->error == Error::coarse_step);
 }
 
 namespace {
@@ -312,9 +312,9 @@ constexpr std::array<Way, 12> ways{{{"quat", Integrator::magnus4},
 
 /// What came of the last interval: the error of its one step, against many of the best integrator, and its estimate.
 struct Step {
-    double error = 0.0;
+    double worst = 0.0;
     double estimate = 0.0;
-    Fault fault = Fault::none;
+    Error error = Error::none;
 };
 
 Step last_step(const Way& way, Interpolation interpolation, const Rotation& initial, double interval,
@@ -336,7 +336,7 @@ Step last_step(const Way& way, Interpolation interpolation, const Rotation& init
     const Propagated exact = last({"quat", Integrator::magnus6}, 16);
     const auto numbers = [](const Rotation& r) { return Eigen::Quaterniond(r.w(), r.x(), r.y(), r.z()); };
     return {numbers(found.rotation).angularDistance(numbers(exact.rotation)), found.step_error,
-            found.defect > 1e-3 ? Fault::defect : found.fault};
+            found.defect > 1e-3 ? Error::defect : found.error};
 }
 
 } // namespace
@@ -356,14 +356,14 @@ TEST_CASE("the estimate of a step's own error is of the order of that error") {
                     }
                     const Step step =
                         last_step(way, interpolation, rotation_of(motion.attitude(start)), interval, samples);
-                    if (step.fault != Fault::none) {
+                    if (step.error != Error::none) {
                         continue;
                     }
                     INFO(way.set << " " << entry_of(way.integrator).text << " " << interval << " " << start << ": "
-                                 << step.estimate << " for " << step.error);
+                                 << step.estimate << " for " << step.worst);
                     reported += step.estimate > reported_step_error ? 1 : 0;
-                    CHECK(std::max(step.error, step.estimate) < (step.error > 5e-4 ? 2 * step.estimate : 1e-3));
-                    CHECK(step.estimate < std::max(2 * step.error, 1e-3));
+                    CHECK(std::max(step.worst, step.estimate) < (step.worst > 5e-4 ? 2 * step.estimate : 1e-3));
+                    CHECK(step.estimate < std::max(2 * step.worst, 1e-3));
                 }
             }
         }
@@ -385,7 +385,7 @@ TEST_CASE("steps of which nothing is estimated are far from being reported") {
             const double rate = 0.2 * std::fabs(normal(random));
             const Step step =
                 last_step(way, Interpolation::cubic, initial, 1.0, {rate * vector(), rate * vector(), rate * vector()});
-            worst = step.fault == Fault::none && step.estimate == 0.0 ? std::max(worst, step.error) : worst;
+            worst = step.error == Error::none && step.estimate == 0.0 ? std::max(worst, step.worst) : worst;
         }
         INFO(way.set << " " << entry_of(way.integrator).text << " " << worst);
         CHECK(worst < 0.5 * reported_step_error);
@@ -414,9 +414,9 @@ TEST_CASE("a step backwards is refused before the singularity as one forwards is
             Stepper stepper(spec(set), Integrator::rk4);
             const double lock = set[0] == 'c' ? std::numbers::pi : std::numbers::pi / 2;
             const double half = 0.5 * std::copysign(lock - 0.1, h);
-            REQUIRE(stepper.start(Rotation::near_unit(std::cos(half), 0, std::sin(half), 0)) == Fault::none);
+            REQUIRE(stepper.start(Rotation::near_unit(std::cos(half), 0, std::sin(half), 0)) == Error::none);
             const std::vector<Vector3d> rates(3, Vector3d(0, 1, 0));
-            CHECK(stepper.step(h, rates) == Fault::singular);
+            CHECK(stepper.step(h, rates) == Error::singular);
         }
     }
 }
@@ -426,11 +426,11 @@ TEST_CASE("renormalising takes the defect away, and changes the attitude little"
     for (const char* set : {"dcm", "6d", "5d", "quat"}) {
         const Result plain = integrated(motion, set, Integrator::rk4, 0.01);
         const Result renormalised = integrated(motion, set, Integrator::rk4, 0.01, true);
-        INFO(set << " " << plain.defect << " " << renormalised.defect << " " << plain.error << " "
-                 << renormalised.error);
+        INFO(set << " " << plain.defect << " " << renormalised.defect << " " << plain.worst << " "
+                 << renormalised.worst);
         CHECK(plain.defect > 1e-11);
         CHECK(renormalised.defect < 1e-15);
-        CHECK(renormalised.error < 1.1 * plain.error);
+        CHECK(renormalised.worst < 1.1 * plain.worst);
     }
     CHECK(integrated(motion, "quat", Integrator::magnus4, 0.01).defect < 1e-13);
 }
@@ -532,10 +532,10 @@ TEST_CASE("a sample that is not later, or not finite, is refused and changes not
                 CHECK(expected.answer->rotation.w() == found.answer->rotation.w());
                 CHECK(expected.answer->rotation.z() == found.answer->rotation.z());
             }
-            CHECK(disturbed.push(0, omega).refused == Fault::time_order);
-            CHECK(disturbed.push(-0.5, omega).refused == Fault::time_order);
-            CHECK(disturbed.push(NAN, omega).refused == Fault::not_finite);
-            CHECK(disturbed.push(0.5, {0, INFINITY, 0}).refused == Fault::not_finite);
+            CHECK(disturbed.push(0, omega).refused == Error::time_order);
+            CHECK(disturbed.push(-0.5, omega).refused == Error::time_order);
+            CHECK(disturbed.push(NAN, omega).refused == Error::not_finite);
+            CHECK(disturbed.push(0.5, {0, INFINITY, 0}).refused == Error::not_finite);
             CHECK_FALSE(disturbed.push(NAN, omega).answer);
         }
     }
@@ -549,13 +549,13 @@ TEST_CASE("samples too close for their differences are refused and change nothin
             settings.interpolation = interpolation;
             Propagator propagator(settings);
             std::optional<Propagated> last;
-            CHECK(propagator.push(0, {0, 0, 1}).refused == Fault::none);
-            CHECK(propagator.push(interval, {0, 0, 1.5}).refused == Fault::time_order);
+            CHECK(propagator.push(0, {0, 0, 1}).refused == Error::none);
+            CHECK(propagator.push(interval, {0, 0, 1.5}).refused == Error::time_order);
             for (int i = 0; i < 3; ++i) {
                 const Pushed pushed = propagator.push(1, {0, 0, 1});
-                CHECK(pushed.refused == Fault::none);
+                CHECK(pushed.refused == Error::none);
                 REQUIRE(pushed.answer);
-                CHECK(pushed.answer->fault == Fault::none);
+                CHECK(pushed.answer->error == Error::none);
             }
         }
         // the closest that are not refused
@@ -564,8 +564,8 @@ TEST_CASE("samples too close for their differences are refused and change nothin
         Propagator propagator(settings);
         for (const double interval : {0.0, 1e-100, 1e-100, 1e-100, 1e-100, 1.0, 1.0}) {
             const Pushed pushed = propagator.push(interval, {0, 0, 1});
-            CHECK(pushed.refused == Fault::none);
-            CHECK((!pushed.answer || pushed.answer->fault == Fault::none));
+            CHECK(pushed.refused == Error::none);
+            CHECK((!pushed.answer || pushed.answer->error == Error::none));
         }
     }
 }
@@ -577,8 +577,8 @@ TEST_CASE("a propagator whose chart is left says so from there on") {
     settings.initial = rotation_of(motions::through_lock().attitude(0));
     const Rows rows = propagated(settings, motions::through_lock(), 100, 3);
     for (const Row& row : rows) {
-        CHECK((row.fault == Fault::singular) == (row.time > 1.565));
-        CHECK((row.fault == Fault::none) == (row.time < 1.565));
+        CHECK((row.error == Error::singular) == (row.time > 1.565));
+        CHECK((row.error == Error::none) == (row.time < 1.565));
     }
 }
 
@@ -668,8 +668,8 @@ TEST_CASE("what can be integrated with what") {
         CHECK(find_integrator(entry.text) == entry.integrator);
         CHECK(&entry_of(entry.integrator) == &entry);
         for (const Representation& representation : representations()) {
-            const bool expected =
-                entry.exponential ? representation.name == Name::quat : representation.name != Name::axis_angle;
+            const bool expected = entry.exponential ? representation.name == RepresentationId::quat
+                                                    : representation.name != RepresentationId::axis_angle;
             CHECK(can_integrate(representation.name, entry.integrator) == expected);
         }
     }

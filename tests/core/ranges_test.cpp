@@ -42,7 +42,7 @@ TEST_CASE("outputs stay in their ranges with and without modifiers") {
                 continue;
             }
             std::vector<std::string> texts{std::string(entry.text) + modifier};
-            if (entry.name == rotconv::Name::euler) {
+            if (entry.name == rotconv::RepresentationId::euler) {
                 texts.clear();
                 for (const auto sequence : rotconv::EulerSequence::all()) {
                     const auto letters = sequence.letters();
@@ -52,7 +52,8 @@ TEST_CASE("outputs stay in their ranges with and without modifiers") {
             for (const auto& text : texts) {
                 const auto to = spec(text);
                 const auto convert = accuracy::own(quat, to);
-                for (const auto& row : accuracy::inputs(quat, to, entry.name == rotconv::Name::euler ? 20 : 150)) {
+                for (const auto& row :
+                     accuracy::inputs(quat, to, entry.name == rotconv::RepresentationId::euler ? 20 : 150)) {
                     const auto v = convert(row);
                     INFO(text << ' ' << row[0] << ' ' << row[1] << ' ' << row[2] << ' ' << row[3]);
                     for (const double number : v) {
@@ -60,19 +61,19 @@ TEST_CASE("outputs stay in their ranges with and without modifiers") {
                         REQUIRE_FALSE(std::isnan(number));
                     }
                     switch (entry.name) {
-                    case rotconv::Name::quat:
+                    case rotconv::RepresentationId::quat:
                         REQUIRE(canonical(v[0], v[1], v[2], v[3]));
                         REQUIRE(norm(v, 4) == Approx(1).epsilon(1e-15));
                         break;
-                    case rotconv::Name::rotvec: REQUIRE(norm(v) <= half_turn + rounding); break;
-                    case rotconv::Name::mrp: REQUIRE(norm(v) <= 1 + 4e-16); break;
-                    case rotconv::Name::axis_angle:
+                    case rotconv::RepresentationId::rotvec: REQUIRE(norm(v) <= half_turn + rounding); break;
+                    case rotconv::RepresentationId::mrp: REQUIRE(norm(v) <= 1 + 4e-16); break;
+                    case rotconv::RepresentationId::axis_angle:
                         REQUIRE(norm(v) == Approx(1).epsilon(1e-15));
                         REQUIRE(v[3] >= 0);
                         REQUIRE(v[3] <= half_turn);
                         break;
-                    case rotconv::Name::euler:
-                    case rotconv::Name::rpy:
+                    case rotconv::RepresentationId::euler:
+                    case rotconv::RepresentationId::rpy:
                         for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
                             REQUIRE(v[outer] > -half_turn);
                             REQUIRE(v[outer] <= half_turn);

@@ -95,7 +95,7 @@ std::vector<double> joined(std::vector<double> first, const std::vector<double>&
 
 std::vector<std::vector<double>> rows_of(const Spec& s, int size) {
     std::vector<std::vector<double>> rows;
-    if (s.name == Name::euler) {
+    if (s.name == RepresentationId::euler) {
         rows = strata::euler_angles(s, size);
         // Of larger angles the differences have too few digits.
         std::erase_if(rows, [](const auto& row) { return Eigen::Map<const Eigen::Vector3d>(row.data()).norm() > 1e7; });
@@ -157,13 +157,13 @@ Worst worst_of(const Spec& s, Frame frame, const std::vector<std::vector<double>
         const oracle::Vector3 exact_w(w[0], w[1], w[2]);
         RateReport report;
         const auto rates = run(forward, joined(numbers, w), report);
-        if (report.fault == Fault::singular || report.fault == Fault::full_turn) {
-            CHECK(report.figures.margin <= 1e-15);
+        if (report.error == Error::singular || report.error == Error::full_turn) {
+            CHECK(report.sensitivity.margin <= 1e-15);
             CHECK(std::isnan(rates[0]));
             continue;
         }
-        REQUIRE(report.fault == Fault::none);
-        const double condition = std::max(1.0, report.figures.condition);
+        REQUIRE(report.error == Error::none);
+        const double condition = std::max(1.0, report.sensitivity.condition);
         const double error = relative_error(rates, exact_rates(s, numbers, exact_w, frame));
         const auto back = run(inverse, joined(numbers, rates), report);
         Vector exact_rate(static_cast<Eigen::Index>(rates.size()));
@@ -230,21 +230,22 @@ TEST_CASE("margin and condition of a rotation vector are those of its numbers") 
     const auto report = [](const char* text, double length) {
         RateReport result;
         const auto out = run(Rates(spec(text)), {0, 0, length, 0, 1, 0}, result);
-        CHECK(std::isnan(out[0]) == (result.fault != Fault::none));
+        CHECK(std::isnan(out[0]) == (result.error != Error::none));
         return result;
     };
-    CHECK(report("rotvec:deg", 270).figures.margin == Approx(std::numbers::pi / 2).epsilon(1e-15));
-    CHECK(report("rotvec:deg", 270).figures.condition == Approx(1.5 * std::numbers::pi / std::sqrt(2)).epsilon(1e-15));
-    CHECK(report("rotvec:deg", 540).figures.margin == Approx(std::numbers::pi).epsilon(1e-15));
-    CHECK(report("rotvec:deg", 90).figures.margin == Approx(std::numbers::pi / 2).epsilon(1e-15));
-    CHECK(report("rotvec", 6).figures.margin == Approx(2 * std::numbers::pi - 6).epsilon(1e-14));
+    CHECK(report("rotvec:deg", 270).sensitivity.margin == Approx(std::numbers::pi / 2).epsilon(1e-15));
+    CHECK(report("rotvec:deg", 270).sensitivity.condition ==
+          Approx(1.5 * std::numbers::pi / std::sqrt(2)).epsilon(1e-15));
+    CHECK(report("rotvec:deg", 540).sensitivity.margin == Approx(std::numbers::pi).epsilon(1e-15));
+    CHECK(report("rotvec:deg", 90).sensitivity.margin == Approx(std::numbers::pi / 2).epsilon(1e-15));
+    CHECK(report("rotvec", 6).sensitivity.margin == Approx(2 * std::numbers::pi - 6).epsilon(1e-14));
     for (const int turns : {1, 2, 3, 5, 10, 100, 1000, 123456}) {
         INFO(turns);
         const double radians = 2 * std::numbers::pi * turns; // the double, which is not quite the turn
-        CHECK(report("rotvec:deg", 360.0 * turns).fault == Fault::full_turn);
-        CHECK(report("rotvec", radians).fault == Fault::full_turn);
-        CHECK(report("rotvec:deg", 360.0 * turns - 1e-6).fault == Fault::none);
-        CHECK(report("rotvec", radians - 1e-6).fault == Fault::none);
+        CHECK(report("rotvec:deg", 360.0 * turns).error == Error::full_turn);
+        CHECK(report("rotvec", radians).error == Error::full_turn);
+        CHECK(report("rotvec:deg", 360.0 * turns - 1e-6).error == Error::none);
+        CHECK(report("rotvec", radians - 1e-6).error == Error::none);
     }
 }
 
@@ -259,7 +260,7 @@ TEST_CASE("rates of all Euler angles are those of the oracle") {
 }
 
 TEST_CASE("at a singularity there are no rates, and the report says so") {
-    const auto fault = [](const char* text, const std::vector<double>& numbers, const RateSettings& settings = {}) {
+    const auto error = [](const char* text, const std::vector<double>& numbers, const RateSettings& settings = {}) {
         const Spec s = spec(text);
         const Rates way(s, settings);
         RateReport report;
@@ -267,33 +268,33 @@ TEST_CASE("at a singularity there are no rates, and the report says so") {
         row.resize(way.in_size(), 0.5);
         const auto out = run(way, row, report);
         for (const double v : out) {
-            CHECK(std::isnan(v) == (report.fault != Fault::none));
+            CHECK(std::isnan(v) == (report.error != Error::none));
         }
-        return report.fault;
+        return report.error;
     };
     constexpr double half_turn = std::numbers::pi;
     for (const bool inverse : {false, true}) {
         const RateSettings settings{.inverse = inverse};
-        CHECK(fault("euler:ZYX", {1, half_turn / 2, 2}, settings) == Fault::singular);
-        CHECK(fault("euler:ZYX:deg", {10, -90, 20}, settings) == Fault::singular);
-        CHECK(fault("euler:zxz:deg", {10, 180, 20}, settings) == Fault::singular);
-        CHECK(fault("euler:ZYX:deg", {10, 90 - 1e-12, 20}, settings) == Fault::none);
-        CHECK(fault("rotvec", {half_turn, 0, 0}, settings) == Fault::singular);
-        CHECK(fault("rotvec:deg", {0, 360, 0}, settings) == Fault::full_turn);
-        CHECK(fault("mrp", {0, 1, 0}, settings) == Fault::singular);
-        CHECK(fault("cayley", {0, 1e16, 0}, settings) == Fault::singular);
-        CHECK(fault("cayley", {0, 1e14, 0}, settings) == Fault::none);
-        CHECK(fault("quat", {0, 0, 0, 0}, settings) == Fault::zero_quaternion);
-        CHECK(fault("quat", {1.1, 0, 0, 0}, settings) == Fault::defect);
-        CHECK(fault("dcm", {1, 0, 0, 0, 1, 0, 0, 0, -1}, settings) == Fault::not_proper);
-        CHECK(fault("rotvec", {NAN, 0, 0}, settings) == Fault::not_finite);
-        CHECK(fault("rotvec", {0, 0, 0, INFINITY}, settings) == Fault::not_finite);
+        CHECK(error("euler:ZYX", {1, half_turn / 2, 2}, settings) == Error::singular);
+        CHECK(error("euler:ZYX:deg", {10, -90, 20}, settings) == Error::singular);
+        CHECK(error("euler:zxz:deg", {10, 180, 20}, settings) == Error::singular);
+        CHECK(error("euler:ZYX:deg", {10, 90 - 1e-12, 20}, settings) == Error::none);
+        CHECK(error("rotvec", {half_turn, 0, 0}, settings) == Error::singular);
+        CHECK(error("rotvec:deg", {0, 360, 0}, settings) == Error::full_turn);
+        CHECK(error("mrp", {0, 1, 0}, settings) == Error::singular);
+        CHECK(error("cayley", {0, 1e16, 0}, settings) == Error::singular);
+        CHECK(error("cayley", {0, 1e14, 0}, settings) == Error::none);
+        CHECK(error("quat", {0, 0, 0, 0}, settings) == Error::zero_quaternion);
+        CHECK(error("quat", {1.1, 0, 0, 0}, settings) == Error::defect);
+        CHECK(error("dcm", {1, 0, 0, 0, 1, 0, 0, 0, -1}, settings) == Error::not_proper);
+        CHECK(error("rotvec", {NAN, 0, 0}, settings) == Error::not_finite);
+        CHECK(error("rotvec", {0, 0, 0, INFINITY}, settings) == Error::not_finite);
         // too fast for a double
-        CHECK(fault("mrp", {0.5, 0.5, 0.4, 1.5e308, 1.5e308, 1.5e308}, settings) == Fault::overflow);
+        CHECK(error("mrp", {0.5, 0.5, 0.4, 1.5e308, 1.5e308, 1.5e308}, settings) == Error::overflow);
     }
-    CHECK(fault("quat", {1.1, 0, 0, 0}, {.tolerance = 0.2}) == Fault::none);
-    CHECK(fault("mrp", {1e308, 1e308, 0}, {}) == Fault::overflow); // the rate is of the size of |m|^2
-    CHECK_FALSE(has_rates(Name::axis_angle));
+    CHECK(error("quat", {1.1, 0, 0, 0}, {.tolerance = 0.2}) == Error::none);
+    CHECK(error("mrp", {1e308, 1e308, 0}, {}) == Error::overflow); // the rate is of the size of |m|^2
+    CHECK_FALSE(has_rates(RepresentationId::axis_angle));
     CHECK_THROWS_AS(Rates(spec("axis-angle")), std::invalid_argument);
 }
 
@@ -305,7 +306,7 @@ TEST_CASE("a matrix of any size gives the angular velocity of its rates") {
         const double inf = INFINITY;
         const Rates dcm(spec("dcm"), {.inverse = true, .tolerance = inf});
         const auto w = run(dcm, {size, 0, 0, 0, size, 0, 0, 0, size, 0, -size, 0, size, 0, 0, 0, 0, 0}, report);
-        CHECK(report.fault == Fault::none);
+        CHECK(report.error == Error::none);
         CHECK(w == std::vector<double>{0, 0, 1});
     }
 }

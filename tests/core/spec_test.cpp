@@ -8,16 +8,16 @@
 
 using accuracy::spec;
 using rotconv::parse_spec;
-using rotconv::SpecFault;
-using What = rotconv::SpecFault::What;
+using rotconv::SpecError;
+using What = rotconv::SpecError::What;
 
 namespace {
 
 What fault_of(const std::string& text) {
     const auto parsed = parse_spec(text);
-    const auto* fault = std::get_if<SpecFault>(&parsed);
-    REQUIRE(fault != nullptr);
-    return fault->what;
+    const auto* error = std::get_if<SpecError>(&parsed);
+    REQUIRE(error != nullptr);
+    return error->what;
 }
 
 } // namespace
@@ -80,7 +80,8 @@ TEST_CASE("a text that is no SPEC says why") {
 TEST_CASE("every preset is legal on every representation") {
     for (const auto& entry : rotconv::representations()) {
         for (const auto& preset : rotconv::presets()) {
-            const std::string name = entry.name == rotconv::Name::euler ? "euler:zxz" : std::string(entry.text);
+            const std::string name =
+                entry.name == rotconv::RepresentationId::euler ? "euler:zxz" : std::string(entry.text);
             CHECK_NOTHROW(spec(name + ":" + std::string(preset.text)));
         }
     }

@@ -53,7 +53,7 @@ template <class Motion> Survey survey_of(const Motion& motion, int count) {
 const SetSurvey& find(const Survey& survey, std::string_view text) {
     for (const SetSurvey& set : survey.sets()) {
         if (set.set.name == spec(text).name &&
-            (set.set.name != Name::euler || set.set.sequence == spec(text).sequence)) {
+            (set.set.name != RepresentationId::euler || set.set.sequence == spec(text).sequence)) {
             return set;
         }
     }
@@ -90,7 +90,7 @@ TEST_CASE("a spin about z through half-turns") {
     }
     CHECK_FALSE(find(survey, "rotvec").serves(1e9));
     REQUIRE(survey.smallest(1e3) != nullptr);
-    CHECK(survey.smallest(1e3)->set.name == Name::quat);
+    CHECK(survey.smallest(1e3)->set.name == RepresentationId::quat);
 }
 
 // Would catch: margin and condition of the wrong attitude, or their row.
@@ -110,7 +110,7 @@ TEST_CASE("figures of a slow spin about z") {
     CHECK(find(survey, "euler:ZXZ").margin_row == 1);
     CHECK_FALSE(find(survey, "euler:ZXZ").serves(1e3));
     REQUIRE(survey.smallest(1e3) != nullptr);
-    CHECK(survey.smallest(1e3)->set.name == Name::mrp); // (1 + tan(1/2)^2)/4 is the least
+    CHECK(survey.smallest(1e3)->set.name == RepresentationId::mrp); // (1 + tan(1/2)^2)/4 is the least
     for (const char* name : {"dcm", "6d", "5d", "quat", "rotvec", "cayley", "mrp", "euler:ZYX", "euler:XYZ"}) {
         INFO(name);
         CHECK(find(survey, name).jumps == 0);
@@ -181,7 +181,7 @@ TEST_CASE("no set serves a limit below its condition") {
     const Survey survey = survey_of([](int i) { return about_z(0.1 * i); }, 3);
     CHECK(survey.smallest(0.2) == nullptr);
     REQUIRE(survey.smallest(0.3) != nullptr);
-    CHECK(survey.smallest(0.3)->set.name == Name::mrp);
+    CHECK(survey.smallest(0.3)->set.name == RepresentationId::mrp);
 }
 
 // Would catch: numbers that are not finite, served to whoever sets no limit to the condition.
@@ -199,8 +199,9 @@ namespace {
 class PlainRule {
 public:
     PlainRule(const Spec& set, Eigen::Quaterniond a, Eigen::Quaterniond b)
-        : conversion_(spec("quat"), set, {.figures = true}), a_(a.normalized()), b_(b.normalized()),
-          condition_(std::min(1e15, std::max(report_at(0).figures.condition, report_at(1).figures.condition))) {}
+        : conversion_(spec("quat"), set, {.sensitivity = true}), a_(a.normalized()), b_(b.normalized()),
+          condition_(std::min(1e15, std::max(report_at(0).sensitivity.condition, report_at(1).sensitivity.condition))) {
+    }
 
     [[nodiscard]] bool jumps() const {
         double from = 0.0;

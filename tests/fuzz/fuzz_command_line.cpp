@@ -25,7 +25,7 @@ void require(bool holds) {
     }
 }
 
-class Nowhere final : public stream::Sink {
+class NullSink final : public stream::Sink {
 public:
     int write(std::string_view /*bytes*/) override { return 0; }
 };
@@ -42,7 +42,7 @@ struct Check {
         reach.add(options.function.in_order ? "propagate" : is_named ? "rates" : "conversion");
         if (command.has_values) {
             reach.add("VALUEs");
-            Nowhere nowhere;
+            NullSink nowhere;
             stream::TextSource values(command.values);
             stream::run(values, nowhere, options, [](const stream::Event&) {});
         }
@@ -60,7 +60,7 @@ struct Check {
         reach.add("text to print");
     }
     void operator()(const cli::UsageError& error) const {
-        // Texts from outside are shown without what steers a terminal or looks like a line of the program's own.
+        // RawOptions from outside are shown without what steers a terminal or looks like a line of the program's own.
         require(!error.message.empty());
         for (std::size_t i = 0; i < error.message.size(); ++i) {
             const auto c = static_cast<unsigned char>(error.message[i]);

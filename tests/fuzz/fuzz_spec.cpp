@@ -46,6 +46,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     reach.add("delimiter", rotconv::stream::Delimiter::parse(text) ? 1 : 0);
     double value = 0.0;
-    reach.add("number", rotconv::stream::read_number(text, value) == rotconv::stream::NumberFault::none ? 1 : 0);
+    reach.add("number", rotconv::stream::read_number(text, value) == rotconv::stream::NumberError::none ? 1 : 0);
     return 0;
 }

@@ -108,8 +108,8 @@ std::optional<Options> options_of(const std::vector<std::string>& words, Survey&
     auto command = fuzz::command_of(words);
     if (auto* of_survey = std::get_if<cli::SurveyCommand>(&command)) {
         of_survey->rows.options.function =
-            reading_function(of_survey->from, of_survey->rows.subject.tolerance,
-                             [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
+            reading_operation(of_survey->from, of_survey->rows.subject.tolerance,
+                              [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
         return of_survey->rows.options;
     }
     const auto* rows = std::get_if<cli::RowsCommand>(&command);
@@ -145,20 +145,20 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     options.function.run = [run = options.function.run, &converted](const NumberRows& rows, std::span<double> out,
                                                                     std::span<Report> reports) {
         const std::size_t answered = run(rows, out, reports);
-        converted += static_cast<std::size_t>(std::ranges::count(reports.first(answered), Fault::none,
-                                                                 [](const Report& report) { return report.fault; }));
+        converted += static_cast<std::size_t>(std::ranges::count(reports.first(answered), Error::none,
+                                                                 [](const Report& report) { return report.error; }));
         return answered;
     };
     Pieces source(input.text, input.piece, input.times);
     Text sink;
     Result result;
-    const Ending ending = run(source, sink, options, [&result](const Event& event) {
-        if (const auto* fault = std::get_if<RowFault>(&event)) {
-            result.failed.push_back(fault->line);
+    const RunResult ending = run(source, sink, options, [&result](const Event& event) {
+        if (const auto* error = std::get_if<RowError>(&event)) {
+            result.failed.push_back(error->line);
         }
     });
     result.bytes = std::move(sink.text);
-    result.to_the_end = !ending.stopped && !ending.fault;
+    result.to_the_end = !ending.stopped && !ending.error;
     result.converted = converted;
     result.threads = source.threads();
     static_cast<void>(survey.smallest(1e3));
@@ -240,16 +240,16 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         const std::size_t line = 1;
         Report report;
         run({numbers, {&line, 1}, true, kept_texts}, answer.numbers, {&report, 1});
-        if (report.fault != Fault::none) {
+        if (report.error != Error::none) {
             return std::nullopt;
         }
         if (columns) {
             answer.numbers.insert(answer.numbers.end(),
-                                  {report.figures.margin, report.figures.condition, report.defect});
+                                  {report.sensitivity.margin, report.sensitivity.condition, report.defect});
         }
-        for (std::size_t i = 0; i < kind_count; ++i) {
-            if (const auto kind = static_cast<Kind>(i); report.notes.has(kind)) {
-                answer.notes += (answer.notes.empty() ? "" : "+") + std::string(name_of(kind));
+        for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
+            if (const auto kind = static_cast<DiagnosticKind>(i); report.diagnostics.has(kind)) {
+                answer.diagnostics += (answer.diagnostics.empty() ? "" : "+") + std::string(name_of(kind));
             }
         }
         return answer;

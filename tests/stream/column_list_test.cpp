@@ -7,7 +7,7 @@
 #include "stream/column_list.hpp"
 
 using namespace rotconv::stream;
-using What = ColumnFault::What;
+using What = ColumnError::What;
 
 namespace {
 
@@ -16,8 +16,8 @@ using Positions = std::vector<std::size_t>;
 What fault_of(const std::string& list, std::size_t count) {
     const auto parsed = ColumnList::parse(list, count);
     INFO(list);
-    REQUIRE(std::holds_alternative<ColumnFault>(parsed));
-    return std::get<ColumnFault>(parsed).what;
+    REQUIRE(std::holds_alternative<ColumnError>(parsed));
+    return std::get<ColumnError>(parsed).what;
 }
 
 Positions positions(const std::string& list, std::size_t count, const std::vector<std::string>& header = {}) {
@@ -35,7 +35,7 @@ TEST_CASE("indices and ranges select in the order of the list") {
 }
 
 // Would catch: a list that selects something else than n different columns.
-TEST_CASE("a list that does not fit is a fault") {
+TEST_CASE("a list that does not fit is a error") {
     CHECK(fault_of("1-4", 3) == What::wrong_count);
     CHECK(fault_of("a,b", 3) == What::wrong_count);
     CHECK(fault_of("1-4000000", 4) == What::wrong_count);
@@ -55,13 +55,13 @@ TEST_CASE("names match a field or its first word") {
     CHECK(positions("q_z,q_x,q_w", 3, header) == Positions{5, 2, 1});
     CHECK(positions("q_y [2],1,2", 3, header) == Positions{4, 0, 1});
     const auto missing = std::get<ColumnList>(ColumnList::parse("q,1,2", 3));
-    CHECK(std::get<ColumnFault>(missing.positions(header)).what == What::missing);
-    const auto some = std::get<ColumnFault>(
+    CHECK(std::get<ColumnError>(missing.positions(header)).what == What::missing);
+    const auto some = std::get<ColumnError>(
         std::get<ColumnList>(ColumnList::parse("a,q_x,b,q_y,1", 5)).positions(header)); // before what is ambiguous
     CHECK(some.lacking == std::vector<std::string>{"a", "b"});
     CHECK(some.present == std::vector<std::string>{"q_x", "q_y"});
     const auto list = std::get<ColumnList>(ColumnList::parse("q_y,1,2", 3));
-    CHECK(std::get<ColumnFault>(list.positions(header)).what == What::ambiguous);
+    CHECK(std::get<ColumnError>(list.positions(header)).what == What::ambiguous);
     const auto twice = std::get<ColumnList>(ColumnList::parse("q_w,2,1", 3));
-    CHECK(std::get<ColumnFault>(twice.positions(header)).what == What::twice);
+    CHECK(std::get<ColumnError>(twice.positions(header)).what == What::twice);
 }

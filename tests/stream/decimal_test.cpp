@@ -145,7 +145,7 @@ TEST_CASE("decimals are the numbers that are read as such") {
             FAIL("'" << text << "'");
         }
         double value = 0.0;
-        if (number && read_number(text, value) == NumberFault::none && decimal(text).rounded() != value) {
+        if (number && read_number(text, value) == NumberError::none && decimal(text).rounded() != value) {
             FAIL("'" << text << "' is not " << value);
         }
     }

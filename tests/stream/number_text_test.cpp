@@ -22,7 +22,7 @@ std::string text_of(double value, int precision = 0) {
 double value_of(const std::string& text) {
     double value = -1.0;
     INFO(text);
-    REQUIRE(read_number(text, value) == NumberFault::none);
+    REQUIRE(read_number(text, value) == NumberError::none);
     return value;
 }
 
@@ -50,22 +50,22 @@ TEST_CASE("what is not a decimal number is refused") {
           "1 2", "--1", "+-1", "-+1", "1.2.3", "one", "1\xC2\xA0", "1f",  "1e5.0", "\xEF\xBC\x91"}) {
         double value = 0.0;
         INFO(text);
-        CHECK(read_number(text, value) == NumberFault::not_a_number);
+        CHECK(read_number(text, value) == NumberError::not_a_number);
         CHECK_FALSE(is_number(text));
     }
     double value = 0.0;
-    CHECK(read_number(std::string_view("1\0", 2), value) == NumberFault::not_a_number);
+    CHECK(read_number(std::string_view("1\0", 2), value) == NumberError::not_a_number);
 }
 
 // Would catch: a number out of range that is taken for the other end of it.
-TEST_CASE("too large is a fault and too small is zero") {
+TEST_CASE("too large is a error and too small is zero") {
     double value = 0.0;
     for (const std::string text :
          {"1e309", "-1e309", "1e99999999999999999999", "17976931348623159e292", "0.001e313", "12345678901e300"}) {
         INFO(text);
-        CHECK(read_number(text, value) == NumberFault::too_large);
+        CHECK(read_number(text, value) == NumberError::too_large);
     }
-    CHECK(read_number("1" + std::string(400, '0'), value) == NumberFault::too_large);
+    CHECK(read_number("1" + std::string(400, '0'), value) == NumberError::too_large);
     for (const std::string text :
          {"1e-400", "-1e-400", "1e-99999999999999999999", "0.0000001e-320", "123e-340", "0e999"}) {
         INFO(text);

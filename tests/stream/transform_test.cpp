@@ -7,7 +7,7 @@
 #include <rotconv/spec.hpp>
 
 #include "catch.hpp"
-#include "stream/rows.hpp"
+#include "stream/row_transformer.hpp"
 
 using namespace rotconv;
 using namespace rotconv::stream;
@@ -33,7 +33,7 @@ template <class Piece, class Take> void in_pieces(std::string_view text, Piece p
     }
 }
 
-/// A stream with comments, blank rows, faults and diagnostics in it.
+/// A stream with comments, blank rows, errors and diagnostics in it.
 std::string rows(int count) {
     std::mt19937_64 engine(91);
     std::normal_distribution<double> normal;
@@ -64,8 +64,8 @@ std::string repeated(std::string_view text, int times) {
 std::string all_of(const Output& output) {
     std::string text = fmt::to_string(output.bytes);
     for (const Event& event : output.events) {
-        if (const auto* fault = std::get_if<RowFault>(&event)) {
-            text += fmt::format("{} {} {}\n", fault->line, static_cast<int>(fault->what), fault->text);
+        if (const auto* error = std::get_if<RowError>(&event)) {
+            text += fmt::format("{} {} {}\n", error->line, static_cast<int>(error->what), error->text);
         } else {
             const auto& diagnostic = std::get<Diagnostic>(event);
             text += fmt::format("{} {}\n", diagnostic.line, name_of(diagnostic.kind));
@@ -109,7 +109,7 @@ TEST_CASE("a stream cut at any line becomes the same") {
 TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at any line") {
     PropagationRows propagation;
     propagation.settings.interpolation = Interpolation::cubic;
-    propagation.stop_at_fault = false;
+    propagation.stop_at_error = false;
     std::mt19937_64 engine(93);
     std::string text;
     for (int i = 0; i < 1500; ++i) {
@@ -122,7 +122,7 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
     }
     text += repeated("# many comments\n", 400) + "2000,0,0,1\n";
     const auto transformed = [&text, &propagation](const auto& piece) {
-        Options options(propagation_function(propagation));
+        Options options(propagation_operation(propagation));
         options.on_error = OnError::nan;
         Layout layout;
         layout.delimiter = Delimiter::character(',');
@@ -140,8 +140,8 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
     CHECK(transformed([&engine] { return static_cast<std::size_t>(1 + engine() % 300); }) == whole);
 }
 
-// Would catch: rows after a fault that are written all the same.
-TEST_CASE("a fault under stop ends the block") {
+// Would catch: rows after a error that are written all the same.
+TEST_CASE("a error under stop ends the block") {
     const Options options = options_of("quat", "quat");
     Layout layout;
     RowTransformer transformer(options, layout);
@@ -150,5 +150,5 @@ TEST_CASE("a fault under stop ends the block") {
     CHECK(output.stopped);
     CHECK(fmt::to_string(output.bytes) == "1 0 0 0\n");
     REQUIRE(output.events.size() == 1);
-    CHECK(std::get<RowFault>(output.events[0]).line == 11);
+    CHECK(std::get<RowError>(output.events[0]).line == 11);
 }

@@ -7,7 +7,7 @@ namespace oracle {
 namespace {
 
 using rotconv::AngleUnit;
-using rotconv::Name;
+using rotconv::RepresentationId;
 using rotconv::Spec;
 using Matrix32 = Eigen::Matrix<Real, 3, 2>;
 
@@ -16,9 +16,9 @@ template <class Number> std::vector<Real> own_order(const Spec& spec, std::span<
     for (std::size_t i = 0; i < own.size(); ++i) {
         // stated here anew, so that a slip in Spec::order() shows
         std::size_t place = i;
-        if (spec.name == Name::quat && spec.scalar_last) {
+        if (spec.name == RepresentationId::quat && spec.scalar_last) {
             place = (i + 1) % 4;
-        } else if (spec.name == Name::dcm && spec.column_major) {
+        } else if (spec.name == RepresentationId::dcm && spec.column_major) {
             place = 3 * (i % 3) + i / 3;
         }
         own[place] = written[i];
@@ -129,32 +129,32 @@ Quaternion attitude(const Spec& spec, std::span<const Real> written) {
     const Real per_unit = spec.unit == AngleUnit::degrees ? Real(pi() / 180) : Real(1);
     Quaternion q = Quaternion::Identity();
     switch (spec.name) {
-    case Name::dcm: {
+    case RepresentationId::dcm: {
         Matrix3 m;
         m << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
         q = unit(polar_factor(m));
         break;
     }
-    case Name::six_d: q = unit(gram_schmidt({v[0], v[1], v[2]}, {v[3], v[4], v[5]})); break;
-    case Name::five_d: {
+    case RepresentationId::two_column: q = unit(gram_schmidt({v[0], v[1], v[2]}, {v[3], v[4], v[5]})); break;
+    case RepresentationId::five_d: {
         const auto m = hopf_columns(v);
         q = unit(gram_schmidt(m.col(0), m.col(1)));
         break;
     }
-    case Name::quat: {
+    case RepresentationId::quat: {
         const Real largest = std::max({Real(abs(v[0])), Real(abs(v[1])), Real(abs(v[2])), Real(abs(v[3]))});
         q = Quaternion(v[0] / largest, v[1] / largest, v[2] / largest, v[3] / largest);
         q.normalize();
         break;
     }
-    case Name::axis_angle: q = about({v[0], v[1], v[2]}, v[3] * per_unit); break;
-    case Name::rotvec: {
+    case RepresentationId::axis_angle: q = about({v[0], v[1], v[2]}, v[3] * per_unit); break;
+    case RepresentationId::rotvec: {
         const Vector3 r(v[0], v[1], v[2]);
         q = about(r, r.norm() * per_unit);
         break;
     }
-    case Name::euler:
-    case Name::rpy: {
+    case RepresentationId::euler:
+    case RepresentationId::rpy: {
         Matrix3 m = Matrix3::Identity();
         for (std::size_t i = 0; i < 3; ++i) {
             const Matrix3 next = turn(spec.sequence.axis(i), v[i] * per_unit);
@@ -163,8 +163,8 @@ Quaternion attitude(const Spec& spec, std::span<const Real> written) {
         q = unit(m);
         break;
     }
-    case Name::cayley: q = unit(cayley_matrix({v[0], v[1], v[2]})); break;
-    case Name::mrp: {
+    case RepresentationId::cayley: q = unit(cayley_matrix({v[0], v[1], v[2]})); break;
+    case RepresentationId::mrp: {
         const Matrix3 root = cayley_matrix({v[0], v[1], v[2]});
         q = unit(root * root);
         break;
@@ -191,20 +191,24 @@ std::vector<Real> exact_numbers(const Spec& spec, const Quaternion& given) {
     const Real angle = 2 * atan2(length, w) * (spec.unit == AngleUnit::degrees ? Real(180 / pi()) : Real(1));
     std::vector<Real> own;
     switch (spec.name) {
-    case Name::dcm: own = {r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}; break;
-    case Name::six_d: own = {r(0, 0), r(1, 0), r(2, 0), r(0, 1), r(1, 1), r(2, 1)}; break;
-    case Name::five_d: {
+    case RepresentationId::dcm:
+        own = {r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)};
+        break;
+    case RepresentationId::two_column: own = {r(0, 0), r(1, 0), r(2, 0), r(0, 1), r(1, 1), r(2, 1)}; break;
+    case RepresentationId::five_d: {
         const Real d = sqrt(Real(2)) - r(0, 0);
         own = {r(1, 0) / d, r(2, 0) / d, r(0, 1) / d, r(1, 1) / d, r(2, 1) / d};
         break;
     }
-    case Name::quat: own = {q.w(), q.x(), q.y(), q.z()}; break;
-    case Name::axis_angle: own = {v.x() / length, v.y() / length, v.z() / length, angle}; break;
-    case Name::rotvec: own = {v.x() / length * angle, v.y() / length * angle, v.z() / length * angle}; break;
-    case Name::cayley: own = {v.x() / w, v.y() / w, v.z() / w}; break;
-    case Name::mrp: own = {v.x() / (1 + w), v.y() / (1 + w), v.z() / (1 + w)}; break;
-    case Name::euler:
-    case Name::rpy: break;
+    case RepresentationId::quat: own = {q.w(), q.x(), q.y(), q.z()}; break;
+    case RepresentationId::axis_angle: own = {v.x() / length, v.y() / length, v.z() / length, angle}; break;
+    case RepresentationId::rotvec:
+        own = {v.x() / length * angle, v.y() / length * angle, v.z() / length * angle};
+        break;
+    case RepresentationId::cayley: own = {v.x() / w, v.y() / w, v.z() / w}; break;
+    case RepresentationId::mrp: own = {v.x() / (1 + w), v.y() / (1 + w), v.z() / (1 + w)}; break;
+    case RepresentationId::euler:
+    case RepresentationId::rpy: break;
     }
     const auto order = spec.order();
     std::vector<Real> written;
@@ -230,18 +234,18 @@ double relative_error_in_eps(const Quaternion& p, const Quaternion& q) {
 Real defect(const Spec& spec, std::span<const double> written) {
     const auto v = own_order(spec, written);
     switch (spec.name) {
-    case Name::dcm: {
+    case RepresentationId::dcm: {
         Matrix3 m;
         m << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
         return distance_to_polar_factor(m);
     }
-    case Name::six_d: {
+    case RepresentationId::two_column: {
         Matrix32 m;
         m << v[0], v[3], v[1], v[4], v[2], v[5];
         return distance_to_polar_factor(m);
     }
-    case Name::five_d: return distance_to_polar_factor(hopf_columns(v));
-    case Name::quat: return abs(Eigen::Matrix<Real, 4, 1>(v[0], v[1], v[2], v[3]).norm() - 1);
+    case RepresentationId::five_d: return distance_to_polar_factor(hopf_columns(v));
+    case RepresentationId::quat: return abs(Eigen::Matrix<Real, 4, 1>(v[0], v[1], v[2], v[3]).norm() - 1);
     default: return 0;
     }
 }

@@ -116,33 +116,33 @@ std::vector<Stratum> attitudes(int size) {
 }
 
 bool make_hostile(const rotconv::Spec& spec, std::span<double> row, Source& source) {
-    using rotconv::Name;
+    using rotconv::RepresentationId;
     const auto ten_to = [&](double low, double high) { return std::pow(10.0, source.uniform(low, high)); };
     const auto either_sign = [&] { return source.integer(0, 1) == 0 ? -1.0 : 1.0; };
     switch (spec.name) {
-    case Name::quat: {
+    case RepresentationId::quat: {
         const double size = ten_to(-150, 150);
         scale(row, size * either_sign());
         return true;
     }
-    case Name::dcm:
-    case Name::six_d:
-    case Name::five_d: {
+    case RepresentationId::dcm:
+    case RepresentationId::two_column:
+    case RepresentationId::five_d: {
         const double noise = ten_to(-17, -3.3);
         for (double& v : row) {
             v += noise * source.uniform(-1, 1);
         }
         return true;
     }
-    case Name::axis_angle: {
+    case RepresentationId::axis_angle: {
         scale(row.first(3), ten_to(-150, 150));
         const double turns = ten_to(0, 15);
         row[3] *= turns * either_sign();
         return true;
     }
-    case Name::rotvec: scale(row, ten_to(0, 14.4)); return true;
-    case Name::cayley: scale(row, ten_to(-150, 150)); return true;
-    case Name::mrp: {
+    case RepresentationId::rotvec: scale(row, ten_to(0, 14.4)); return true;
+    case RepresentationId::cayley: scale(row, ten_to(-150, 150)); return true;
+    case RepresentationId::mrp: {
         const double square = row[0] * row[0] + row[1] * row[1] + row[2] * row[2];
         for (double& v : row) {
             v /= -std::max(square, 1e-200); // the shadow, of any length
@@ -155,7 +155,7 @@ bool make_hostile(const rotconv::Spec& spec, std::span<double> row, Source& sour
 
 std::vector<Rows> rows_of(const rotconv::Spec& from, const rotconv::Spec& to, int size) {
     auto strata = attitudes(size);
-    if (to.name == rotconv::Name::euler || to.name == rotconv::Name::rpy) {
+    if (to.name == rotconv::RepresentationId::euler || to.name == rotconv::RepresentationId::rpy) {
         strata.push_back(near_lock(to.sequence, 2 * size));
     }
     std::vector<Rows> all;

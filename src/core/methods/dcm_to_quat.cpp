@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "../davenport.hpp"
+#include "../numerics/davenport.hpp"
 
 namespace rotconv::formula::dcm_to_quat {
 namespace {

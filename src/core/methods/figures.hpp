@@ -9,8 +9,8 @@ namespace rotconv {
 
 /// The measured worst errors of a method.
 struct Measurement {
-    Name from;
-    Name to;
+    RepresentationId from;
+    RepresentationId to;
     std::string_view name;
     Worst clean;
     Worst hostile;

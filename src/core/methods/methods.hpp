@@ -16,7 +16,7 @@ namespace rotconv::formula {
 /// A matrix as nine numbers, row by row.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// The block function of a formula for one row, which takes the Euler sequence first where it needs it.
+/// The function of a batch for a formula for one row, which takes the Euler sequence first where it needs it.
 template <std::size_t In, std::size_t Out, auto one_row>
 void each_row([[maybe_unused]] EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
     for (std::size_t i = 0; i < rows; ++i, in += In, out += Out) {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "../double_double.hpp"
-#include "../scaling.hpp"
+#include "../numerics/double_double.hpp"
+#include "../numerics/scaling.hpp"
 
 namespace rotconv::formula::quat_to_rotvec {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "../double_double.hpp"
-#include "../scaling.hpp"
-#include "../trigonometry.hpp"
+#include "../numerics/double_double.hpp"
+#include "../numerics/scaling.hpp"
+#include "../numerics/trigonometry.hpp"
 
 namespace rotconv::formula::rotvec_to_dcm {
 namespace {

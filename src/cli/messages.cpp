@@ -1,0 +1,356 @@
+#include "messages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "../stream/utf8.hpp"
+
+namespace rotconv::cli::messages {
+namespace {
+
+/// Edits (insert, delete, replace) that lead from one text to the other.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row.back();
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return result;
+}
+
+/// "; did you mean X?" where a legal word is near.
+std::string suggestion(std::string_view text, const std::vector<std::string_view>& legal) {
+    std::string_view best;
+    std::size_t least = std::max<std::size_t>(2, text.size() / 2) + 1;
+    for (const std::string_view word : legal) {
+        const std::size_t distance = edit_distance(lower(text), lower(word));
+        if (distance < least) {
+            least = distance;
+            best = word;
+        }
+    }
+    return best.empty() ? std::string() : fmt::format("; did you mean {}?", best);
+}
+
+std::vector<std::string_view> legal_names() {
+    std::vector<std::string_view> names;
+    for (const Representation& entry : representations()) {
+        names.push_back(entry.text);
+        std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
+    }
+    return names;
+}
+
+std::vector<std::string_view> legal_modifiers(const Representation& representation) {
+    std::vector<std::string_view> words;
+    for (const Modifier modifier : all_modifiers) {
+        if (representation.accepts(modifier)) {
+            words.push_back(name_of(modifier));
+        }
+    }
+    return words;
+}
+
+std::vector<std::string_view> legal_presets() {
+    std::vector<std::string_view> words;
+    std::ranges::transform(presets(), std::back_inserter(words), &Preset::text);
+    return words;
+}
+
+std::string sequences() {
+    std::string text;
+    for (const EulerSequence sequence : EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        text += text.empty() ? "" : " ";
+        text.append(letters.data(), letters.size());
+    }
+    return text;
+}
+
+std::vector<std::string> sequence_list() {
+    std::vector<std::string> list;
+    for (const EulerSequence sequence : EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        list.emplace_back(letters.data(), letters.size());
+    }
+    return list;
+}
+
+/// The texts in quotes, or "none".
+std::string quoted_list(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) {
+        list += (list.empty() ? "" : ", ") + quoted(text);
+    }
+    return list.empty() ? "none" : list;
+}
+
+/// The attitudes at which a set that has any is singular.
+std::string_view singularity_of(RepresentationId name) {
+    return name == RepresentationId::euler || name == RepresentationId::rpy ? "gimbal lock" : "a half-turn";
+}
+
+} // namespace
+
+About about(RepresentationId name) {
+    switch (name) {
+    case RepresentationId::dcm:
+        return {"orthogonal, det 1", "none",
+                "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"};
+    case RepresentationId::two_column:
+        return {"two orthonormal columns", "none", "columns 1 and 2 of R; the third is their cross product"};
+    case RepresentationId::five_d:
+        return {"norm between 0.41 and 2.41", "none",
+                "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"};
+    case RepresentationId::quat:
+        return {"unit; w > 0, or w = 0 and the first nonzero of x, y, z positive", "none",
+                "w = cos(theta/2), (x, y, z) = sin(theta/2) n"};
+    case RepresentationId::axis_angle:
+        return {"unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity", "identity, half-turn",
+                "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"};
+    case RepresentationId::rotvec: return {"norm at most pi", "half-turn", "theta n; R = exp [theta n]"};
+    case RepresentationId::euler:
+        return {"1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)", "gimbal lock: 2nd at its limit",
+                "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"};
+    case RepresentationId::rpy:
+        return {"roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]", "gimbal lock: pitch at its limit",
+                "R = R_z(yaw) R_y(pitch) R_x(roll)"};
+    case RepresentationId::cayley:
+        return {"infinite at a half-turn", "half-turn", "tan(theta/2) n; R = (I + [c])(I - [c])^-1"};
+    case RepresentationId::mrp: return {"norm at most 1", "half-turn (changes to its shadow)", "tan(theta/4) n"};
+    }
+    return {};
+}
+
+std::string_view about_preset(std::string_view preset) {
+    struct Line {
+        std::string_view preset;
+        std::string_view about;
+    };
+    static constexpr std::array<Line, 10> lines{{
+        {"scipy", "scipy.spatial.transform.Rotation"},
+        {"ros", "ROS geometry_msgs/Quaternion"},
+        {"tum", "TUM RGB-D trajectory files"},
+        {"matlab", "Aerospace Toolbox"},
+        {"basilisk", "Basilisk; Schaub and Junkins, [BN]"},
+        {"spice", "SPICE C-matrices, reference to body"},
+        {"bunge", "materials science, P = +1; R takes crystal to sample"},
+        {"baruh", "Baruh, Analytical Dynamics, 1999"},
+        {"trawny", "Trawny and Roumeliotis 2005, the JPL quaternion"},
+        {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
+    }};
+    const auto* found = std::ranges::find(lines, preset, &Line::preset);
+    return found == lines.end() ? std::string_view{} : found->about;
+}
+
+std::string modifiers_of(const Representation& representation) {
+    return fmt::format("{}", fmt::join(legal_modifiers(representation), " "));
+}
+
+std::string spec_text(const Spec& spec) {
+    std::string text(representation(spec.name).text);
+    if (spec.name == RepresentationId::euler) {
+        const auto letters = spec.sequence.letters();
+        text += ':';
+        text.append(letters.data(), letters.size());
+    }
+    return text;
+}
+
+std::string shown(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = stream::printable_length(text);
+        if (length > 0) {
+            result += text.substr(0, length);
+        } else {
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return result;
+}
+
+std::string text_of(const Spec& spec) {
+    std::string text = spec_text(spec);
+    text += spec.column_major ? ":col" : spec.scalar_last ? ":xyzw" : "";
+    text += spec.unit == AngleUnit::degrees ? ":deg" : "";
+    return text + (spec.passive ? ":passive" : "");
+}
+
+std::string other_order(std::string_view list, const Spec& from, const std::vector<std::string_view>& order,
+                        const std::optional<Spec>& right) {
+    const std::string own =
+        fmt::format("{} is not the order of {}, which is {}", quoted(list), text_of(from), fmt::join(order, ","));
+    return right ? fmt::format("{}; it is that of {} (of a mislabelled file select by indices)", own, text_of(*right))
+                 : fmt::format("{}; of a mislabelled file select by indices", own);
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t longest = 80;
+    return fmt::format("'{}{}'", shown(text.substr(0, longest)), text.size() > longest ? "..." : "");
+}
+
+std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
+    return fmt::format("argument: {} is no number, and as a FILE it cannot be read: {}{}", quoted(word),
+                       std::generic_category().message(error), suggestion(word, commands));
+}
+
+std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
+    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
+                       suggestion(text, legal));
+}
+
+std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
+    const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
+    const auto rows = methods_of(from, to);
+    if (rows.empty()) {
+        return fmt::format("{}: from {} only the default is known", quoted(text), pair);
+    }
+    std::vector<std::string_view> legal;
+    std::ranges::transform(rows, std::back_inserter(legal), &Method::name);
+    std::string message =
+        fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair, suggestion(text, legal));
+    for (const Method& method : rows) {
+        message += fmt::format("\n  {:<18} {}", method.name, method.domain);
+    }
+    return message;
+}
+
+std::string explain(const SpecError& error) {
+    using What = SpecError::What;
+    switch (error.what) {
+    case What::unknown_name: return no_such_word("representation", error.text, legal_names());
+    case What::no_sequence: return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", sequences());
+    case What::unknown_sequence: {
+        const auto list = sequence_list();
+        return no_such_word("Euler sequence", error.text, {list.begin(), list.end()});
+    }
+    case What::unknown_modifier: {
+        auto legal = legal_modifiers(*error.in);
+        std::ranges::copy(legal_presets(), std::back_inserter(legal));
+        return no_such_word(fmt::format("modifier of {}", error.in->text), error.text, legal);
+    }
+    case What::meaningless_modifier:
+        return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
+                           error.in->text, modifiers_of(*error.in), fmt::join(legal_presets(), " "));
+    case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
+    }
+    return {};
+}
+
+std::string explain(const stream::RowError& error, const Subject& subject) {
+    using What = stream::RowError::What;
+    const std::string text = quoted(error.text);
+    switch (error.what) {
+    case What::not_a_number: return fmt::format("not a number: {}", text);
+    case What::too_large: return fmt::format("too large for a double: {}", text);
+    case What::wrong_count:
+        return fmt::format("{} field{} where {} has {}{}: {}", error.found, error.found == 1 ? "" : "s", subject.text,
+                           error.expected, error.found > error.expected ? " (--columns selects)" : "", text);
+    case What::missing_column:
+        return fmt::format("no column {}, the row has {}: {}", error.expected, error.found, text);
+    case What::open_quote: return fmt::format("a quote is left open: {}", text);
+    case What::attitude: break;
+    }
+    switch (error.error) {
+    case Error::none: break;
+    case Error::not_finite: return fmt::format("not finite: {}", text);
+    case Error::overflow: return fmt::format("the result is too large for a double: {}", text);
+    case Error::zero_quaternion: return fmt::format("a zero quaternion has no attitude: {}", text);
+    case Error::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
+    case Error::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
+    case Error::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
+    case Error::singular:
+        return fmt::format("{} has no rates at {}: {}", representation(subject.set).text, singularity_of(subject.set),
+                           text);
+    case Error::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
+    case Error::full_turn:
+        return fmt::format("{} has no rates at a full turn: {}", representation(subject.set).text, text);
+    case Error::coarse_step:
+        return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",
+                           representation(subject.set).text, text);
+    case Error::time_order: return fmt::format("time does not increase: {}", text);
+    case Error::defect:
+        return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", error.defect, subject.tolerance,
+                           text);
+    }
+    return {};
+}
+
+std::string explain(const stream::StreamError& error, const Subject& subject) {
+    using What = stream::StreamError::What;
+    switch (error.what) {
+    case What::read: return fmt::format("cannot be read: {}", std::generic_category().message(error.error_number));
+    case What::write: return fmt::format("cannot be written: {}", std::generic_category().message(error.error_number));
+    case What::partial_row: return fmt::format("the row that begins at byte {} is not whole", error.offset);
+    case What::line_too_long: return "the line is longer than 4 MiB";
+    case What::json:
+        return "the input looks like JSON; rows of numbers are read, as jq -r '[.qw, .qx, .qy, .qz] | @csv' writes "
+               "them";
+    case What::columns: return explain(error.column, subject);
+    }
+    return {};
+}
+
+std::string explain(const stream::ColumnError& error, const Subject& subject) {
+    using What = stream::ColumnError::What;
+    switch (error.what) {
+    case What::not_an_item:
+        return fmt::format("{} is neither an index from 1, nor a range such as 5-8, nor a name", quoted(error.text));
+    case What::wrong_count:
+        return fmt::format("{} selects {} column{} where {} has {} numbers", quoted(error.text), error.count,
+                           error.count == 1 ? "" : "s", subject.text, subject.count);
+    case What::twice: return fmt::format("column {} is selected twice", quoted(error.text));
+    case What::missing:
+        return fmt::format("no header: of the columns the row lacks {} and has {}: {}", quoted_list(error.lacking),
+                           quoted_list(error.present), quoted(error.text));
+    case What::ambiguous: return fmt::format("more than one column is called {}", quoted(error.text));
+    }
+    return {};
+}
+
+std::string_view meaning(DiagnosticKind kind) {
+    switch (kind) {
+    case DiagnosticKind::normalized: return "the numbers were not exactly those of a rotation";
+    case DiagnosticKind::gimbal_lock:
+        return "only the sum or difference of the outer angles is defined; the third is set to 0";
+    case DiagnosticKind::near_gimbal_lock: return "the outer angles are ill-conditioned, the attitude is not";
+    case DiagnosticKind::half_turn: return "the axis and its opposite are the same; its sign is a convention";
+    case DiagnosticKind::infinite: return "a half-turn has no finite Cayley vector";
+    case DiagnosticKind::identity_axis: return "every axis serves; (1, 0, 0) is a convention";
+    case DiagnosticKind::method_error: return "the method's answer is off the attitude by more than 1e-6 rad";
+    case DiagnosticKind::coarse_step:
+        return "a step may be off by more than 1e-3 rad; --substeps or a finer sampling helps";
+    }
+    return {};
+}
+
+std::string describe(const stream::Diagnostic& diagnostic) {
+    const std::string_view figure = diagnostic.kind == DiagnosticKind::normalized         ? "defect"
+                                    : diagnostic.kind == DiagnosticKind::near_gimbal_lock ? "condition"
+                                    : diagnostic.kind == DiagnosticKind::method_error     ? "angle"
+                                    : diagnostic.kind == DiagnosticKind::coarse_step      ? "estimate"
+                                                                                          : "margin";
+    return fmt::format("{}: {} {:.3g}; {}", name_of(diagnostic.kind), figure, diagnostic.figure,
+                       meaning(diagnostic.kind));
+}
+
+} // namespace rotconv::cli::messages

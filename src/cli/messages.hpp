@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rotconv/method.hpp>
+#include <rotconv/spec.hpp>
+
+#include "../stream/column_list.hpp"
+#include "../stream/event.hpp"
+
+/// Every message of the program is worded here, and nowhere else.
+namespace rotconv::cli::messages {
+
+/// What people want to know of a representation beside its line in the table.
+struct About {
+    std::string_view range;
+    std::string_view singular;
+    std::string_view formula;
+};
+[[nodiscard]] About about(RepresentationId name);
+
+/// A preset's origin in a few words.
+[[nodiscard]] std::string_view about_preset(std::string_view preset);
+
+/// The modifiers that have a meaning for a representation, parted by blanks.
+[[nodiscard]] std::string modifiers_of(const Representation& representation);
+
+/// The SPEC of a set without modifiers, such as "euler:ZYX".
+[[nodiscard]] std::string spec_text(const Spec& spec);
+
+/// The same with its modifiers.
+[[nodiscard]] std::string text_of(const Spec& spec);
+
+/// The names of a list of columns stand in another order than the SPEC's, but perhaps in that of another SPEC.
+[[nodiscard]] std::string other_order(std::string_view list, const Spec& from,
+                                      const std::vector<std::string_view>& order, const std::optional<Spec>& right);
+
+/// Why a SPEC is none, with the legal words and the nearest.
+[[nodiscard]] std::string explain(const SpecError& error);
+
+/// What the rows of a run are.
+struct Subject {
+    std::string text;                              ///< what has `count` numbers, such as "quat"
+    std::size_t count = 0;                         ///< numbers of a row
+    RepresentationId set = RepresentationId::quat; ///< whose singularities may be met
+    double tolerance = 0.0;                        ///< see Settings
+};
+
+/// Why a row has no result, with the text at fault.
+[[nodiscard]] std::string explain(const stream::RowError& error, const Subject& subject);
+
+/// Why a run ended, other than by a row.
+[[nodiscard]] std::string explain(const stream::StreamError& error, const Subject& subject);
+
+[[nodiscard]] std::string explain(const stream::ColumnError& error, const Subject& subject);
+
+/// A diagnostic in words, with its figure.
+[[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);
+
+/// What a kind of diagnostic means, without a figure.
+[[nodiscard]] std::string_view meaning(DiagnosticKind kind);
+
+/// "'text' is not a format" and the like, with the legal words and the nearest.
+[[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
+                                       const std::vector<std::string_view>& legal);
+
+/// Why a word names no method of the pair, with those that there are and where they hold.
+[[nodiscard]] std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text);
+
+/// Why a word that is no option can be used neither as a number nor as a file, with the nearest command.
+[[nodiscard]] std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands);
+
+/// A text from outside as messages may show it: what could move a terminal's cursor or end the line is escaped.
+[[nodiscard]] std::string shown(std::string_view text);
+
+/// The same in quotes, cut where it is long.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+} // namespace rotconv::cli::messages

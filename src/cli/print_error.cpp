@@ -1,0 +1,14 @@
+#include "print_error.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "../stream/file.hpp"
+
+namespace rotconv::cli {
+
+void print_error(std::string_view message) {
+    static_cast<void>(stream::File(STDERR_FILENO).write(fmt::format("rotconv: {}\n", message)));
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,250 @@
+#include <rotconv/integration.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include <rotconv/rates.hpp>
+
+#include "../enum_table.hpp"
+#include "../representations/codec.hpp"
+#include "../representations/rate_codec.hpp"
+
+namespace rotconv {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr double root3 = std::numbers::sqrt3;
+constexpr double root15 = 3.872983346207417;
+
+constexpr std::array<IntegratorEntry, 3> table{{
+    {Integrator::rk4, "rk4", 4, 4, 3, {0.0, 0.5, 1.0}, false},
+    {Integrator::magnus4, "magnus4", 4, 2, 2, {0.5 - root3 / 6.0, 0.5 + root3 / 6.0, 0.0}, true},
+    {Integrator::magnus6, "magnus6", 6, 3, 3, {0.5 - root15 / 10.0, 0.5, 0.5 + root15 / 10.0}, true},
+}};
+static_assert(is_indexed(table, static_cast<std::size_t>(Integrator::magnus6) + 1, &IntegratorEntry::integrator));
+
+/// The commutator of [a]_x and [b]_x as a vector, reversed: the published series are for Ydot = A Y, and here
+/// Rdot = R [w]_x.
+Vector3d commutator(const Vector3d& a, const Vector3d& b) noexcept { return b.cross(a); }
+
+Vector3d magnus4(double h, std::span<const Vector3d> w) noexcept {
+    return (0.5 * h) * (w[0] + w[1]) - (root3 / 12.0 * h * h) * commutator(w[0], w[1]);
+}
+
+Vector3d magnus6(double h, std::span<const Vector3d> w) noexcept {
+    const Vector3d a1 = h * w[1];
+    const Vector3d a2 = (root15 / 3.0 * h) * (w[2] - w[0]);
+    const Vector3d a3 = (10.0 / 3.0 * h) * ((w[2] - w[1]) - (w[1] - w[0]));
+    const Vector3d c1 = commutator(a1, a2);
+    const Vector3d c2 = commutator(a1, 2.0 * a3 + c1) / -60.0;
+    return a1 + a3 / 12.0 + commutator(-20.0 * a1 - a3 + c1, a2 + c2) / 240.0;
+}
+
+/// 2 pi and what that double lacks.
+constexpr double turn_high = 2.0 * pi;
+constexpr double turn_low = 2.4492935982947064e-16;
+
+/// An angle less its whole turns.
+double without_turns(double angle) noexcept {
+    const double turns = std::round(angle / turn_high);
+    return (angle - turns * turn_high) - turns * turn_low;
+}
+
+/// The greatest rate in a step: at its nodes, or at its ends as the rates at the outer nodes and the one between them
+/// (on a line, or a parabola) go on.
+double greatest_rate(Integrator integrator, std::span<const Vector3d> w) noexcept {
+    double square = 0.0;
+    const auto look = [&square](const Vector3d& rate) { square = std::max(square, rate.squaredNorm()); };
+    std::ranges::for_each(w, look);
+    if (integrator == Integrator::magnus4) {
+        const Vector3d further = (0.5 * (root3 - 1.0)) * (w[1] - w[0]);
+        look(w[0] - further);
+        look(w[1] + further);
+    } else if (integrator == Integrator::magnus6) {
+        const Vector3d slope = (0.5 * 5.0 / root15) * (w[2] - w[0]);
+        const Vector3d middle = w[1] + (5.0 / 6.0) * ((w[2] - w[1]) - (w[1] - w[0]));
+        look(middle - slope);
+        look(middle + slope);
+    }
+    return std::sqrt(square);
+}
+
+/// From where in the set no singularity is further away: a step that turns by more has no start that serves. Of rotvec
+/// and mrp, which are singular at a full turn, from where they change their chart.
+double greatest_distance(const Spec& set) noexcept {
+    switch (set.name) {
+    case RepresentationId::euler:
+    case RepresentationId::rpy: return 0.5 * pi;
+    case RepresentationId::cayley:
+    case RepresentationId::rotvec:
+    case RepresentationId::mrp: return pi;
+    default: return std::numeric_limits<double>::infinity();
+    }
+}
+
+} // namespace
+
+std::span<const IntegratorEntry> integrators() noexcept { return table; }
+
+const IntegratorEntry& entry_of(Integrator integrator) noexcept { return table[static_cast<std::size_t>(integrator)]; }
+
+std::optional<Integrator> find_integrator(std::string_view text) noexcept {
+    const auto* const found = std::ranges::find(table, text, &IntegratorEntry::text);
+    return found == table.end() ? std::nullopt : std::optional(found->integrator);
+}
+
+bool can_integrate(RepresentationId set, Integrator integrator) noexcept {
+    return entry_of(integrator).exponential ? set == RepresentationId::quat : has_rates(set);
+}
+
+Stepper::Stepper(const Spec& set, Integrator integrator, bool renormalise) noexcept
+    : set_(set), integrator_(integrator), renormalised_(renormalise && set.size() > 3) {
+    set_.unit = AngleUnit::radians;
+    if (entry_of(integrator).exponential) {
+        set_.passive = false; // the conjugate would be carried on by the same exponential
+    }
+}
+
+Error Stepper::start(const Rotation& rotation) noexcept {
+    const Rotation kept = set_.passive ? rotation.inverse() : rotation;
+    numbers_.setZero();
+    codec_of(set_.name).write_row(set_, kept, numbers_.data());
+    error_ = numbers_.allFinite() ? Error::none : Error::singular;
+    return error_;
+}
+
+std::span<const double> Stepper::nodes() const noexcept {
+    const IntegratorEntry& entry = entry_of(integrator_);
+    return {entry.nodes.data(), entry.node_count};
+}
+
+Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
+    if (error_ != Error::none) {
+        return error_;
+    }
+    const double reach = std::fabs(h) * greatest_rate(integrator_, rates);
+    if (!(reach <= pi && reach < greatest_distance(set_))) {
+        return error_ = Error::coarse_step;
+    }
+    const double distance = distance_to_singularity();
+    if (distance <= reach) {
+        return error_ = Error::singular;
+    }
+    stretch_ = reach / std::min(1.0, distance);
+    switch (integrator_) {
+    case Integrator::rk4: runge_kutta(h, rates); break;
+    case Integrator::magnus4: turn_by(magnus4(h, rates)); break;
+    case Integrator::magnus6: turn_by(magnus6(h, rates)); break;
+    }
+    change_chart();
+    if (!numbers_.allFinite()) {
+        return error_ = Error::not_finite;
+    }
+    if (!(distance_to_singularity() > 0.0)) {
+        return error_ = Error::singular;
+    }
+    return error_ = renormalised_ ? renormalise() : Error::none;
+}
+
+void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
+    switch (set_.size()) {
+    case 9: return runge_kutta<9>(h, rates);
+    case 6: return runge_kutta<6>(h, rates);
+    case 5: return runge_kutta<5>(h, rates);
+    case 4: return runge_kutta<4>(h, rates);
+    default: return runge_kutta<3>(h, rates);
+    }
+}
+
+template <int Size> void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
+    using State = Eigen::Matrix<double, Size, 1>;
+    const auto equation = rate_codec_of(set_.name).rate;
+    const Frame frame = set_.passive ? Frame::reference : Frame::body;
+    const double sign = set_.passive ? -1.0 : 1.0;
+    const auto rate = [&](const State& state, const Vector3d& w) {
+        State result;
+        equation(set_, state.data(), sign * w, frame, result.data());
+        return result;
+    };
+    const State start = numbers_.head<Size>();
+    const State first = rate(start, rates[0]);
+    const State second = rate(start + (0.5 * h) * first, rates[1]);
+    const State third = rate(start + (0.5 * h) * second, rates[1]);
+    const State fourth = rate(start + h * third, rates[2]);
+    numbers_.head<Size>() = start + (h / 6.0) * ((first + fourth) + 2.0 * (second + third));
+}
+
+void Stepper::turn_by(const Vector3d& turn) noexcept {
+    const double half = 0.5 * turn.norm();
+    const double w = std::cos(half);
+    const Vector3d v = (half == 0.0 ? 0.5 : 0.5 * (std::sin(half) / half)) * turn;
+    const Vector3d kept = numbers_.segment<3>(1);
+    const double kept_w = numbers_[0];
+    numbers_[0] = kept_w * w - kept.dot(v);
+    numbers_.segment<3>(1) = kept_w * v + w * kept + kept.cross(v);
+}
+
+double Stepper::distance_to_singularity() const noexcept {
+    switch (set_.name) {
+    case RepresentationId::euler:
+    case RepresentationId::rpy:
+        return set_.sequence.proper() ? std::min(numbers_[1], pi - numbers_[1]) : 0.5 * pi - std::fabs(numbers_[1]);
+    case RepresentationId::cayley: return 2.0 * std::atan2(1.0, numbers_.head<3>().norm());
+    default: return greatest_distance(set_);
+    }
+}
+
+void Stepper::change_chart() noexcept {
+    auto vector = numbers_.head<3>();
+    switch (set_.name) {
+    case RepresentationId::euler:
+    case RepresentationId::rpy:
+        numbers_[0] = without_turns(numbers_[0]);
+        numbers_[2] = without_turns(numbers_[2]);
+        break;
+    case RepresentationId::rotvec:
+        if (const double length = vector.norm(); length > pi) {
+            vector *= without_turns(length) / length;
+        }
+        break;
+    case RepresentationId::mrp:
+        if (const double square = vector.squaredNorm(); square > 1.0) {
+            vector /= -square;
+        }
+        break;
+    default: break;
+    }
+}
+
+Error Stepper::renormalise() noexcept {
+    const Codec& codec = codec_of(set_.name);
+    const Reading reading = codec.read_row(set_, numbers_.data());
+    codec.write_row(set_, reading.rotation, numbers_.data());
+    return reading.error;
+}
+
+Reading Stepper::attitude() const noexcept {
+    if (error_ != Error::none) {
+        return Reading::failed(error_);
+    }
+    const Codec& codec = codec_of(set_.name);
+    Reading reading = codec.read_row(set_, numbers_.data());
+    if (!reading.ok()) {
+        return Reading::failed(reading.error);
+    }
+    if (codec.exact_defect != nullptr) {
+        reading.defect = codec.exact_defect(numbers_.data());
+    }
+    if (set_.passive) {
+        reading.rotation = reading.rotation.inverse();
+    }
+    return reading;
+}
+
+} // namespace rotconv

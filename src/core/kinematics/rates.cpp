@@ -1,0 +1,105 @@
+#include <rotconv/rates.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "../representations/codec.hpp"
+#include "../representations/rate_codec.hpp"
+
+namespace rotconv {
+namespace {
+
+using Numbers = std::array<double, 9>;
+using Eigen::Vector3d;
+
+bool all_finite(const double* numbers, std::size_t count) noexcept {
+    return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
+}
+
+/// Of a singular attitude: the condition of a rotation vector is pi/2 at a half-turn.
+bool at_full_turn(const Spec& spec, const Sensitivity& sensitivity) noexcept {
+    return spec.name == RepresentationId::rotvec && sensitivity.condition > 2.0;
+}
+
+} // namespace
+
+Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), settings_(settings) {
+    if (!has_rates(spec.name)) {
+        throw std::invalid_argument("a set without rates");
+    }
+}
+
+void Rates::run(std::span<const double> in, std::span<double> out, std::span<RateReport> reports) const noexcept {
+    const double* from = in.data();
+    double* to = out.data();
+    for (RateReport& report : reports) {
+        report = run_row(from, to);
+        if (report.error == Error::none && !all_finite(to, out_size())) {
+            report.error = Error::overflow;
+        }
+        if (report.error != Error::none) {
+            std::fill_n(to, out_size(), std::numeric_limits<double>::quiet_NaN());
+        }
+        from += in_size();
+        to += out_size();
+    }
+}
+
+RateReport Rates::run_row(const double* in, double* out) const noexcept {
+    if (!all_finite(in, in_size())) {
+        return {.error = Error::not_finite};
+    }
+    const auto order = spec_.order();
+    const std::size_t size = spec_.size();
+    Numbers numbers{};
+    Numbers rates{};
+    for (std::size_t i = 0; i < size; ++i) {
+        numbers[order[i]] = in[i];
+        rates[order[i]] = settings_.inverse ? in[size + i] : 0.0;
+    }
+
+    const Codec& codec = codec_of(spec_.name);
+    const Reading reading = codec.read_row(spec_, numbers.data());
+    RateReport report{.error = reading.error, .defect = reading.defect};
+    if (!reading.ok()) {
+        return report;
+    }
+    if (codec.exact_defect != nullptr && settings_.tolerance < reading.defect) {
+        report.defect = codec.exact_defect(numbers.data());
+    }
+    const RateCodec& equation = rate_codec_of(spec_.name);
+    report.sensitivity = equation.sensitivity == nullptr
+                             ? codec.sensitivity(spec_, reading.rotation)
+                             : equation.sensitivity(spec_, numbers.data(), reading.rotation);
+    if (report.defect > settings_.tolerance) {
+        report.error = Error::defect;
+    } else if (report.sensitivity.margin <= singular_margin) {
+        report.error = at_full_turn(spec_, report.sensitivity) ? Error::full_turn : Error::singular;
+    }
+    if (report.error != Error::none) {
+        return report;
+    }
+
+    const Frame frame = spec_.passive ? inverse_of(settings_.frame) : settings_.frame;
+    const double sign = spec_.passive ? -1.0 : 1.0;
+
+    const double radians = settings_.degrees ? radians_per_degree : 1.0;
+    if (settings_.inverse) {
+        const Vector3d w = equation.angular_velocity(spec_, numbers.data(), rates.data(), frame);
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            out[i] = sign * w[i] / radians + 0.0; // -0 becomes 0
+        }
+        return report;
+    }
+    const Vector3d w = (sign * radians) * Vector3d(in[size], in[size + 1], in[size + 2]);
+    equation.rate(spec_, numbers.data(), w, frame, rates.data());
+    for (std::size_t i = 0; i < size; ++i) {
+        out[i] = rates[order[i]] + 0.0;
+    }
+    return report;
+}
+
+} // namespace rotconv

@@ -1,0 +1,73 @@
+#include <rotconv/axis_angle.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../numerics/angles.hpp"
+#include "../numerics/double_double.hpp"
+#include "../numerics/finite.hpp"
+#include "../numerics/scaling.hpp"
+#include "../numerics/trigonometry.hpp"
+#include "axis_half_angle.hpp"
+#include "batches.hpp"
+#include "half_turn.hpp"
+
+namespace rotconv::axis_angle {
+
+Reading to_rotation(const AxisAngle& value) noexcept {
+    if (!all_finite(value.axis.x(), value.axis.y(), value.axis.z(), value.angle)) {
+        return Reading::failed(Error::not_finite);
+    }
+    const HalfAngle half = half_of(value.angle, value.unit);
+    const double size = value.axis.cwiseAbs().maxCoeff();
+    if (size == 0.0) {
+        const bool no_turn = value.unit == AngleUnit::degrees ? half.sine == 0.0 : value.angle == 0.0;
+        return no_turn ? Reading{} : Reading::failed(Error::zero_axis);
+    }
+    const Eigen::Vector3d axis = value.axis.unaryExpr(PowerOfTwo::to_unit(size));
+    const Eigen::Vector3d v = axis * half.sine;
+    return {.rotation = Rotation::from_components(axis.norm() * half.cosine, v.x(), v.y(), v.z())};
+}
+
+AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
+    std::array<double, 4> numbers{};
+    DiagnosticSet diagnostics;
+    write(OneRotation(rotation), 1, unit, numbers.data(), &diagnostics);
+    return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
+}
+
+ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers,
+                                 DiagnosticSet* diagnostics) noexcept {
+    AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
+    take_apart(rotations, rows, parts);
+    Angles angles; // NOLINT(*-member-init)
+    angles_of(parts.half, rows, unit, angles);
+    for (std::size_t i = 0; i < rows; ++i) {
+        const DoubleDouble inverse = quotient(1.0, 0.0, parts.length(i));
+        numbers[4 * i] = product(split(parts.x[i]), inverse);
+        numbers[4 * i + 1] = product(split(parts.y[i]), inverse);
+        numbers[4 * i + 2] = product(split(parts.z[i]), inverse);
+        numbers[4 * i + 3] = 2.0 * (angles.hi[i] + angles.lo[i]);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        diagnostics[i] = note_half_turn(parts.half.x[i], parts.half.y[i]);
+        if (parts.half.y[i] > least_known_length) {
+            continue;
+        }
+        const double length = rotations.at(i).vector_length();
+        diagnostics[i] |= {DiagnosticKind::identity_axis, length == 0.0};
+        numbers[4 * i] = length == 0.0 ? 1.0 : parts.x[i] / length;
+        numbers[4 * i + 1] = length == 0.0 ? 0.0 : parts.y[i] / length;
+        numbers[4 * i + 2] = length == 0.0 ? 0.0 : parts.z[i] / length;
+        numbers[4 * i + 3] = length / parts.half.x[i] * (2.0 * units_per_radian(unit));
+    }
+}
+
+Sensitivity sensitivity(const Rotation& rotation) noexcept {
+    const double sine = rotation.vector_length() / std::sqrt(rotation.squared_norm());
+    return {.margin = std::min(angle_of(rotation), angle_to_half_turn(rotation)),
+            .condition = std::max(1.0, 0.5 / sine)};
+}
+
+} // namespace rotconv::axis_angle

@@ -1,0 +1,258 @@
+#include <rotconv/dcm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "../numerics/angles.hpp"
+#include "../numerics/davenport.hpp"
+#include "../numerics/double_double.hpp"
+#include "../numerics/least_squares_angular_velocity.hpp"
+#include "../numerics/scaling.hpp"
+#include "batches.hpp"
+
+namespace rotconv::dcm {
+namespace {
+
+/// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
+constexpr double near_rotation = 0.05;
+
+/// M'M - I.
+Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
+
+/// A matrix as nine numbers, row by row.
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+/// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
+/// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
+double squared_distance(const std::array<double, 9>& m) noexcept {
+    const double cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
+    const double cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
+    const double cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
+    const double first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
+    const double second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
+    const double both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
+    return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
+           ((first * first + second * second) + both * both);
+}
+
+/// All that a clean matrix needs.
+struct PowerStep {
+    explicit PowerStep(const std::array<double, 9>& m) noexcept : square(squared_distance(m)) {
+        const Davenport k(m.data());
+        q = k.power_step(k.pivot_column());
+    }
+
+    double square;
+    Quaternion q;
+};
+
+/// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
+class ExactSum {
+public:
+    void add(double number) noexcept {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const DoubleDouble both = exact_sum(number, parts_[i]);
+            parts_[i] = both.lo;
+            number = both.hi;
+        }
+        parts_[count_++] = number;
+    }
+
+    /// The sign of the largest part that is not 0, which is that of the sum.
+    [[nodiscard]] int sign() const noexcept {
+        for (std::size_t i = count_; i > 0; --i) {
+            if (parts_[i - 1] != 0.0) {
+                return parts_[i - 1] > 0.0 ? 1 : -1;
+            }
+        }
+        return 0;
+    }
+
+private:
+    std::array<double, 24> parts_{};
+    std::size_t count_ = 0;
+};
+
+/// The sign of the determinant, exact but for parts below 2^-960 of the largest product: rows and columns are first
+/// scaled by powers of two.
+int sign_of_determinant(Dcm m) noexcept {
+    for (int side = 0; side < 2; ++side) {
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            const double largest = m.row(i).cwiseAbs().maxCoeff();
+            if (largest == 0.0) {
+                return 0;
+            }
+            m.row(i) = m.row(i).unaryExpr(PowerOfTwo::to_unit(largest)).eval();
+        }
+        m.transposeInPlace();
+    }
+    ExactSum sum;
+    for (int first = 0; first < 3; ++first) {
+        for (const int step : {1, 2}) {
+            const int second = (first + step) % 3;
+            const int third = (first + 3 - step) % 3;
+            const double sign = step == 1 ? 1.0 : -1.0;
+            const DoubleDouble two = exact_product(m(0, first), m(1, second));
+            for (const double part : {two.hi, two.lo}) {
+                const DoubleDouble three = exact_product(part, sign * m(2, third));
+                sum.add(three.lo);
+                sum.add(three.hi);
+            }
+        }
+    }
+    return sum.sign();
+}
+
+/// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
+/// on trace(R(q)' M) against M itself then removes the rounding of the decomposition.
+Reading far_from_rotation(const Dcm& matrix) noexcept {
+    if (sign_of_determinant(matrix) <= 0) {
+        return Reading::failed(Error::not_proper);
+    }
+    const auto scale = PowerOfTwo::to_unit(matrix.cwiseAbs().maxCoeff());
+    const Dcm m = matrix.unaryExpr(scale);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Dcm factor = svd.matrixU() * svd.matrixV().transpose();
+    if (factor.determinant() < 0.0) {
+        // det M > 0 is known exactly: rounding has turned the sign of the smallest singular value
+        factor -= 2.0 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
+    }
+    const Quaternion q = quaternion_of_rotation(RowMajor(factor).data());
+    const Rotation decomposed = Rotation::from_components(q.w, q.x, q.y, q.z);
+
+    // With S = R(q)' M, the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12).
+    const Eigen::Matrix3d s = from_rotation(decomposed).transpose() * m;
+    const Eigen::Matrix3d symmetric = 0.5 * (s + s.transpose());
+    const Eigen::Vector3d skew{s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1)};
+    const Eigen::Matrix3d hessian = symmetric.trace() * Eigen::Matrix3d::Identity() - symmetric;
+    Eigen::Vector3d half = 0.5 * hessian.fullPivLu().solve(skew);
+    if (!(half.norm() < 1e-8)) {
+        half.setZero(); // the matrix is nearly singular, and this its noise
+    }
+    const Eigen::Vector3d v{q.x, q.y, q.z};
+    const Eigen::Vector3d corrected = v + q.w * half + v.cross(half);
+
+    Reading reading;
+    reading.rotation = Rotation::from_components(q.w - v.dot(half), corrected.x(), corrected.y(), corrected.z());
+    const Eigen::Vector3d& singular = svd.singularValues();
+    reading.defect = std::max(std::fabs(scale.undone(singular[0]) - 1.0), std::fabs(scale.undone(singular[2]) - 1.0));
+    return reading;
+}
+
+/// Where one power step is not known to serve.
+Reading read_unclean(const double* numbers, double square) noexcept {
+    const Eigen::Map<const RowMajor> matrix(numbers);
+    if (!matrix.allFinite()) {
+        return Reading::failed(Error::not_finite);
+    }
+    const double bound = 3.0 * std::sqrt(square);
+    if (!(bound <= near_rotation)) {
+        return far_from_rotation(matrix);
+    }
+    const Davenport k(numbers);
+    auto q = k.power_step(k.pivot_column());
+    double remaining = bound * bound;
+    while (remaining > 0x1p-56) {
+        q = k.power_step(q);
+        remaining *= bound;
+    }
+    return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z),
+            .defect = bound <= reported_defect ? bound : defect(matrix)};
+}
+
+} // namespace
+
+Reading to_rotation(const Dcm& matrix) noexcept {
+    std::array<double, 9> numbers; // NOLINT(*-member-init)
+    Eigen::Map<RowMajor>{numbers.data()} = matrix;
+    const PowerStep step(numbers);
+    if (step.square <= clean_square) [[likely]] {
+        return {.rotation = Rotation::near_unit(step.q.w, step.q.x, step.q.y, step.q.z), .defect = clean_defect};
+    }
+    return read_unclean(numbers.data(), step.square);
+}
+
+ROTCONV_TARGET_CLONES
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    const auto m = to_columns<9>(numbers, rows);
+    BatchColumn square; // NOLINT(*-member-init): written before it is read
+    for (std::size_t i = 0; i < rows; ++i) {
+        const PowerStep step({m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i], m[8][i]});
+        square[i] = step.square;
+        readings.w[i] = step.q.w;
+        readings.x[i] = step.q.x;
+        readings.y[i] = step.q.y;
+        readings.z[i] = step.q.z;
+        readings.defect[i] = clean_defect;
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        readings.error[i] = Error::none;
+        if (!(square[i] <= clean_square)) [[unlikely]] {
+            readings.set(i, read_unclean(numbers + 9 * i, square[i]));
+        }
+    }
+}
+
+double defect(const Dcm& matrix) noexcept {
+    const Eigen::Matrix3d excess = gram_excess(matrix);
+    if (!(0.5 * excess.norm() <= near_rotation)) {
+        return far_from_rotation(matrix).defect;
+    }
+    // s^2 - 1 for the singular values s, without cancellation
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(excess, Eigen::EigenvaluesOnly);
+    const auto from_one = [](double square_excess) {
+        return std::fabs(square_excess) / (1.0 + std::sqrt(1.0 + square_excess));
+    };
+    return std::max(from_one(solver.eigenvalues()[0]), from_one(solver.eigenvalues()[2]));
+}
+
+// Out of line: contracted, the differences would not cancel.
+Dcm from_rotation(const Rotation& rotation) noexcept {
+    const double w = rotation.w();
+    const double x = rotation.x();
+    const double y = rotation.y();
+    const double z = rotation.z();
+    const double ww = w * w;
+    const double xx = x * x;
+    const double yy = y * y;
+    const double zz = z * z;
+    Dcm m;
+    m << (ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
+        2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x),  //
+        2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy);
+    const double squared_norm = (ww + xx) + (yy + zz);
+    // An entry is 1 or -1 only where one of these four vanishes; then a division keeps it. Elsewhere the inverse is as
+    // accurate, and quicker.
+    if ((m(0, 0) * m(1, 1)) * (m(0, 1) * m(0, 2)) == 0.0) {
+        return m / squared_norm;
+    }
+    return m * (1.0 / squared_norm);
+}
+
+Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
+
+Dcm rate(const Dcm& matrix, const Eigen::Vector3d& w, Frame frame) noexcept {
+    Dcm rates;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        if (frame == Frame::body) {
+            rates.row(i) = matrix.row(i).cross(w);
+        } else {
+            rates.col(i) = w.cross(matrix.col(i));
+        }
+    }
+    return rates;
+}
+
+Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame frame) noexcept {
+    return least_squares_angular_velocity([&](const Eigen::Vector3d& w) { return rate(matrix, w, frame); }, rates);
+}
+
+} // namespace rotconv::dcm

@@ -1,0 +1,331 @@
+#include <rotconv/euler.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "../numerics/angles.hpp"
+#include "../numerics/double_double.hpp"
+#include "../numerics/finite.hpp"
+#include "../numerics/scaling.hpp"
+#include "../numerics/trigonometry.hpp"
+#include "batches.hpp"
+
+namespace rotconv {
+
+std::array<EulerSequence, 24> EulerSequence::all() noexcept {
+    std::array<EulerSequence, 24> sequences;
+    std::size_t count = 0;
+    for (const char base : {'X', 'x'}) {
+        for (int code = 0; code < 27; ++code) {
+            const std::array<char, 3> letters{static_cast<char>(base + code / 9),
+                                              static_cast<char>(base + code / 3 % 3),
+                                              static_cast<char>(base + code % 3)};
+            if (const auto sequence = parse({letters.data(), letters.size()})) {
+                sequences[count++] = *sequence;
+            }
+        }
+    }
+    return sequences;
+}
+
+std::array<char, 3> EulerSequence::letters() const noexcept {
+    const char base = intrinsic_ ? 'X' : 'x';
+    return {static_cast<char>(base + axes_[0]), static_cast<char>(base + axes_[1]), static_cast<char>(base + axes_[2])};
+}
+
+namespace euler {
+namespace {
+
+/// The axes i, j, k of a sequence read as turns about fixed axes, the first turn about i. Intrinsic turns are the same
+/// turns about fixed axes in reverse order. For a proper sequence k is the axis that does not occur.
+struct FixedAxes {
+    explicit FixedAxes(EulerSequence sequence) noexcept
+        : i(sequence.axis(sequence.intrinsic() ? 2 : 0)), j(sequence.axis(1)),
+          k(sequence.proper() ? 3 - i - j : sequence.axis(sequence.intrinsic() ? 0 : 2)),
+          sign((j - i + 3) % 3 == 1 ? 1.0 : -1.0) {}
+
+    int i, j, k;
+    double sign; ///< +1 where (i, j, k) is an even permutation of (x, y, z)
+};
+
+/// a + ib = C e^(is), c + id = S e^(it), where s + t and s - t are the outer angles, and C, S are cosine and sine of
+/// half the middle angle (of half the middle angle plus pi/4 for Tait-Bryan angles), times a common factor. Only the
+/// ratios a : b and c : d matter, so that these are brought to lengths between 1/2 and 1.
+struct Halves {
+    Halves(const Rotation& q, const FixedAxes& axes, bool proper) noexcept {
+        const double qi = q.along(axes.i);
+        const double qj = q.along(axes.j);
+        const double qk = q.along(axes.k) * axes.sign;
+        if (proper) {
+            a = q.w();
+            b = qi;
+            c = qj;
+            d = qk;
+        } else {
+            a = q.w() - qj;
+            b = qi + qk;
+            c = qj + q.w();
+            d = qk - qi;
+        }
+        cosine = take_length(a, b);
+        sine = take_length(c, d);
+    }
+
+    /// The smaller of C and S over their hypotenuse: sin(margin/2).
+    [[nodiscard]] double sine_of_half_margin() const noexcept {
+        return std::min(cosine, sine) / std::sqrt(cosine * cosine + sine * sine);
+    }
+
+    /// Margin at most that whose half has the tangent `lock_tangent`.
+    [[nodiscard]] bool locked(double lock_tangent) const noexcept {
+        const double smaller = std::min(cosine, sine);
+        return smaller == 0.0 || smaller <= lock_tangent * std::max(cosine, sine);
+    }
+
+    double a, b, c, d;
+    double cosine, sine;
+
+private:
+    /// hypot(u, v), of which u and v are freed.
+    static double take_length(double& u, double& v) noexcept {
+        const double square = u * u + v * v;
+        const double length = square > 1e-280 ? std::sqrt(square) : std::hypot(u, v);
+        if (length > 0.0) {
+            const auto scale = PowerOfTwo::to_unit(length);
+            u = scale(u);
+            v = scale(v);
+        }
+        return length;
+    }
+};
+
+double tangent_of_half(double lock_margin) noexcept {
+    return lock_margin >= 0.5 * std::numbers::pi ? std::numeric_limits<double>::infinity()
+                                                 : std::tan(0.5 * lock_margin);
+}
+
+DiagnosticSet diagnostics_of(const Halves& h, bool locked) noexcept {
+    if (locked) {
+        return {DiagnosticKind::gimbal_lock, true};
+    }
+    // condition = 1/(sqrt 2 sin(margin/2)), with sin(margin/2) = smaller/hypot
+    const double smaller = std::min(h.cosine, h.sine);
+    const double square = h.cosine * h.cosine + h.sine * h.sine;
+    constexpr double factor = 2.0 * near_lock_condition * near_lock_condition;
+    return {DiagnosticKind::near_gimbal_lock, factor * (smaller * smaller) < square};
+}
+
+/// Only s (where S = 0) or t (where C = 0) is defined; the angle that is not set to 0 is twice that.
+std::array<double, 3> locked_angles(const Halves& h, EulerSequence sequence, const FixedAxes& axes,
+                                    AngleUnit unit) noexcept {
+    const bool proper = sequence.proper();
+    const bool sum = h.sine < h.cosine;
+    const double real = sum ? h.a : h.c;
+    const double imaginary = sum ? h.b : h.d;
+    const double sine_of_double = 2.0 * (real * imaginary);
+    const double cosine_of_double = (real - imaginary) * (real + imaginary);
+    const double limit = (proper ? 1.0 : 0.5) * pi_in(unit).hi;
+    const double middle = sum ? (proper ? 0.0 : -limit) : limit;
+    // Intrinsic turns are the fixed ones in reverse order: there it is the last fixed turn that comes first.
+    const double third_sign = proper ? 1.0 : axes.sign;
+    const double sign = sequence.intrinsic() ? third_sign : (sum ? 1.0 : -1.0);
+    return {angle_of(sign * sine_of_double, cosine_of_double, unit), middle, 0.0};
+}
+
+/// Vectors of a batch_rows, and their angles.
+struct Turns {
+    PlaneVectors vectors;
+    Angles angles;
+
+    void set(std::size_t row, double x, double y) noexcept {
+        vectors.x[row] = x;
+        vectors.y[row] = y;
+    }
+
+    /// In (-pi, pi] or (-180, 180].
+    [[nodiscard]] double outer_angle(std::size_t row, double limit) const noexcept {
+        const double angle = angles.hi[row] + angles.lo[row];
+        const double with_sign = vectors.y[row] < 0.0 ? -angle : angle;
+        return with_sign <= -limit ? limit : with_sign;
+    }
+};
+
+/// The axis of one outer turn, `near`, is fixed in the frame. Then w = near' e_n + R_n (middle' e_m + R_m far' e_f)
+/// with R_n and R_m turns about the axes n and m, inverse in body axes, and e_f = e_k, or e_n for a proper sequence.
+struct RateSystem {
+    RateSystem(const EulerAngles& value, Frame frame) noexcept
+        : near(value.sequence.intrinsic() == (frame == Frame::body) ? 2 : 0), far(2 - near),
+          n(value.sequence.axis(near)), m(value.sequence.axis(1)), k(3 - n - m) {
+        const double order = (m - n + 3) % 3 == 1 ? 1.0 : -1.0; // e_n x e_m = order e_k
+        const double sense = frame == Frame::body ? -order : order;
+        const Direction outer = direction_of(value.angles[near], value.unit);
+        const Direction middle = direction_of(value.angles[1], value.unit);
+        cosine = outer.cosine;
+        sine = sense * outer.sine;
+        far_along = value.sequence.proper() ? middle.cosine : sense * middle.sine;
+        far_across = value.sequence.proper() ? -sense * middle.sine : middle.cosine;
+    }
+
+    std::size_t near, far;        // places of the outer turns
+    int n, m, k;                  // axes
+    double cosine, sine;          // of R_n in the plane from m to k
+    double far_along, far_across; // components of R_m e_f along n and k
+};
+
+} // namespace
+
+Reading to_rotation(const EulerAngles& value) noexcept {
+    const auto& angles = value.angles;
+    if (!all_finite(angles[0], angles[1], angles[2])) {
+        return Reading::failed(Error::not_finite);
+    }
+    const EulerSequence sequence = value.sequence;
+    const FixedAxes axes(sequence);
+    const HalfAngle first = half_of(angles[sequence.intrinsic() ? 2 : 0], value.unit);
+    const HalfAngle second = half_of(angles[1], value.unit);
+    const HalfAngle third = half_of(angles[sequence.intrinsic() ? 0 : 2], value.unit);
+
+    const double cc = third.cosine * first.cosine;
+    const double ss = third.sine * first.sine;
+    const double sc = third.sine * first.cosine;
+    const double cs = third.cosine * first.sine;
+    double w = 0.0;
+    std::array<double, 3> v{};
+    const auto i = static_cast<std::size_t>(axes.i);
+    const auto j = static_cast<std::size_t>(axes.j);
+    const auto k = static_cast<std::size_t>(axes.k);
+    if (sequence.proper()) {
+        w = second.cosine * (cc - ss);
+        v[i] = second.cosine * (sc + cs);
+        v[j] = second.sine * (cc + ss);
+        v[k] = axes.sign * (second.sine * (sc - cs));
+    } else {
+        w = second.cosine * cc + axes.sign * (second.sine * ss);
+        v[i] = second.cosine * cs - axes.sign * (second.sine * sc);
+        v[j] = second.sine * cc + axes.sign * (second.cosine * ss);
+        v[k] = second.cosine * sc - axes.sign * (second.sine * cs);
+    }
+    return {.rotation = Rotation::from_components(w, v[0], v[1], v[2])};
+}
+
+EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
+                          double lock_margin) noexcept {
+    EulerAngles result{.sequence = sequence, .unit = unit};
+    DiagnosticSet diagnostics;
+    write(OneRotation(rotation), 1, sequence, unit, lock_margin, result.angles.data(), &diagnostics);
+    return result;
+}
+
+ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit,
+                                 double lock_margin, double* numbers, DiagnosticSet* diagnostics) noexcept {
+    if (rows == 0) {
+        return;
+    }
+    const FixedAxes axes(sequence);
+    const bool proper = sequence.proper();
+    const double third_sign = proper ? 1.0 : axes.sign;
+    const double lock_tangent = tangent_of_half(lock_margin);
+    Turns first;  // NOLINT(*-member-init): written before they are read
+    Turns middle; // NOLINT(*-member-init)
+    Turns third;  // NOLINT(*-member-init)
+    // Squared lengths below this (of up to 8) are looked at one by one: locked, nearly so, or too small for plain
+    // products.
+    const double suspect_square =
+        8.0 * std::max(lock_tangent * lock_tangent, 1.0 / (near_lock_condition * near_lock_condition));
+    const std::array<const double*, 3> along{rotations.x.data(), rotations.y.data(), rotations.z.data()};
+    const double* const w = rotations.w.data();
+    const double* const qi = along[static_cast<std::size_t>(axes.i)];
+    const double* const qj = along[static_cast<std::size_t>(axes.j)];
+    const double* const qk = along[static_cast<std::size_t>(axes.k)];
+    for (std::size_t i = 0; i < rows; ++i) { // a, b, c, d as in Halves
+        const double d_part = axes.sign * qk[i];
+        const double a = proper ? w[i] : w[i] - qj[i];
+        const double b = proper ? qi[i] : qi[i] + d_part;
+        const double c = proper ? qj[i] : qj[i] + w[i];
+        const double d = proper ? d_part : d_part - qi[i];
+        first.vectors.x[i] = a * c + b * d;
+        first.vectors.y[i] = b * c - a * d;
+        third.vectors.x[i] = a * c - b * d;
+        third.vectors.y[i] = third_sign * (a * d + b * c);
+        const double cosine_square = a * a + b * b;
+        const double sine_square = c * c + d * d;
+        middle.vectors.x[i] = cosine_square;
+        middle.vectors.y[i] = sine_square;
+        middle.vectors.sine[i] = std::sqrt(std::min(cosine_square, sine_square) / (cosine_square + sine_square));
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double smaller = std::min(middle.vectors.x[i], middle.vectors.y[i]);
+        diagnostics[i] = {};
+        if (smaller <= suspect_square) [[unlikely]] {
+            const Halves h(rotations.at(i), axes, proper);
+            const bool locked = h.locked(lock_tangent);
+            diagnostics[i] = diagnostics_of(h, locked);
+            if (!locked) { // again, with (a, b) and (c, d) near 1
+                first.set(i, h.a * h.c + h.b * h.d, h.b * h.c - h.a * h.d);
+                third.set(i, h.a * h.c - h.b * h.d, third_sign * (h.a * h.d + h.b * h.c));
+                middle.vectors.sine[i] = h.sine_of_half_margin();
+            }
+        }
+    }
+    first.vectors.set_sines(rows);
+    third.vectors.set_sines(rows);
+    angles_of(first.vectors, rows, unit, first.angles);
+    angles_of(middle.vectors, rows, unit, middle.angles);
+    angles_of(third.vectors, rows, unit, third.angles);
+    const DoubleDouble half_turn_exact = pi_in(unit);
+    const double limit = half_turn_exact.hi;
+    const double quarters = proper ? 0.0 : 0.5; // of a half-turn, from half the middle angle to the middle angle
+    const std::size_t first_place = sequence.intrinsic() ? 2 : 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const DoubleDouble turned = exact_sum(2.0 * middle.angles.hi[i], -quarters * half_turn_exact.hi);
+        numbers[3 * i + first_place] = first.outer_angle(i, limit);
+        numbers[3 * i + 1] = turned.hi + (turned.lo + (2.0 * middle.angles.lo[i] - quarters * half_turn_exact.lo));
+        numbers[3 * i + 2 - first_place] = third.outer_angle(i, limit);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (diagnostics[i].has(DiagnosticKind::gimbal_lock)) {
+            const auto angles = locked_angles(Halves(rotations.at(i), axes, proper), sequence, axes, unit);
+            std::ranges::copy(angles, numbers + 3 * i);
+        }
+    }
+}
+
+DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence, double lock_margin) noexcept {
+    const Halves h(rotation, FixedAxes(sequence), sequence.proper());
+    return diagnostics_of(h, h.locked(tangent_of_half(lock_margin)));
+}
+
+Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept {
+    const Halves h(rotation, FixedAxes(sequence), sequence.proper());
+    return {.margin = 2.0 * std::atan2(std::min(h.cosine, h.sine), std::max(h.cosine, h.sine)),
+            .condition = 1.0 / (std::numbers::sqrt2 * h.sine_of_half_margin())};
+}
+
+std::array<double, 3> rate(const EulerAngles& value, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const RateSystem s(value, frame);
+    const double across = s.cosine * w[s.k] - s.sine * w[s.m];
+    std::array<double, 3> rates{};
+    rates[s.far] = across / s.far_across;
+    rates[1] = s.cosine * w[s.m] + s.sine * w[s.k];
+    rates[s.near] = w[s.n] - s.far_along * rates[s.far];
+    for (double& angle_rate : rates) {
+        angle_rate *= units_per_radian(value.unit);
+    }
+    return rates;
+}
+
+Eigen::Vector3d angular_velocity(const EulerAngles& value, const std::array<double, 3>& rates, Frame frame) noexcept {
+    const RateSystem s(value, frame);
+    const double across = s.far_across * rates[s.far];
+    Eigen::Vector3d w;
+    w[s.n] = rates[s.near] + s.far_along * rates[s.far];
+    w[s.m] = s.cosine * rates[1] - s.sine * across;
+    w[s.k] = s.cosine * across + s.sine * rates[1];
+    return w / units_per_radian(value.unit);
+}
+
+} // namespace euler
+} // namespace rotconv

@@ -1,0 +1,112 @@
+#include <rotconv/two_column.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "../numerics/least_squares_angular_velocity.hpp"
+#include "../numerics/scaling.hpp"
+#include "batches.hpp"
+#include "gram_schmidt.hpp"
+
+namespace rotconv::five_d {
+namespace {
+
+using std::numbers::sqrt2;
+
+/// The columns of Hopf's numbers.
+ROTCONV_TARGET_CLONES
+TwoColumns columns_of(const double* numbers, std::size_t rows) noexcept {
+    TwoColumns m; // NOLINT(*-member-init): as many rows as there are
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double* const y = numbers + 5 * i;
+        const double square = ((y[0] * y[0] + y[1] * y[1]) + (y[2] * y[2] + y[3] * y[3])) + y[4] * y[4];
+        const double factor = 2.0 * sqrt2 / (square + 1.0);
+        m[0][i] = (0.5 * factor) * (square - 1.0);
+        m[1][i] = factor * y[0];
+        m[2][i] = factor * y[1];
+        m[3][i] = factor * y[2];
+        m[4][i] = factor * y[3];
+        m[5][i] = factor * y[4];
+    }
+    return m;
+}
+
+/// y times a power of two f, so that y'y cannot overflow: (f^2 y'y - f^2, 2 f fy) is parallel to the two columns.
+struct Scaled {
+    explicit Scaled(const Vector5& number) noexcept
+        : scale(PowerOfTwo::to_unit(std::max(1.0, number.cwiseAbs().maxCoeff()))), f(scale(1.0)),
+          y(number.unaryExpr(scale)), square(y.squaredNorm()) {}
+
+    [[nodiscard]] Eigen::Vector3d first() const noexcept { return {square - f * f, 2.0 * f * y[0], 2.0 * f * y[1]}; }
+    [[nodiscard]] Columns columns() const noexcept {
+        Columns m;
+        m << first(), (2.0 * f) * y.tail<3>();
+        return m * (sqrt2 / (square + f * f));
+    }
+
+    PowerOfTwo scale;
+    double f;
+    Vector5 y;
+    double square;
+};
+
+Reading read_any(const Vector5& y) noexcept {
+    if (!y.allFinite()) {
+        return Reading::failed(Error::not_finite);
+    }
+    const Scaled scaled(y);
+    Reading reading =
+        gram_schmidt(scaled.first(), scaled.y.tail<3>()); // of the second column only the direction counts
+    if (reading.ok()) {
+        reading.defect = two_column::defect(scaled.columns());
+    }
+    return reading;
+}
+
+} // namespace
+
+Reading to_rotation(const Vector5& y) noexcept {
+    Readings one; // NOLINT(*-member-init): written before it is read
+    read(y.data(), 1, one);
+    return one.reading(0);
+}
+
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    read_columns(columns_of(numbers, rows), rows, readings,
+                 [numbers](std::size_t i) { return read_any(Eigen::Map<const Vector5>(numbers + 5 * i)); });
+}
+
+double defect(const Vector5& y) noexcept { return two_column::defect(Scaled(y).columns()); }
+
+Vector5 from_rotation(const Rotation& rotation) noexcept {
+    const double w = rotation.w();
+    const double x = rotation.x();
+    const double y = rotation.y();
+    const double z = rotation.z();
+    Vector5 numerator;
+    numerator << 2.0 * (x * y + w * z), 2.0 * (x * z - w * y), 2.0 * (x * y - w * z), (w * w + y * y) - (x * x + z * z),
+        2.0 * (y * z + w * x);
+    return numerator / ((sqrt2 - 1.0) * (w * w + x * x) + (sqrt2 + 1.0) * (y * y + z * z));
+}
+
+Sensitivity sensitivity(const Rotation& rotation) noexcept {
+    const double turning = rotation.w() * rotation.w() + rotation.x() * rotation.x();
+    const double tilting = rotation.y() * rotation.y() + rotation.z() * rotation.z();
+    return {.condition = sqrt2 * (turning + tilting) / ((sqrt2 - 1.0) * turning + (sqrt2 + 1.0) * tilting)};
+}
+
+Vector5 rate(const Vector5& y, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const double square = y.squaredNorm();
+    Columns h;
+    h << 0.5 * (square - 1.0), y[2], y[0], y[3], y[1], y[4];
+    const auto rates = two_column::rate(h, w, frame).reshaped().eval();
+    return rates.tail<5>() + y * rates[0];
+}
+
+Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates, Frame frame) noexcept {
+    return least_squares_angular_velocity([&](const Eigen::Vector3d& w) { return rate(y, w, frame); }, rates);
+}
+
+} // namespace rotconv::five_d

@@ -1,0 +1,83 @@
+#include <rotconv/mrp.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "../numerics/double_double.hpp"
+#include "../numerics/finite.hpp"
+#include "../numerics/scaling.hpp"
+#include "batches.hpp"
+#include "half_turn.hpp"
+
+namespace rotconv::mrp {
+namespace {
+
+/// B v, or B' v.
+Eigen::Vector3d turned(const Eigen::Vector3d& m, const Eigen::Vector3d& v, bool transposed) noexcept {
+    const Eigen::Vector3d turn = transposed ? v.cross(m) : m.cross(v);
+    return (1.0 - m.squaredNorm()) * v + 2.0 * (turn + m.dot(v) * m);
+}
+
+} // namespace
+
+Reading to_rotation(const Eigen::Vector3d& m) noexcept {
+    if (!all_finite(m.x(), m.y(), m.z())) {
+        return Reading::failed(Error::not_finite);
+    }
+    // Times the square of a power of two f <= 1, so that |m|^2 cannot overflow.
+    const auto scale = PowerOfTwo::to_unit(std::max(0.5, m.cwiseAbs().maxCoeff()));
+    const double f = scale(1.0);
+    const Split x = split(scale(m.x()));
+    const Split y = split(scale(m.y()));
+    const Split z = split(scale(m.z()));
+    // The rounding of |m|^2 would be the largest part of the error where |m| is about 1 or more.
+    const double w = (f * f - ((x.high * x.high + y.high * y.high) + z.high * z.high)) -
+                     ((rest_of_square(x) + rest_of_square(y)) + rest_of_square(z));
+    return {.rotation = Rotation::from_components(w, 2.0 * f * x.value, 2.0 * f * y.value, 2.0 * f * z.value)};
+}
+
+Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
+    Eigen::Vector3d m;
+    DiagnosticSet diagnostics;
+    write(OneRotation(rotation), 1, m.data(), &diagnostics);
+    return m;
+}
+
+ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, double* numbers,
+                                 DiagnosticSet* diagnostics) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double sign = rotations.at(i).sign();
+        const Split w = split(rotations.w[i] * sign);
+        const Split x = split(rotations.x[i] * sign);
+        const Split y = split(rotations.y[i] * sign);
+        const Split z = split(rotations.z[i] * sign);
+        const Root norm = root_of((w.high * w.high + x.high * x.high) + (y.high * y.high + z.high * z.high),
+                                  (rest_of_square(w) + rest_of_square(x)) + (rest_of_square(y) + rest_of_square(z)));
+        const DoubleDouble divisor = exact_sum(norm.hi, w.value);
+        const DoubleDouble inverse = quotient(1.0, 0.0, {divisor.hi, divisor.lo + norm.lo, 1.0 / divisor.hi});
+        numbers[3 * i] = product(x, inverse);
+        numbers[3 * i + 1] = product(y, inverse);
+        numbers[3 * i + 2] = product(z, inverse);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        diagnostics[i] = note_half_turn(rotations.at(i));
+    }
+}
+
+Sensitivity sensitivity(const Rotation& rotation) noexcept {
+    const double norm = std::sqrt(rotation.squared_norm());
+    return {.margin = angle_to_half_turn(rotation), .condition = 0.5 * norm / (norm + std::fabs(rotation.w()))};
+}
+
+Eigen::Vector3d rate(const Eigen::Vector3d& m, const Eigen::Vector3d& w, Frame frame) noexcept {
+    return 0.25 * turned(m, w, frame == Frame::reference);
+}
+
+Eigen::Vector3d angular_velocity(const Eigen::Vector3d& m, const Eigen::Vector3d& rates, Frame frame) noexcept {
+    const double stretch = 0.25 * (1.0 + m.squaredNorm());
+    return turned(m, rates, frame == Frame::body) / (4.0 * stretch * stretch);
+}
+
+} // namespace rotconv::mrp

@@ -1,0 +1,197 @@
+#include <rotconv/rotation_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "../numerics/double_double.hpp"
+#include "../numerics/finite.hpp"
+#include "../numerics/scaling.hpp"
+#include "../numerics/trigonometry.hpp"
+#include "axis_half_angle.hpp"
+#include "batches.hpp"
+#include "half_turn.hpp"
+
+namespace rotconv::rotation_vector {
+namespace {
+
+/// Below this half angle sin(x) = x, cos(x) = 1 and atan(x) = x to less than half an ulp.
+constexpr double linear_half_angle = 1e-9;
+
+/// Half of the angle theta 2^exponent, which may be above the largest double: then its quarter is squared.
+HalfAngle half_of_scaled(DoubleDouble theta, int exponent, AngleUnit unit) noexcept {
+    const auto scaled = [&theta](int power) {
+        return DoubleDouble{std::ldexp(theta.hi, power), std::ldexp(theta.lo, power)};
+    };
+    if (exponent < std::numeric_limits<double>::max_exponent) {
+        return half_of(scaled(exponent), unit);
+    }
+    const HalfAngle quarter = half_of(scaled(exponent - 1), unit);
+    return {quarter.cosine * quarter.cosine - quarter.sine * quarter.sine, 2.0 * quarter.cosine * quarter.sine};
+}
+
+/// A vector of any size, in any unit; its length to 2^-102, since whole turns are taken off it.
+Rotation rotation_of_any(double rx, double ry, double rz, AngleUnit unit) noexcept {
+    const double size = largest_magnitude(rx, ry, rz);
+    const double per_radian = units_per_radian(unit);
+    if (size <= linear_half_angle * per_radian) {
+        return Rotation::from_components(2.0 * per_radian, rx, ry, rz);
+    }
+    const auto scale = PowerOfTwo::to_unit(size);
+    const double x = scale(rx);
+    const double y = scale(ry);
+    const double z = scale(rz);
+    const DoubleDouble scaled_length = length(x, y, z);
+    const HalfAngle half = half_of_scaled(scaled_length, -scale.exponent(), unit);
+    return Rotation::from_components(scaled_length.hi * half.cosine + scaled_length.lo * half.cosine, x * half.sine,
+                                     y * half.sine, z * half.sine);
+}
+
+/// Half of a vector's angle, in radians and as sine and cosine: of its length to 2^-102, since near a full turn the
+/// rest is what counts.
+struct HalfLength {
+    double radians = 0.0;
+    HalfAngle sides{1.0, 0.0};
+};
+
+HalfLength half_length(const RotationVector& value) noexcept {
+    const auto& v = value.vector;
+    const double size = largest_magnitude(v[0], v[1], v[2]);
+    const double per_radian = units_per_radian(value.unit);
+    if (size <= linear_half_angle * per_radian) {
+        return {};
+    }
+    const auto scale = PowerOfTwo::to_unit(size);
+    const DoubleDouble scaled_length = length(scale(v[0]), scale(v[1]), scale(v[2]));
+    return {scale.undone(0.5 * scaled_length.hi / per_radian),
+            half_of_scaled(scaled_length, -scale.exponent(), value.unit)};
+}
+
+/// Lengths, in radians, that the grid knows to full accuracy; nan is none.
+bool is_plain(double length) noexcept { return length < 3.2 && length > least_known_length; }
+
+/// factor v + (1 - factor) n (n.v) with n = r/|r|. Where |r|^2 underflows the factor is 1.
+Eigen::Vector3d stretched(const Eigen::Vector3d& r, double factor, const Eigen::Vector3d& v) noexcept {
+    const double square = r.squaredNorm();
+    const double along = square > 0.0 ? (1.0 - factor) / square : 0.0;
+    return factor * v + (along * r.dot(v)) * r;
+}
+
+} // namespace
+
+Reading to_rotation(const RotationVector& value) noexcept {
+    Readings readings; // NOLINT(*-member-init): written before it is read
+    read(value.vector.data(), 1, value.unit, readings);
+    return readings.reading(0);
+}
+
+ROTCONV_TARGET_CLONES void read(const double* numbers, std::size_t rows, AngleUnit unit, Readings& readings) noexcept {
+    BatchColumn length, length_low, inverse, cosine, sine; // NOLINT(*-member-init): written before they are read
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Root root = length_of(split(numbers[3 * i]), split(numbers[3 * i + 1]), split(numbers[3 * i + 2]));
+        length[i] = root.hi;
+        length_low[i] = root.lo;
+        inverse[i] = root.inverse;
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        cosine[i] = std::cos(0.5 * length[i]);
+        sine[i] = std::sin(0.5 * length[i]);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double half_low = 0.5 * length_low[i];
+        const DoubleDouble ratio = quotient(sine[i], cosine[i] * half_low, {length[i], length_low[i], inverse[i]});
+        readings.w[i] = cosine[i] - sine[i] * half_low;
+        readings.x[i] = product(split(numbers[3 * i]), ratio);
+        readings.y[i] = product(split(numbers[3 * i + 1]), ratio);
+        readings.z[i] = product(split(numbers[3 * i + 2]), ratio);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double* r = numbers + 3 * i;
+        readings.defect[i] = 0.0;
+        readings.error[i] = Error::none;
+        if (unit != AngleUnit::radians || !is_plain(length[i])) {
+            readings.set(i, all_finite(r[0], r[1], r[2]) ? Reading{.rotation = rotation_of_any(r[0], r[1], r[2], unit)}
+                                                         : Reading::failed(Error::not_finite));
+        }
+    }
+}
+
+RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
+    RotationVector result{.unit = unit};
+    DiagnosticSet diagnostics;
+    write(OneRotation(rotation), 1, unit, result.vector.data(), &diagnostics);
+    return result;
+}
+
+ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers,
+                                 DiagnosticSet* diagnostics) noexcept {
+    // The length counts twice, in the angle and in the direction: near pi its rounding would be the largest part of the
+    // error.
+    AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
+    take_apart(rotations, rows, parts);
+    Angles angles; // NOLINT(*-member-init)
+    angles_of(parts.half, rows, unit, angles);
+    // Degrees are brought to the size of radians by a power of two.
+    const double scale = unit == AngleUnit::degrees ? 64.0 : 1.0;
+    const double doubling = 2.0 / scale;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const DoubleDouble ratio = quotient(doubling * angles.hi[i], doubling * angles.lo[i], parts.length(i));
+        numbers[3 * i] = scale * product(split(parts.x[i]), ratio);
+        numbers[3 * i + 1] = scale * product(split(parts.y[i]), ratio);
+        numbers[3 * i + 2] = scale * product(split(parts.z[i]), ratio);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        diagnostics[i] = note_half_turn(parts.half.x[i], parts.half.y[i]);
+        if (!(parts.half.y[i] > least_known_length)) { // there the set is linear
+            const double ratio = 2.0 * units_per_radian(unit) / parts.half.x[i];
+            numbers[3 * i] = parts.x[i] * ratio;
+            numbers[3 * i + 1] = parts.y[i] * ratio;
+            numbers[3 * i + 2] = parts.z[i] * ratio;
+        }
+    }
+}
+
+Sensitivity sensitivity(const Rotation& rotation) noexcept {
+    const double length = rotation.vector_length();
+    const double sine = length / std::sqrt(rotation.squared_norm());
+    const double condition = sine <= linear_half_angle ? 1.0 : 0.5 * angle_of(rotation) / sine;
+    return {.margin = angle_to_half_turn(rotation), .condition = std::max(1.0, condition)};
+}
+
+Sensitivity sensitivity(const RotationVector& value, const Rotation& rotation) noexcept {
+    Sensitivity result = sensitivity(rotation);
+    const double half = half_length(value).radians;
+    if (2.0 * half - std::numbers::pi > half_turn_margin) {
+        constexpr double eps = std::numeric_limits<double>::epsilon();
+        const double angle = angle_of(rotation);
+        const double known = value.unit == AngleUnit::degrees ? 0.0 : 2.0 * half * eps;
+        result.margin = angle > known ? angle : 0.0;
+        result.condition = std::max(1.0, half * std::sqrt(rotation.squared_norm()) / rotation.vector_length());
+    }
+    return result;
+}
+
+Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Frame frame) noexcept {
+    const double per_radian = units_per_radian(value.unit);
+    const Eigen::Vector3d r = value.vector / per_radian;
+    const HalfLength half = half_length(value);
+    const double cotangent = half.radians == 0.0 ? 1.0 : half.radians * half.sides.cosine / half.sides.sine;
+    const Eigen::Vector3d turn = frame == Frame::body ? r.cross(w) : w.cross(r);
+    return (stretched(r, cotangent, w) + 0.5 * turn) * per_radian;
+}
+
+Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vector3d& rates, Frame frame) noexcept {
+    const double per_radian = units_per_radian(value.unit);
+    const Eigen::Vector3d r = value.vector / per_radian;
+    const Eigen::Vector3d v = rates / per_radian;
+    const HalfLength half = half_length(value);
+    const double ratio = half.radians == 0.0 ? 1.0 : half.sides.sine / half.radians;
+    const double square = half.sides.cosine * half.sides.cosine + half.sides.sine * half.sides.sine;
+    const Eigen::Vector3d turn = frame == Frame::body ? v.cross(r) : r.cross(v);
+    return stretched(r, ratio * half.sides.cosine / square, v) + (0.5 * ratio * ratio / square) * turn;
+}
+
+} // namespace rotconv::rotation_vector

@@ -1,0 +1,76 @@
+#include <rotconv/two_column.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "../numerics/least_squares_angular_velocity.hpp"
+#include "../numerics/scaling.hpp"
+#include "batches.hpp"
+#include "gram_schmidt.hpp"
+
+namespace rotconv::two_column {
+namespace {
+
+Reading read_any(const Columns& m) noexcept {
+    if (!m.allFinite()) {
+        return Reading::failed(Error::not_finite);
+    }
+    Reading reading = gram_schmidt(m.col(0), m.col(1));
+    if (reading.ok()) {
+        reading.defect = defect(m);
+    }
+    return reading;
+}
+
+} // namespace
+
+Reading to_rotation(const Columns& m) noexcept {
+    Readings one; // NOLINT(*-member-init): written before it is read
+    read(m.data(), 1, one);
+    return one.reading(0);
+}
+
+void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    read_columns(to_columns<6>(numbers, rows), rows, readings,
+                 [numbers](std::size_t i) { return read_any(Eigen::Map<const Columns>(numbers + 6 * i)); });
+}
+
+// From the eigenvalues of M'M - I.
+double defect(const Columns& m) noexcept {
+    const auto scale = PowerOfTwo::to_unit(std::max(1.0, m.cwiseAbs().maxCoeff()));
+    const Columns scaled = m.unaryExpr(scale);
+    const double unit = scale(1.0);
+    const double a = scaled.col(0).squaredNorm() - unit * unit;
+    const double b = scaled.col(1).squaredNorm() - unit * unit;
+    const double c = scaled.col(0).dot(scaled.col(1));
+    const double mean = 0.5 * (a + b);
+    const double radius = std::hypot(0.5 * (a - b), c);
+    const auto from_one = [unit](double square_excess) {
+        return std::fabs(square_excess) / (unit + std::sqrt(std::max(0.0, unit * unit + square_excess)));
+    };
+    return scale.undone(std::max(from_one(mean + radius), from_one(mean - radius)));
+}
+
+Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
+
+Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
+    Eigen::Vector3d axis = w;
+    if (frame == Frame::body) {
+        const Eigen::Vector3d normal = m.col(0).cross(m.col(1));
+        const Eigen::Vector3d first = m.col(0) / m.col(0).norm();
+        const Eigen::Vector3d third = normal / normal.norm();
+        axis = w.x() * first + w.y() * third.cross(first) + w.z() * third;
+    }
+    Columns rates;
+    rates << axis.cross(m.col(0)), axis.cross(m.col(1));
+    return rates;
+}
+
+Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates, Frame frame) noexcept {
+    return least_squares_angular_velocity([&](const Eigen::Vector3d& w) { return rate(m, w, frame); }, rates);
+}
+
+} // namespace rotconv::two_column

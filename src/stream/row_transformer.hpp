@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "event.hpp"
+#include "io_block.hpp"
+#include "layout.hpp"
+#include "row_text.hpp"
+
+namespace rotconv::stream {
+
+/// Turns blocks of rows into their output. What a block becomes depends on the block, the options and the layout alone
+/// (unless the function remembers rows), so that several transformers may work on the blocks of one stream.
+class RowTransformer {
+public:
+    RowTransformer(const Options& options, const Layout& layout);
+
+    /// Adds what the rows of `text`, whole lines of which the first is line `line`, become.
+    /// Where the function holds rows back, they and what follows them wait for the next call, up to `most_waiting`
+    /// bytes.
+    void transform(std::string_view text, std::size_t line, Output& output);
+    /// To be called at the end: adds what still waits.
+    void finish(Output& output);
+
+private:
+    static constexpr std::size_t batch = 128;
+    static constexpr std::size_t most_waiting = std::size_t{1} << 16U;
+    static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
+
+    struct Row {
+        Line line;
+        std::size_t number = 0;      ///< of the line
+        bool passed = false;         ///< blank or comment: goes out as it is
+        std::size_t first_field = 0; ///< in fields_
+        std::size_t field_count = 0;
+        std::size_t index = 0;        ///< in reports_, of a row without error
+        std::size_t error = no_error; ///< in errors_
+
+        [[nodiscard]] bool has_numbers() const noexcept { return !passed && error == no_error; }
+    };
+
+    /// Doubles in and nothing but the result out.
+    [[nodiscard]] bool is_doubles_alone() const noexcept;
+    /// Of those rows as many are written at once as there is nothing to tell of.
+    void transform_doubles(std::string_view text, std::size_t line, Output& output);
+    /// `held_first`: the first row is one that was held back.
+    void work_off(std::string_view text, std::size_t line, bool held_first, bool is_end, Output& output);
+    /// Reads a batch of rows off the text, under `stop` none after a error.
+    void gather(std::string_view& text, std::size_t& line, std::size_t limit);
+    void read_row(Row& row);
+    /// Reads a row of nothing but plain numbers, as most are, which needs no fields; false for any other.
+    bool read_plain(std::string_view text);
+    /// Likewise a batch of binary rows.
+    void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
+    /// The fields of a binary row: its numbers' bytes, or text where the output is text.
+    void make_fields(Row& row);
+    /// The fields that hold the numbers, parted by the delimiter.
+    [[nodiscard]] std::string selected_text(const Row& row) const;
+    void write(Output& output);
+    /// The output has fields of the input beside the result.
+    [[nodiscard]] bool has_other_fields() const noexcept { return options_->append || !layout_->replaced.empty(); }
+    void write_row(Row& row, Output& output);
+    void note_error(Row& row, RowError error);
+
+    const Options* options_;
+    const Layout* layout_;
+    RowOperation function_; ///< a copy, for it may have room of its own to work in
+    RowText row_text_;
+    std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
+    std::size_t waiting_line_ = 0; ///< ...and the first one's line
+    // One batch, reused: nothing is allocated per row once they have grown.
+    std::vector<Row> rows_;
+    std::vector<std::string_view> fields_;
+    std::vector<RowError> errors_;
+    std::vector<double> numbers_;
+    std::vector<std::size_t> lines_;     ///< of the rows with numbers
+    std::vector<std::string_view> kept_; ///< texts of their numbers that are kept
+    std::vector<double> results_;
+    std::vector<Report> reports_;
+    Buffer made_;              ///< the text of a binary row
+    std::vector<double> nans_; ///< the result of a row that failed
+};
+
+} // namespace rotconv::stream
