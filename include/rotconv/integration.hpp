@@ -82,7 +82,6 @@ private:
     template <int Size> void runge_kutta(double h, std::span<const Eigen::Vector3d> rates) noexcept;
     void turn_by(const Eigen::Vector3d& turn) noexcept;
     [[nodiscard]] double distance_to_singularity() const noexcept;
-    void change_chart() noexcept;
     Error renormalise() noexcept;
 
     Spec set_;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,56 +11,66 @@
 
 #include <rotconv/angle.hpp>
 #include <rotconv/euler.hpp>
+#include <rotconv/representation_id.hpp>
 
 namespace rotconv {
-
-/// The representations, in the order in which they are listed.
-enum class RepresentationId : std::uint8_t {
-    dcm,
-    two_column,
-    five_d,
-    quat,
-    axis_angle,
-    rotvec,
-    euler,
-    rpy,
-    cayley,
-    mrp
-};
-inline constexpr std::size_t representation_count = static_cast<std::size_t>(RepresentationId::mrp) + 1;
 
 /// What changes how a representation's numbers are written down.
 enum class Modifier : std::uint8_t { passive, deg, col, xyzw };
 inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg, Modifier::col, Modifier::xyzw};
 
-/// One line of the table of representations.
-struct Representation {
-    RepresentationId name;
-    std::string_view text;                        ///< as in a SPEC
-    std::array<std::string_view, 2> aliases;      ///< unused ones are empty
-    std::size_t size;                             ///< how many numbers
-    std::array<std::string_view, 9> columns;      ///< their names, in order
-    std::array<bool, all_modifiers.size()> takes; ///< which modifiers have a meaning, by Modifier
+class ModifierSet {
+public:
+    constexpr ModifierSet(std::initializer_list<Modifier> modifiers) noexcept {
+        for (const Modifier modifier : modifiers) {
+            bits_ |= bit(modifier);
+        }
+    }
+    [[nodiscard]] constexpr bool has(Modifier modifier) const noexcept { return (bits_ & bit(modifier)) != 0U; }
 
-    [[nodiscard]] bool accepts(Modifier modifier) const noexcept { return takes[static_cast<std::size_t>(modifier)]; }
-    [[nodiscard]] bool has_angles() const noexcept { return accepts(Modifier::deg); }
+private:
+    static constexpr unsigned bit(Modifier modifier) noexcept { return 1U << static_cast<unsigned>(modifier); }
+    unsigned bits_ = 0;
 };
 
-/// A named set of conventions: which modifiers it stands for on which representations.
+/// A named set of conventions, such as those of a library. What it means for a representation stands with that.
 struct Preset {
     std::string_view text;
-    std::array<RepresentationId, 8> passive_on; ///< the representations that it makes passive...
-    std::size_t passive_count;                  ///< ...and how many of them there are
-    bool scalar_last;                           ///< quat:xyzw
-
-    [[nodiscard]] std::span<const RepresentationId> passive() const noexcept {
-        return {passive_on.data(), passive_count};
-    }
+    std::string_view about; ///< where it comes from, in a few words
 };
 
-[[nodiscard]] std::span<const Representation> representations() noexcept;
-[[nodiscard]] std::span<const Preset> presets() noexcept;
+/// The modifiers that a preset stands for on one representation.
+struct PresetMeaning {
+    std::string_view preset;
+    ModifierSet modifiers;
+};
+
+/// What a representation is called and how it is written.
+struct Representation {
+    RepresentationId name;
+    std::string_view text;                     ///< as in a SPEC
+    std::array<std::string_view, 2> aliases{}; ///< unused ones are empty
+    std::size_t size;                          ///< how many numbers
+    std::array<std::string_view, 9> columns;   ///< their names, in order
+    ModifierSet modifiers;                     ///< those that have a meaning
+    std::span<const PresetMeaning> presets{};  ///< those that mean something, and what
+    std::array<std::uint8_t, 9> other_order{}; ///< under col or xyzw: for each number as written, its own place
+    bool takes_sequence = false;               ///< the text is followed by an Euler sequence
+    bool has_gimbal_lock = false;              ///< three angles, the outer ones in (-pi, pi]
+    std::string_view range;                    ///< of the numbers on output, for people
+    std::string_view singular = "none";        ///< where it is singular, for people
+    std::string_view singular_attitude{};      ///< the same as one attitude, such as "a half-turn"
+    std::string_view formula;                  ///< for people
+
+    [[nodiscard]] bool has_angles() const noexcept { return modifiers.has(Modifier::deg); }
+};
+
 [[nodiscard]] const Representation& representation(RepresentationId name) noexcept;
+/// By its text or an alias; null where there is none.
+[[nodiscard]] const Representation* find_representation(std::string_view text) noexcept;
+[[nodiscard]] std::span<const Preset> presets() noexcept;
+/// None where the preset leaves the representation as it is.
+[[nodiscard]] ModifierSet modifiers_of(std::string_view preset, const Representation& entry) noexcept;
 [[nodiscard]] std::string_view name_of(Modifier modifier) noexcept;
 
 /// A representation with its conventions resolved: what `NAME[:MODIFIER]...` means.

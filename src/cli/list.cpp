@@ -29,13 +29,11 @@ std::string columns_of(const Representation& entry) {
 
 /// What a preset makes of a representation.
 std::string effect_of(const Preset& preset, const Representation& entry) {
-    const bool passive = std::ranges::count(preset.passive(), entry.name) != 0;
-    const bool scalar_last = preset.scalar_last && entry.name == RepresentationId::quat;
-    if (passive && scalar_last) {
-        return "passive, xyzw";
-    }
-    return passive ? "passive" : scalar_last ? "xyzw" : "as it is";
+    const std::string effect = messages::words_of(modifiers_of(preset.text, entry), ", ");
+    return effect.empty() ? "as it is" : effect;
 }
+
+std::string_view name_of(const Representation& entry) { return entry.takes_sequence ? "euler:SEQ" : entry.text; }
 
 std::string error_of(const Worst& worst) { return worst.where.empty() ? "-" : fmt::format("{:.2g}", worst.error); }
 
@@ -44,43 +42,37 @@ std::string error_of(const Worst& worst) { return worst.where.empty() ? "-" : fm
 std::string list_all() {
     std::string text = fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", "NAME", "also", "n", "numbers",
                                    "range on output", "singular at");
-    for (const Representation& entry : representations()) {
-        const auto about = messages::about(entry.name);
-        const std::string name = entry.name == RepresentationId::euler ? "euler:SEQ" : std::string(entry.text);
-        text += fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", name, aliases_of(entry), entry.size,
-                            columns_of(entry), about.range, about.singular);
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
+        text += fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", name_of(entry), aliases_of(entry),
+                            entry.size, columns_of(entry), entry.range, entry.singular);
     }
     text += "\nrotconv list NAME explains one: its formula, modifiers and presets.\n";
     return text;
 }
 
 std::optional<std::string> list_one(std::string_view name) {
-    const auto table = representations();
-    const auto found = std::ranges::find_if(table, [name](const Representation& entry) {
-        return !name.empty() && (entry.text == name || std::ranges::count(entry.aliases, name) != 0);
-    });
-    if (found == table.end()) {
+    const Representation* const found = find_representation(name);
+    if (found == nullptr) {
         return std::nullopt;
     }
-    const auto about = messages::about(found->name);
     const std::string aliases = aliases_of(*found);
     std::string text = fmt::format("{}{}\n", found->text, aliases.empty() ? "" : " (also " + aliases + ")");
     const auto line = [&text](std::string_view label, std::string_view what) {
         text += fmt::format("  {:<10} {}\n", label, what);
     };
-    line("formula", about.formula);
+    line("formula", found->formula);
     line("numbers", columns_of(*found));
-    line("range", about.range);
-    line("singular", about.singular);
-    if (found->name == RepresentationId::euler) {
+    line("range", found->range);
+    line("singular", found->singular);
+    if (found->takes_sequence) {
         line("sequences", "three letters, neighbours different: upper case XYZ turns about the body's own");
         line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic)");
     }
-    line("modifiers", messages::modifiers_of(*found));
+    line("modifiers", messages::words_of(found->modifiers, " "));
     for (const Preset& preset : presets()) {
         line(&preset == presets().data() ? "presets" : "",
-             fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, *found),
-                         messages::about_preset(preset.text)));
+             fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, *found), preset.about));
     }
     return text;
 }
@@ -103,8 +95,8 @@ std::string list_methods() {
 
 std::string help_footer() {
     std::string text = "Representations (rotconv list explains them):\n ";
-    for (const Representation& entry : representations()) {
-        text += fmt::format(" {}", entry.name == RepresentationId::euler ? "euler:SEQ" : entry.text);
+    for (const RepresentationId id : all_representations) {
+        text += fmt::format(" {}", name_of(representation(id)));
     }
     text += "\n\nExamples:\n"
             "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"

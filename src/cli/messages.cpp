@@ -51,17 +51,18 @@ std::string suggestion(std::string_view text, const std::vector<std::string_view
 
 std::vector<std::string_view> legal_names() {
     std::vector<std::string_view> names;
-    for (const Representation& entry : representations()) {
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
         names.push_back(entry.text);
         std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
     }
     return names;
 }
 
-std::vector<std::string_view> legal_modifiers(const Representation& representation) {
+std::vector<std::string_view> list_of(const ModifierSet& modifiers) {
     std::vector<std::string_view> words;
     for (const Modifier modifier : all_modifiers) {
-        if (representation.accepts(modifier)) {
+        if (modifiers.has(modifier)) {
             words.push_back(name_of(modifier));
         }
     }
@@ -102,71 +103,15 @@ std::string quoted_list(const std::vector<std::string>& texts) {
     return list.empty() ? "none" : list;
 }
 
-/// The attitudes at which a set that has any is singular.
-std::string_view singularity_of(RepresentationId name) {
-    return name == RepresentationId::euler || name == RepresentationId::rpy ? "gimbal lock" : "a half-turn";
-}
-
 } // namespace
 
-About about(RepresentationId name) {
-    switch (name) {
-    case RepresentationId::dcm:
-        return {"orthogonal, det 1", "none",
-                "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"};
-    case RepresentationId::two_column:
-        return {"two orthonormal columns", "none", "columns 1 and 2 of R; the third is their cross product"};
-    case RepresentationId::five_d:
-        return {"norm between 0.41 and 2.41", "none",
-                "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"};
-    case RepresentationId::quat:
-        return {"unit; w > 0, or w = 0 and the first nonzero of x, y, z positive", "none",
-                "w = cos(theta/2), (x, y, z) = sin(theta/2) n"};
-    case RepresentationId::axis_angle:
-        return {"unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity", "identity, half-turn",
-                "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"};
-    case RepresentationId::rotvec: return {"norm at most pi", "half-turn", "theta n; R = exp [theta n]"};
-    case RepresentationId::euler:
-        return {"1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)", "gimbal lock: 2nd at its limit",
-                "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"};
-    case RepresentationId::rpy:
-        return {"roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]", "gimbal lock: pitch at its limit",
-                "R = R_z(yaw) R_y(pitch) R_x(roll)"};
-    case RepresentationId::cayley:
-        return {"infinite at a half-turn", "half-turn", "tan(theta/2) n; R = (I + [c])(I - [c])^-1"};
-    case RepresentationId::mrp: return {"norm at most 1", "half-turn (changes to its shadow)", "tan(theta/4) n"};
-    }
-    return {};
-}
-
-std::string_view about_preset(std::string_view preset) {
-    struct Line {
-        std::string_view preset;
-        std::string_view about;
-    };
-    static constexpr std::array<Line, 10> lines{{
-        {"scipy", "scipy.spatial.transform.Rotation"},
-        {"ros", "ROS geometry_msgs/Quaternion"},
-        {"tum", "TUM RGB-D trajectory files"},
-        {"matlab", "Aerospace Toolbox"},
-        {"basilisk", "Basilisk; Schaub and Junkins, [BN]"},
-        {"spice", "SPICE C-matrices, reference to body"},
-        {"bunge", "materials science, P = +1; R takes crystal to sample"},
-        {"baruh", "Baruh, Analytical Dynamics, 1999"},
-        {"trawny", "Trawny and Roumeliotis 2005, the JPL quaternion"},
-        {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
-    }};
-    const auto* found = std::ranges::find(lines, preset, &Line::preset);
-    return found == lines.end() ? std::string_view{} : found->about;
-}
-
-std::string modifiers_of(const Representation& representation) {
-    return fmt::format("{}", fmt::join(legal_modifiers(representation), " "));
+std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
+    return fmt::format("{}", fmt::join(list_of(modifiers), separator));
 }
 
 std::string spec_text(const Spec& spec) {
     std::string text(representation(spec.name).text);
-    if (spec.name == RepresentationId::euler) {
+    if (representation(spec.name).takes_sequence) {
         const auto letters = spec.sequence.letters();
         text += ':';
         text.append(letters.data(), letters.size());
@@ -244,13 +189,13 @@ std::string explain(const SpecError& error) {
         return no_such_word("Euler sequence", error.text, {list.begin(), list.end()});
     }
     case What::unknown_modifier: {
-        auto legal = legal_modifiers(*error.in);
+        auto legal = list_of(error.in->modifiers);
         std::ranges::copy(legal_presets(), std::back_inserter(legal));
         return no_such_word(fmt::format("modifier of {}", error.in->text), error.text, legal);
     }
     case What::meaningless_modifier:
         return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
-                           error.in->text, modifiers_of(*error.in), fmt::join(legal_presets(), " "));
+                           error.in->text, words_of(error.in->modifiers, " "), fmt::join(legal_presets(), " "));
     case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
     }
     return {};
@@ -279,8 +224,8 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
     case Error::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
     case Error::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
     case Error::singular:
-        return fmt::format("{} has no rates at {}: {}", representation(subject.set).text, singularity_of(subject.set),
-                           text);
+        return fmt::format("{} has no rates at {}: {}", representation(subject.set).text,
+                           representation(subject.set).singular_attitude, text);
     case Error::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
     case Error::full_turn:
         return fmt::format("{} has no rates at a full turn: {}", representation(subject.set).text, text);

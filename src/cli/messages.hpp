@@ -15,19 +15,8 @@
 /// Every message of the program is worded here, and nowhere else.
 namespace rotconv::cli::messages {
 
-/// What people want to know of a representation beside its line in the table.
-struct About {
-    std::string_view range;
-    std::string_view singular;
-    std::string_view formula;
-};
-[[nodiscard]] About about(RepresentationId name);
-
-/// A preset's origin in a few words.
-[[nodiscard]] std::string_view about_preset(std::string_view preset);
-
-/// The modifiers that have a meaning for a representation, parted by blanks.
-[[nodiscard]] std::string modifiers_of(const Representation& representation);
+/// The words of modifiers, in the order of the table.
+[[nodiscard]] std::string words_of(const ModifierSet& modifiers, std::string_view separator);
 
 /// The SPEC of a set without modifiers, such as "euler:ZYX".
 [[nodiscard]] std::string spec_text(const Spec& spec);

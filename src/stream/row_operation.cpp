@@ -173,7 +173,7 @@ RowOperation conversion_operation(const Conversion& conversion) {
 
 RowOperation rates_operation(const Spec& spec, const RateSettings& settings) {
     const Rates rates(spec, settings);
-    const bool has_lock = spec.name == RepresentationId::euler || spec.name == RepresentationId::rpy;
+    const bool has_lock = representation(spec.name).has_gimbal_lock;
     const std::vector<std::string> velocity{"wx", "wy", "wz"};
     auto input_names = column_names(spec);
     std::ranges::copy(settings.inverse ? rate_names(spec) : velocity, std::back_inserter(input_names));

@@ -41,8 +41,7 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
 
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
     const auto& spec = options.function.attitude;
-    if (options.precision > 0 && spec &&
-        (spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy)) {
+    if (options.precision > 0 && spec && representation(spec->name).has_gimbal_lock) {
         const bool degrees = spec->unit == AngleUnit::degrees;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
         half_a_digit_ = 0.5 * std::pow(10.0, (degrees ? 3 : 1) - options.precision);

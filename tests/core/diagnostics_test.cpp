@@ -229,7 +229,8 @@ TEST_CASE("numbers without an attitude are errors") {
     CHECK(report_of("6d", "quat", {0, 0, 0, 0, 1, 0}, any).error == Error::rank_deficient);
     CHECK(report_of("6d", "quat", {1, 0, 0, 1, 1e-9, 0}, any).error == Error::none);
     CHECK(report_of("5d", "quat", {0, 0, 0, 0, 0}, any).error == Error::rank_deficient);
-    for (const auto& entry : rotconv::representations()) {
+    for (const auto id : rotconv::all_representations) {
+        const auto& entry = rotconv::representation(id);
         const std::string name = entry.name == rotconv::RepresentationId::euler ? "euler:ZYX" : std::string(entry.text);
         for (std::size_t i = 0; i < entry.size; ++i) {
             for (const double bad : {infinity, -infinity, std::nan("")}) {

@@ -667,7 +667,8 @@ TEST_CASE("what can be integrated with what") {
     for (const IntegratorEntry& entry : integrators()) {
         CHECK(find_integrator(entry.text) == entry.integrator);
         CHECK(&entry_of(entry.integrator) == &entry);
-        for (const Representation& representation : representations()) {
+        for (const RepresentationId id : all_representations) {
+            const Representation& representation = rotconv::representation(id);
             const bool expected = entry.exponential ? representation.name == RepresentationId::quat
                                                     : representation.name != RepresentationId::axis_angle;
             CHECK(can_integrate(representation.name, entry.integrator) == expected);

@@ -37,7 +37,8 @@ TEST_CASE("outputs stay in their ranges with and without modifiers") {
         const bool degrees = modifier.find("deg") != std::string::npos;
         const double half_turn = degrees ? 180.0 : pi;
         const double rounding = 4e-16 * half_turn;
-        for (const auto& entry : rotconv::representations()) {
+        for (const auto id : rotconv::all_representations) {
+            const auto& entry = rotconv::representation(id);
             if (degrees && !entry.has_angles()) {
                 continue;
             }

@@ -78,7 +78,8 @@ TEST_CASE("a text that is no SPEC says why") {
 
 // Would catch: a preset that a representation refuses.
 TEST_CASE("every preset is legal on every representation") {
-    for (const auto& entry : rotconv::representations()) {
+    for (const auto id : rotconv::all_representations) {
+        const auto& entry = rotconv::representation(id);
         for (const auto& preset : rotconv::presets()) {
             const std::string name =
                 entry.name == rotconv::RepresentationId::euler ? "euler:zxz" : std::string(entry.text);

@@ -11,7 +11,6 @@
 
 #include "../enum_table.hpp"
 #include "../representations/codec.hpp"
-#include "../representations/rate_codec.hpp"
 
 namespace rotconv {
 namespace {
@@ -46,16 +45,6 @@ Vector3d magnus6(double h, std::span<const Vector3d> w) noexcept {
     return a1 + a3 / 12.0 + commutator(-20.0 * a1 - a3 + c1, a2 + c2) / 240.0;
 }
 
-/// 2 pi and what that double lacks.
-constexpr double turn_high = 2.0 * pi;
-constexpr double turn_low = 2.4492935982947064e-16;
-
-/// An angle less its whole turns.
-double without_turns(double angle) noexcept {
-    const double turns = std::round(angle / turn_high);
-    return (angle - turns * turn_high) - turns * turn_low;
-}
-
 /// The greatest rate in a step: at its nodes, or at its ends as the rates at the outer nodes and the one between them
 /// (on a line, or a parabola) go on.
 double greatest_rate(Integrator integrator, std::span<const Vector3d> w) noexcept {
@@ -73,19 +62,6 @@ double greatest_rate(Integrator integrator, std::span<const Vector3d> w) noexcep
         look(middle + slope);
     }
     return std::sqrt(square);
-}
-
-/// From where in the set no singularity is further away: a step that turns by more has no start that serves. Of rotvec
-/// and mrp, which are singular at a full turn, from where they change their chart.
-double greatest_distance(const Spec& set) noexcept {
-    switch (set.name) {
-    case RepresentationId::euler:
-    case RepresentationId::rpy: return 0.5 * pi;
-    case RepresentationId::cayley:
-    case RepresentationId::rotvec:
-    case RepresentationId::mrp: return pi;
-    default: return std::numeric_limits<double>::infinity();
-    }
 }
 
 } // namespace
@@ -129,7 +105,7 @@ Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
         return error_;
     }
     const double reach = std::fabs(h) * greatest_rate(integrator_, rates);
-    if (!(reach <= pi && reach < greatest_distance(set_))) {
+    if (!(reach <= pi && reach < codec_of(set_.name).greatest_distance)) {
         return error_ = Error::coarse_step;
     }
     const double distance = distance_to_singularity();
@@ -142,7 +118,9 @@ Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     case Integrator::magnus4: turn_by(magnus4(h, rates)); break;
     case Integrator::magnus6: turn_by(magnus6(h, rates)); break;
     }
-    change_chart();
+    if (auto* const switch_chart = codec_of(set_.name).switch_chart; switch_chart != nullptr) {
+        switch_chart(numbers_.data());
+    }
     if (!numbers_.allFinite()) {
         return error_ = Error::not_finite;
     }
@@ -164,7 +142,7 @@ void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
 
 template <int Size> void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
     using State = Eigen::Matrix<double, Size, 1>;
-    const auto equation = rate_codec_of(set_.name).rate;
+    const auto equation = codec_of(set_.name).rate;
     const Frame frame = set_.passive ? Frame::reference : Frame::body;
     const double sign = set_.passive ? -1.0 : 1.0;
     const auto rate = [&](const State& state, const Vector3d& w) {
@@ -190,37 +168,7 @@ void Stepper::turn_by(const Vector3d& turn) noexcept {
     numbers_.segment<3>(1) = kept_w * v + w * kept + kept.cross(v);
 }
 
-double Stepper::distance_to_singularity() const noexcept {
-    switch (set_.name) {
-    case RepresentationId::euler:
-    case RepresentationId::rpy:
-        return set_.sequence.proper() ? std::min(numbers_[1], pi - numbers_[1]) : 0.5 * pi - std::fabs(numbers_[1]);
-    case RepresentationId::cayley: return 2.0 * std::atan2(1.0, numbers_.head<3>().norm());
-    default: return greatest_distance(set_);
-    }
-}
-
-void Stepper::change_chart() noexcept {
-    auto vector = numbers_.head<3>();
-    switch (set_.name) {
-    case RepresentationId::euler:
-    case RepresentationId::rpy:
-        numbers_[0] = without_turns(numbers_[0]);
-        numbers_[2] = without_turns(numbers_[2]);
-        break;
-    case RepresentationId::rotvec:
-        if (const double length = vector.norm(); length > pi) {
-            vector *= without_turns(length) / length;
-        }
-        break;
-    case RepresentationId::mrp:
-        if (const double square = vector.squaredNorm(); square > 1.0) {
-            vector /= -square;
-        }
-        break;
-    default: break;
-    }
-}
+double Stepper::distance_to_singularity() const noexcept { return codec_of(set_.name).distance(set_, numbers_.data()); }
 
 Error Stepper::renormalise() noexcept {
     const Codec& codec = codec_of(set_.name);

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "../representations/codec.hpp"
-#include "../representations/rate_codec.hpp"
 
 namespace rotconv {
 namespace {
@@ -24,7 +23,13 @@ bool at_full_turn(const Spec& spec, const Sensitivity& sensitivity) noexcept {
     return spec.name == RepresentationId::rotvec && sensitivity.condition > 2.0;
 }
 
+/// The axes of the inverse rotation's angular velocity where those of the rotation's are `frame`; its components are
+/// the negative ones.
+constexpr Frame inverse_of(Frame frame) noexcept { return frame == Frame::body ? Frame::reference : Frame::body; }
+
 } // namespace
+
+bool has_rates(RepresentationId name) noexcept { return codec_of(name).rate != nullptr; }
 
 Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), settings_(settings) {
     if (!has_rates(spec.name)) {
@@ -70,10 +75,9 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
     if (codec.exact_defect != nullptr && settings_.tolerance < reading.defect) {
         report.defect = codec.exact_defect(numbers.data());
     }
-    const RateCodec& equation = rate_codec_of(spec_.name);
-    report.sensitivity = equation.sensitivity == nullptr
+    report.sensitivity = codec.sensitivity_of_numbers == nullptr
                              ? codec.sensitivity(spec_, reading.rotation)
-                             : equation.sensitivity(spec_, numbers.data(), reading.rotation);
+                             : codec.sensitivity_of_numbers(spec_, numbers.data(), reading.rotation);
     if (report.defect > settings_.tolerance) {
         report.error = Error::defect;
     } else if (report.sensitivity.margin <= singular_margin) {
@@ -88,14 +92,14 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
 
     const double radians = settings_.degrees ? radians_per_degree : 1.0;
     if (settings_.inverse) {
-        const Vector3d w = equation.angular_velocity(spec_, numbers.data(), rates.data(), frame);
+        const Vector3d w = codec.angular_velocity(spec_, numbers.data(), rates.data(), frame);
         for (Eigen::Index i = 0; i < 3; ++i) {
             out[i] = sign * w[i] / radians + 0.0; // -0 becomes 0
         }
         return report;
     }
     const Vector3d w = (sign * radians) * Vector3d(in[size], in[size + 1], in[size + 2]);
-    equation.rate(spec_, numbers.data(), w, frame, rates.data());
+    codec.rate(spec_, numbers.data(), w, frame, rates.data());
     for (std::size_t i = 0; i < size; ++i) {
         out[i] = rates[order[i]] + 0.0;
     }

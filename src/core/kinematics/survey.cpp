@@ -94,15 +94,15 @@ bool has_jump(const Spec& set, Arc arc, Numbers from, Numbers to, double conditi
 } // namespace
 
 Survey::Survey() {
-    for (const Representation& entry : representations()) {
-        if (entry.name == RepresentationId::euler) {
+    for (const RepresentationId name : all_representations) {
+        if (representation(name).takes_sequence) {
             for (const EulerSequence sequence : EulerSequence::all()) {
                 if (sequence.intrinsic()) {
-                    sets_.push_back({.set = {.name = RepresentationId::euler, .sequence = sequence}});
+                    sets_.push_back({.set = {.name = name, .sequence = sequence}});
                 }
             }
-        } else if (entry.name != RepresentationId::rpy) { // one of the extrinsic sequences
-            sets_.push_back({.set = {.name = entry.name}});
+        } else if (!representation(name).has_gimbal_lock) { // else one of the sequences
+            sets_.push_back({.set = {.name = name}});
         }
     }
     states_.resize(sets_.size());

@@ -6,6 +6,9 @@
 
 namespace rotconv {
 
+/// A matrix as nine numbers, row by row.
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
 /// A squared distance up to which one power step serves, and a bound on the defect there.
 inline constexpr double clean_square = 0x1p-58;
 inline constexpr double clean_defect = 0x1p-27;

@@ -3,8 +3,6 @@
 #include <array>
 #include <cstddef>
 
-#include <rotconv/reading.hpp>
-
 /// For a function that loops over columns of numbers: it is compiled twice, for every x86-64 processor and for those
 /// with AVX2, and the program's start chooses. Nothing is contracted, so that both give the same bytes.
 #ifndef ROTCONV_TARGET_CLONES
@@ -35,43 +33,5 @@ template <std::size_t N>
     }
     return columns;
 }
-
-/// The attitudes of a batch_rows; not set at first.
-struct Rotations {
-    BatchColumn w, x, y, z;
-
-    [[nodiscard]] Rotation at(std::size_t row) const noexcept {
-        return Rotation::near_unit(w[row], x[row], y[row], z[row]);
-    }
-
-    void set(std::size_t row, const Rotation& rotation) noexcept {
-        w[row] = rotation.w();
-        x[row] = rotation.x();
-        y[row] = rotation.y();
-        z[row] = rotation.z();
-    }
-};
-
-/// A batch of one row.
-struct OneRotation : Rotations {
-    // NOLINTNEXTLINE(*-member-init): the other rows
-    explicit OneRotation(const Rotation& rotation) noexcept { set(0, rotation); }
-};
-
-/// A batch of what numbers describe; see Reading.
-struct Readings : Rotations {
-    BatchColumn defect;
-    std::array<Error, batch_rows> error;
-
-    void set(std::size_t row, const Reading& reading) noexcept {
-        Rotations::set(row, reading.rotation);
-        defect[row] = reading.defect;
-        error[row] = reading.error;
-    }
-
-    [[nodiscard]] Reading reading(std::size_t row) const noexcept {
-        return {.rotation = at(row), .defect = defect[row], .error = error[row]};
-    }
-};
 
 } // namespace rotconv

@@ -97,6 +97,13 @@ Direction direction_of(double angle, AngleUnit unit) noexcept {
     return {whole.cosine, whole.sine};
 }
 
+double without_turns(double angle) noexcept {
+    constexpr double turn_high = 2.0 * std::numbers::pi;
+    constexpr double turn_low = 2.4492935982947064e-16; // what that double lacks of 2 pi
+    const double turns = std::round(angle / turn_high);
+    return (angle - turns * turn_high) - turns * turn_low;
+}
+
 double units_per_radian(AngleUnit unit) noexcept { return unit == AngleUnit::degrees ? degrees_per_radian : 1.0; }
 
 } // namespace rotconv

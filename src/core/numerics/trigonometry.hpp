@@ -30,6 +30,9 @@ struct Direction {
 /// Of a finite angle of any size. In degrees it is reduced exactly, and multiples of 90 give 0, 1 and -1.
 [[nodiscard]] Direction direction_of(double angle, AngleUnit unit) noexcept;
 
+/// An angle in radians less its whole turns.
+[[nodiscard]] double without_turns(double angle) noexcept;
+
 /// 1 radian in the unit.
 [[nodiscard]] double units_per_radian(AngleUnit unit) noexcept;
 

@@ -10,35 +10,16 @@
 #include "../numerics/scaling.hpp"
 #include "../numerics/trigonometry.hpp"
 #include "axis_half_angle.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 #include "half_turn.hpp"
 
 namespace rotconv::axis_angle {
 
-Reading to_rotation(const AxisAngle& value) noexcept {
-    if (!all_finite(value.axis.x(), value.axis.y(), value.axis.z(), value.angle)) {
-        return Reading::failed(Error::not_finite);
-    }
-    const HalfAngle half = half_of(value.angle, value.unit);
-    const double size = value.axis.cwiseAbs().maxCoeff();
-    if (size == 0.0) {
-        const bool no_turn = value.unit == AngleUnit::degrees ? half.sine == 0.0 : value.angle == 0.0;
-        return no_turn ? Reading{} : Reading::failed(Error::zero_axis);
-    }
-    const Eigen::Vector3d axis = value.axis.unaryExpr(PowerOfTwo::to_unit(size));
-    const Eigen::Vector3d v = axis * half.sine;
-    return {.rotation = Rotation::from_components(axis.norm() * half.cosine, v.x(), v.y(), v.z())};
-}
+namespace {
 
-AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
-    std::array<double, 4> numbers{};
-    DiagnosticSet diagnostics;
-    write(OneRotation(rotation), 1, unit, numbers.data(), &diagnostics);
-    return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
-}
-
-ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers,
-                                 DiagnosticSet* diagnostics) noexcept {
+ROTCONV_TARGET_CLONES void write(const Spec& spec, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
+                                 double* numbers, DiagnosticSet* diagnostics) noexcept {
+    const AngleUnit unit = spec.unit;
     AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
     take_apart(rotations, rows, parts);
     Angles angles; // NOLINT(*-member-init)
@@ -64,6 +45,30 @@ ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, A
     }
 }
 
+} // namespace
+
+Reading to_rotation(const AxisAngle& value) noexcept {
+    if (!all_finite(value.axis.x(), value.axis.y(), value.axis.z(), value.angle)) {
+        return Reading::failed(Error::not_finite);
+    }
+    const HalfAngle half = half_of(value.angle, value.unit);
+    const double size = value.axis.cwiseAbs().maxCoeff();
+    if (size == 0.0) {
+        const bool no_turn = value.unit == AngleUnit::degrees ? half.sine == 0.0 : value.angle == 0.0;
+        return no_turn ? Reading{} : Reading::failed(Error::zero_axis);
+    }
+    const Eigen::Vector3d axis = value.axis.unaryExpr(PowerOfTwo::to_unit(size));
+    const Eigen::Vector3d v = axis * half.sine;
+    return {.rotation = Rotation::from_components(axis.norm() * half.cosine, v.x(), v.y(), v.z())};
+}
+
+AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
+    std::array<double, 4> numbers{};
+    DiagnosticSet diagnostics;
+    write({.unit = unit}, 0.0, OneRotation(rotation), 1, numbers.data(), &diagnostics);
+    return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
+}
+
 Sensitivity sensitivity(const Rotation& rotation) noexcept {
     const double sine = rotation.vector_length() / std::sqrt(rotation.squared_norm());
     return {.margin = std::min(angle_of(rotation), angle_to_half_turn(rotation)),
@@ -71,3 +76,31 @@ Sensitivity sensitivity(const Rotation& rotation) noexcept {
 }
 
 } // namespace rotconv::axis_angle
+
+namespace rotconv {
+namespace {
+
+Reading read(const Spec& spec, const double* v) noexcept {
+    return axis_angle::to_rotation({{v[0], v[1], v[2]}, v[3], spec.unit});
+}
+
+} // namespace
+
+// Without a kinematic equation: the axis has no rate at the identity.
+constinit const Codec codecs::axis_angle{
+    .representation = {.name = RepresentationId::axis_angle,
+                       .text = "axis-angle",
+                       .aliases = {"axang"},
+                       .size = 4,
+                       .columns = {"ax", "ay", "az", "angle"},
+                       .modifiers = {Modifier::passive, Modifier::deg},
+                       .presets = presets_of_vectors,
+                       .range = "unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity",
+                       .singular = "identity, half-turn",
+                       .singular_attitude = "a half-turn",
+                       .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"},
+    .read = read_each<4, read>,
+    .write = axis_angle::write,
+    .sensitivity = sensitivity_plain<axis_angle::sensitivity>};
+
+} // namespace rotconv

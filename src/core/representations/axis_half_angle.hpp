@@ -4,7 +4,7 @@
 
 #include "../numerics/angles.hpp"
 #include "../numerics/double_double.hpp"
-#include "../numerics/row_batch.hpp"
+#include "rotation_batch.hpp"
 
 namespace rotconv {
 

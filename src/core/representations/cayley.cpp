@@ -2,11 +2,12 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "../numerics/finite.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 #include "half_turn.hpp"
 
 namespace rotconv::cayley {
@@ -16,17 +17,8 @@ double infinite_along(double component) noexcept {
     return component == 0.0 ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), component);
 }
 
-} // namespace
-
-Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
-    Eigen::Vector3d c;
-    DiagnosticSet diagnostics;
-    write(OneRotation(rotation), 1, c.data(), &diagnostics);
-    return c;
-}
-
-ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, double* numbers,
-                                 DiagnosticSet* diagnostics) noexcept {
+ROTCONV_TARGET_CLONES void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations,
+                                 std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         numbers[3 * i] = rotations.x[i] / rotations.w[i];
         numbers[3 * i + 1] = rotations.y[i] / rotations.w[i];
@@ -45,6 +37,15 @@ ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, d
     }
 }
 
+} // namespace
+
+Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
+    Eigen::Vector3d c;
+    DiagnosticSet diagnostics;
+    write(plain_spec, 0.0, OneRotation(rotation), 1, c.data(), &diagnostics);
+    return c;
+}
+
 Sensitivity sensitivity(const Rotation& rotation) noexcept {
     const double length = rotation.vector_length() / rotation.w();
     return {.margin = angle_to_half_turn(rotation), .condition = 0.5 * (1.0 + length * length)};
@@ -61,3 +62,38 @@ Eigen::Vector3d angular_velocity(const Eigen::Vector3d& c, const Eigen::Vector3d
 }
 
 } // namespace rotconv::cayley
+
+namespace rotconv {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr PresetMeaning own_presets[]{
+    {"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}, {"stuelpnagel", {Modifier::passive}}};
+
+double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
+    return 2.0 * std::atan2(1.0, Eigen::Map<const Vector3d>(c).norm());
+}
+
+} // namespace
+
+constinit const Codec codecs::cayley{.representation = {.name = RepresentationId::cayley,
+                                                        .text = "cayley",
+                                                        .aliases = {"gibbs", "rodrigues"},
+                                                        .size = 3,
+                                                        .columns = {"cx", "cy", "cz"},
+                                                        .modifiers = {Modifier::passive},
+                                                        .presets = own_presets,
+                                                        .range = "infinite at a half-turn",
+                                                        .singular = "half-turn",
+                                                        .singular_attitude = "a half-turn",
+                                                        .formula = "tan(theta/2) n; R = (I + [c])(I - [c])^-1"},
+                                     .read = read_each<3, read_plain<Vector3d, cayley::to_rotation>>,
+                                     .write = cayley::write,
+                                     .sensitivity = sensitivity_plain<cayley::sensitivity>,
+                                     .rate = rate_plain<Vector3d, cayley::rate>,
+                                     .angular_velocity = angular_velocity_plain<Vector3d, cayley::angular_velocity>,
+                                     .greatest_distance = std::numbers::pi,
+                                     .distance_to_singularity = distance_to_half_turn};
+
+} // namespace rotconv

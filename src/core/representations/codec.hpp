@@ -1,24 +1,49 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
+#include <Eigen/Core>
+
+#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
-#include "../numerics/row_batch.hpp"
+#include "rotation_batch.hpp"
 
 namespace rotconv {
 
-/// How batches of rows are read and written, at most `batch_rows` of them, numbers in the representation's own order
-/// and the attitude not yet inverted: what is left of the conventions is the sequence and the unit.
+/// All that is known of a representation. Functions take numbers in the representation's own order and the attitude not
+/// yet inverted: of a Spec's conventions the sequence and the unit are left to them.
 struct Codec {
+    Representation representation;
+
+    /// Reads a batch of rows, at most `batch_rows` of them.
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept;
     /// The defect in full, where `read` returns a bound only; null elsewhere.
-    double (*exact_defect)(const double* numbers) noexcept;
-    /// Also diagnostics what there is to note of each row.
+    double (*exact_defect)(const double* numbers) noexcept = nullptr;
+    /// Writes a batch of rows and finds what there is to remark on each.
     void (*write)(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows, double* numbers,
                   DiagnosticSet* diagnostics) noexcept;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept;
+
+    /// The kinematic equation, both ways; null where there is none.
+    void (*rate)(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame,
+                 double* rates) noexcept = nullptr;
+    Eigen::Vector3d (*angular_velocity)(const Spec& spec, const double* numbers, const double* rates,
+                                        Frame frame) noexcept = nullptr;
+    /// The sensitivity of numbers that are past the range of output, and of the rotation that they were read as; null
+    /// where that of the rotation serves.
+    Sensitivity (*sensitivity_of_numbers)(const Spec& spec, const double* numbers,
+                                          const Rotation& rotation) noexcept = nullptr;
+
+    /// No attitude is further (radians) from a singular one; infinite where there is none. Of sets that are singular at
+    /// a full turn, from where they change their chart.
+    double greatest_distance = std::numeric_limits<double>::infinity();
+    /// From the attitude of the numbers; null: always the greatest distance.
+    double (*distance_to_singularity)(const Spec& spec, const double* numbers) noexcept = nullptr;
+    /// Other numbers of the same attitude, where these are about to leave the range of output; null where they cannot.
+    void (*switch_chart)(double* numbers) noexcept = nullptr;
 
     /// One row.
     [[nodiscard]] Reading read_row(const Spec& spec, const double* numbers) const noexcept {
@@ -32,8 +57,72 @@ struct Codec {
         DiagnosticSet diagnostics;
         write(spec, 0.0, OneRotation(rotation), 1, numbers, &diagnostics);
     }
+
+    [[nodiscard]] double distance(const Spec& spec, const double* numbers) const noexcept {
+        return distance_to_singularity == nullptr ? greatest_distance : distance_to_singularity(spec, numbers);
+    }
 };
 
+#define ROTCONV_LINE(id) extern const Codec id;
+/// One for each line of the table of representations, defined at the end of its source.
+namespace codecs {
+ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
+} // namespace codecs
+#undef ROTCONV_LINE
+
 [[nodiscard]] const Codec& codec_of(RepresentationId name) noexcept;
+
+/// Where neither sequence nor unit counts.
+inline constexpr Spec plain_spec{};
+
+// Codec functions of what is written for one row, and of numbers that are one Eigen matrix of fixed size and know
+// neither unit nor sequence.
+
+template <std::size_t size, auto read_one>
+void read_each(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        readings.set(i, read_one(spec, numbers + size * i));
+    }
+}
+
+template <class Numbers, auto to_rotation> Reading read_plain(const Spec& /*spec*/, const double* numbers) noexcept {
+    return to_rotation(Eigen::Map<const Numbers>(numbers));
+}
+
+template <class Numbers, auto from_rotation> void write_plain(const Spec& /*spec*/, double /*lock_margin*/,
+                                                              const Rotations& rotations, std::size_t rows,
+                                                              double* numbers, DiagnosticSet* diagnostics) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        Eigen::Map<Numbers>{numbers + Numbers::SizeAtCompileTime* i} = from_rotation(rotations.at(i));
+        diagnostics[i] = {};
+    }
+}
+
+template <class Numbers, auto defect> double defect_plain(const double* numbers) noexcept {
+    return defect(Eigen::Map<const Numbers>(numbers));
+}
+
+template <auto sensitivity> Sensitivity sensitivity_plain(const Spec& /*spec*/, const Rotation& rotation) noexcept {
+    return sensitivity(rotation);
+}
+
+template <class Numbers, auto rate> void rate_plain(const Spec& /*spec*/, const double* numbers,
+                                                    const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
+    Eigen::Map<Numbers>{rates} = rate(Eigen::Map<const Numbers>(numbers), w, frame);
+}
+
+template <class Numbers, auto angular_velocity> Eigen::Vector3d
+angular_velocity_plain(const Spec& /*spec*/, const double* numbers, const double* rates, Frame frame) noexcept {
+    return angular_velocity(Eigen::Map<const Numbers>(numbers), Eigen::Map<const Numbers>(rates), frame);
+}
+
+// What presets mean for matrices and for vectors along the axis.
+
+inline constexpr PresetMeaning presets_of_matrices[]{
+    {"matlab", {Modifier::passive}},     {"basilisk", {Modifier::passive}}, {"spice", {Modifier::passive}},
+    {"bunge", {Modifier::passive}},      {"baruh", {Modifier::passive}},    {"trawny", {Modifier::passive}},
+    {"stuelpnagel", {Modifier::passive}}};
+
+inline constexpr PresetMeaning presets_of_vectors[]{{"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}};
 
 } // namespace rotconv

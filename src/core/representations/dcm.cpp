@@ -15,7 +15,7 @@
 #include "../numerics/double_double.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/scaling.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 
 namespace rotconv::dcm {
 namespace {
@@ -25,9 +25,6 @@ constexpr double near_rotation = 0.05;
 
 /// M'M - I.
 Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
-
-/// A matrix as nine numbers, row by row.
-using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
 /// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
@@ -167,20 +164,8 @@ Reading read_unclean(const double* numbers, double square) noexcept {
             .defect = bound <= reported_defect ? bound : defect(matrix)};
 }
 
-} // namespace
-
-Reading to_rotation(const Dcm& matrix) noexcept {
-    std::array<double, 9> numbers; // NOLINT(*-member-init)
-    Eigen::Map<RowMajor>{numbers.data()} = matrix;
-    const PowerStep step(numbers);
-    if (step.square <= clean_square) [[likely]] {
-        return {.rotation = Rotation::near_unit(step.q.w, step.q.x, step.q.y, step.q.z), .defect = clean_defect};
-    }
-    return read_unclean(numbers.data(), step.square);
-}
-
 ROTCONV_TARGET_CLONES
-void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
+void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
     const auto m = to_columns<9>(numbers, rows);
     BatchColumn square; // NOLINT(*-member-init): written before it is read
     for (std::size_t i = 0; i < rows; ++i) {
@@ -198,6 +183,18 @@ void read(const double* numbers, std::size_t rows, Readings& readings) noexcept 
             readings.set(i, read_unclean(numbers + 9 * i, square[i]));
         }
     }
+}
+
+} // namespace
+
+Reading to_rotation(const Dcm& matrix) noexcept {
+    std::array<double, 9> numbers; // NOLINT(*-member-init)
+    Eigen::Map<RowMajor>{numbers.data()} = matrix;
+    const PowerStep step(numbers);
+    if (step.square <= clean_square) [[likely]] {
+        return {.rotation = Rotation::near_unit(step.q.w, step.q.x, step.q.y, step.q.z), .defect = clean_defect};
+    }
+    return read_unclean(numbers.data(), step.square);
 }
 
 double defect(const Dcm& matrix) noexcept {
@@ -256,3 +253,25 @@ Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame fram
 }
 
 } // namespace rotconv::dcm
+
+namespace rotconv {
+
+constinit const Codec codecs::dcm{
+    .representation = {.name = RepresentationId::dcm,
+                       .text = "dcm",
+                       .aliases = {"matrix"},
+                       .size = 9,
+                       .columns = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"},
+                       .modifiers = {Modifier::passive, Modifier::col},
+                       .presets = presets_of_matrices,
+                       .other_order = {0, 3, 6, 1, 4, 7, 2, 5, 8},
+                       .range = "orthogonal, det 1",
+                       .formula = "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"},
+    .read = dcm::read,
+    .exact_defect = defect_plain<RowMajor, dcm::defect>,
+    .write = write_plain<RowMajor, dcm::from_rotation>,
+    .sensitivity = sensitivity_plain<dcm::sensitivity>,
+    .rate = rate_plain<RowMajor, dcm::rate>,
+    .angular_velocity = angular_velocity_plain<RowMajor, dcm::angular_velocity>};
+
+} // namespace rotconv

@@ -11,7 +11,7 @@
 #include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
 #include "../numerics/trigonometry.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 
 namespace rotconv {
 
@@ -153,74 +153,10 @@ struct Turns {
     }
 };
 
-/// The axis of one outer turn, `near`, is fixed in the frame. Then w = near' e_n + R_n (middle' e_m + R_m far' e_f)
-/// with R_n and R_m turns about the axes n and m, inverse in body axes, and e_f = e_k, or e_n for a proper sequence.
-struct RateSystem {
-    RateSystem(const EulerAngles& value, Frame frame) noexcept
-        : near(value.sequence.intrinsic() == (frame == Frame::body) ? 2 : 0), far(2 - near),
-          n(value.sequence.axis(near)), m(value.sequence.axis(1)), k(3 - n - m) {
-        const double order = (m - n + 3) % 3 == 1 ? 1.0 : -1.0; // e_n x e_m = order e_k
-        const double sense = frame == Frame::body ? -order : order;
-        const Direction outer = direction_of(value.angles[near], value.unit);
-        const Direction middle = direction_of(value.angles[1], value.unit);
-        cosine = outer.cosine;
-        sine = sense * outer.sine;
-        far_along = value.sequence.proper() ? middle.cosine : sense * middle.sine;
-        far_across = value.sequence.proper() ? -sense * middle.sine : middle.cosine;
-    }
-
-    std::size_t near, far;        // places of the outer turns
-    int n, m, k;                  // axes
-    double cosine, sine;          // of R_n in the plane from m to k
-    double far_along, far_across; // components of R_m e_f along n and k
-};
-
-} // namespace
-
-Reading to_rotation(const EulerAngles& value) noexcept {
-    const auto& angles = value.angles;
-    if (!all_finite(angles[0], angles[1], angles[2])) {
-        return Reading::failed(Error::not_finite);
-    }
-    const EulerSequence sequence = value.sequence;
-    const FixedAxes axes(sequence);
-    const HalfAngle first = half_of(angles[sequence.intrinsic() ? 2 : 0], value.unit);
-    const HalfAngle second = half_of(angles[1], value.unit);
-    const HalfAngle third = half_of(angles[sequence.intrinsic() ? 0 : 2], value.unit);
-
-    const double cc = third.cosine * first.cosine;
-    const double ss = third.sine * first.sine;
-    const double sc = third.sine * first.cosine;
-    const double cs = third.cosine * first.sine;
-    double w = 0.0;
-    std::array<double, 3> v{};
-    const auto i = static_cast<std::size_t>(axes.i);
-    const auto j = static_cast<std::size_t>(axes.j);
-    const auto k = static_cast<std::size_t>(axes.k);
-    if (sequence.proper()) {
-        w = second.cosine * (cc - ss);
-        v[i] = second.cosine * (sc + cs);
-        v[j] = second.sine * (cc + ss);
-        v[k] = axes.sign * (second.sine * (sc - cs));
-    } else {
-        w = second.cosine * cc + axes.sign * (second.sine * ss);
-        v[i] = second.cosine * cs - axes.sign * (second.sine * sc);
-        v[j] = second.sine * cc + axes.sign * (second.cosine * ss);
-        v[k] = second.cosine * sc - axes.sign * (second.sine * cs);
-    }
-    return {.rotation = Rotation::from_components(w, v[0], v[1], v[2])};
-}
-
-EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
-                          double lock_margin) noexcept {
-    EulerAngles result{.sequence = sequence, .unit = unit};
-    DiagnosticSet diagnostics;
-    write(OneRotation(rotation), 1, sequence, unit, lock_margin, result.angles.data(), &diagnostics);
-    return result;
-}
-
-ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, EulerSequence sequence, AngleUnit unit,
-                                 double lock_margin, double* numbers, DiagnosticSet* diagnostics) noexcept {
+ROTCONV_TARGET_CLONES void write(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows,
+                                 double* numbers, DiagnosticSet* diagnostics) noexcept {
+    const EulerSequence sequence = spec.sequence;
+    const AngleUnit unit = spec.unit;
     if (rows == 0) {
         return;
     }
@@ -293,6 +229,73 @@ ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, E
     }
 }
 
+/// The axis of one outer turn, `near`, is fixed in the frame. Then w = near' e_n + R_n (middle' e_m + R_m far' e_f)
+/// with R_n and R_m turns about the axes n and m, inverse in body axes, and e_f = e_k, or e_n for a proper sequence.
+struct RateSystem {
+    RateSystem(const EulerAngles& value, Frame frame) noexcept
+        : near(value.sequence.intrinsic() == (frame == Frame::body) ? 2 : 0), far(2 - near),
+          n(value.sequence.axis(near)), m(value.sequence.axis(1)), k(3 - n - m) {
+        const double order = (m - n + 3) % 3 == 1 ? 1.0 : -1.0; // e_n x e_m = order e_k
+        const double sense = frame == Frame::body ? -order : order;
+        const Direction outer = direction_of(value.angles[near], value.unit);
+        const Direction middle = direction_of(value.angles[1], value.unit);
+        cosine = outer.cosine;
+        sine = sense * outer.sine;
+        far_along = value.sequence.proper() ? middle.cosine : sense * middle.sine;
+        far_across = value.sequence.proper() ? -sense * middle.sine : middle.cosine;
+    }
+
+    std::size_t near, far;        // places of the outer turns
+    int n, m, k;                  // axes
+    double cosine, sine;          // of R_n in the plane from m to k
+    double far_along, far_across; // components of R_m e_f along n and k
+};
+
+} // namespace
+
+Reading to_rotation(const EulerAngles& value) noexcept {
+    const auto& angles = value.angles;
+    if (!all_finite(angles[0], angles[1], angles[2])) {
+        return Reading::failed(Error::not_finite);
+    }
+    const EulerSequence sequence = value.sequence;
+    const FixedAxes axes(sequence);
+    const HalfAngle first = half_of(angles[sequence.intrinsic() ? 2 : 0], value.unit);
+    const HalfAngle second = half_of(angles[1], value.unit);
+    const HalfAngle third = half_of(angles[sequence.intrinsic() ? 0 : 2], value.unit);
+
+    const double cc = third.cosine * first.cosine;
+    const double ss = third.sine * first.sine;
+    const double sc = third.sine * first.cosine;
+    const double cs = third.cosine * first.sine;
+    double w = 0.0;
+    std::array<double, 3> v{};
+    const auto i = static_cast<std::size_t>(axes.i);
+    const auto j = static_cast<std::size_t>(axes.j);
+    const auto k = static_cast<std::size_t>(axes.k);
+    if (sequence.proper()) {
+        w = second.cosine * (cc - ss);
+        v[i] = second.cosine * (sc + cs);
+        v[j] = second.sine * (cc + ss);
+        v[k] = axes.sign * (second.sine * (sc - cs));
+    } else {
+        w = second.cosine * cc + axes.sign * (second.sine * ss);
+        v[i] = second.cosine * cs - axes.sign * (second.sine * sc);
+        v[j] = second.sine * cc + axes.sign * (second.cosine * ss);
+        v[k] = second.cosine * sc - axes.sign * (second.sine * cs);
+    }
+    return {.rotation = Rotation::from_components(w, v[0], v[1], v[2])};
+}
+
+EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
+                          double lock_margin) noexcept {
+    EulerAngles result{.sequence = sequence, .unit = unit};
+    DiagnosticSet diagnostics;
+    write({.sequence = sequence, .unit = unit}, lock_margin, OneRotation(rotation), 1, result.angles.data(),
+          &diagnostics);
+    return result;
+}
+
 DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence, double lock_margin) noexcept {
     const Halves h(rotation, FixedAxes(sequence), sequence.proper());
     return diagnostics_of(h, h.locked(tangent_of_half(lock_margin)));
@@ -328,4 +331,68 @@ Eigen::Vector3d angular_velocity(const EulerAngles& value, const std::array<doub
 }
 
 } // namespace euler
+
+namespace {
+
+EulerAngles angles_of(const Spec& spec, const double* v) noexcept {
+    return {{v[0], v[1], v[2]}, spec.sequence, spec.unit};
+}
+
+Reading read(const Spec& spec, const double* v) noexcept { return euler::to_rotation(angles_of(spec, v)); }
+
+double distance_to_lock(const Spec& spec, const double* v) noexcept {
+    using std::numbers::pi;
+    return spec.sequence.proper() ? std::min(v[1], pi - v[1]) : 0.5 * pi - std::fabs(v[1]);
+}
+
+/// The outer angles by whole turns.
+void wrap(double* v) noexcept {
+    v[0] = without_turns(v[0]);
+    v[2] = without_turns(v[2]);
+}
+
+constexpr Codec codec_of_angles(const Representation& representation) noexcept {
+    return {
+        .representation = representation,
+        .read = read_each<3, read>,
+        .write = euler::write,
+        .sensitivity = [](const Spec& spec,
+                          const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
+        .rate = [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame,
+                   double* rates) noexcept { std::ranges::copy(euler::rate(angles_of(spec, v), w, frame), rates); },
+        .angular_velocity =
+            [](const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
+                return euler::angular_velocity(angles_of(spec, v), {rates[0], rates[1], rates[2]}, frame);
+            },
+        .greatest_distance = 0.5 * std::numbers::pi,
+        .distance_to_singularity = distance_to_lock,
+        .switch_chart = wrap};
+}
+
+} // namespace
+
+constinit const Codec codecs::euler = codec_of_angles(
+    {.name = RepresentationId::euler,
+     .text = "euler",
+     .size = 3,
+     .columns = {"e1", "e2", "e3"},
+     .modifiers = {Modifier::passive, Modifier::deg},
+     .takes_sequence = true,
+     .has_gimbal_lock = true,
+     .range = "1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)",
+     .singular = "gimbal lock: 2nd at its limit",
+     .singular_attitude = "gimbal lock",
+     .formula = "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"});
+
+constinit const Codec codecs::rpy = codec_of_angles({.name = RepresentationId::rpy,
+                                                     .text = "rpy",
+                                                     .size = 3,
+                                                     .columns = {"roll", "pitch", "yaw"},
+                                                     .modifiers = {Modifier::passive, Modifier::deg},
+                                                     .has_gimbal_lock = true,
+                                                     .range = "roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]",
+                                                     .singular = "gimbal lock: pitch at its limit",
+                                                     .singular_attitude = "gimbal lock",
+                                                     .formula = "R = R_z(yaw) R_y(pitch) R_x(roll)"});
+
 } // namespace rotconv

@@ -7,7 +7,7 @@
 
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/scaling.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 #include "gram_schmidt.hpp"
 
 namespace rotconv::five_d {
@@ -65,17 +65,17 @@ Reading read_any(const Vector5& y) noexcept {
     return reading;
 }
 
+void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    read_columns(columns_of(numbers, rows), rows, readings,
+                 [numbers](std::size_t i) { return read_any(Eigen::Map<const Vector5>(numbers + 5 * i)); });
+}
+
 } // namespace
 
 Reading to_rotation(const Vector5& y) noexcept {
     Readings one; // NOLINT(*-member-init): written before it is read
-    read(y.data(), 1, one);
+    read(plain_spec, y.data(), 1, one);
     return one.reading(0);
-}
-
-void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    read_columns(columns_of(numbers, rows), rows, readings,
-                 [numbers](std::size_t i) { return read_any(Eigen::Map<const Vector5>(numbers + 5 * i)); });
 }
 
 double defect(const Vector5& y) noexcept { return two_column::defect(Scaled(y).columns()); }
@@ -110,3 +110,24 @@ Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates, Frame f
 }
 
 } // namespace rotconv::five_d
+
+namespace rotconv {
+
+constinit const Codec codecs::five_d{
+    .representation = {.name = RepresentationId::five_d,
+                       .text = "5d",
+                       .aliases = {"hopf"},
+                       .size = 5,
+                       .columns = {"y1", "y2", "y3", "y4", "y5"},
+                       .modifiers = {Modifier::passive},
+                       .presets = presets_of_matrices,
+                       .range = "norm between 0.41 and 2.41",
+                       .formula = "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"},
+    .read = five_d::read,
+    .exact_defect = defect_plain<five_d::Vector5, five_d::defect>,
+    .write = write_plain<five_d::Vector5, five_d::from_rotation>,
+    .sensitivity = sensitivity_plain<five_d::sensitivity>,
+    .rate = rate_plain<five_d::Vector5, five_d::rate>,
+    .angular_velocity = angular_velocity_plain<five_d::Vector5, five_d::angular_velocity>};
+
+} // namespace rotconv

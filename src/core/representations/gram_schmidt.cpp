@@ -24,7 +24,7 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
         return Reading::failed(Error::rank_deficient);
     }
     normal = normal.unaryExpr(PowerOfTwo::to_unit(normal_size)).eval();
-    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> m;
+    RowMajor m;
     m.col(0) = first.normalized();
     m.col(2) = normal.normalized();
     m.col(1) = m.col(2).cross(m.col(0));

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "../numerics/davenport.hpp"
-#include "../numerics/row_batch.hpp"
+#include "rotation_batch.hpp"
 
 namespace rotconv {
 

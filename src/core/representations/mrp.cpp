@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "../numerics/double_double.hpp"
 #include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 #include "half_turn.hpp"
 
 namespace rotconv::mrp {
@@ -18,6 +19,27 @@ namespace {
 Eigen::Vector3d turned(const Eigen::Vector3d& m, const Eigen::Vector3d& v, bool transposed) noexcept {
     const Eigen::Vector3d turn = transposed ? v.cross(m) : m.cross(v);
     return (1.0 - m.squaredNorm()) * v + 2.0 * (turn + m.dot(v) * m);
+}
+
+ROTCONV_TARGET_CLONES void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations,
+                                 std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double sign = rotations.at(i).sign();
+        const Split w = split(rotations.w[i] * sign);
+        const Split x = split(rotations.x[i] * sign);
+        const Split y = split(rotations.y[i] * sign);
+        const Split z = split(rotations.z[i] * sign);
+        const Root norm = root_of((w.high * w.high + x.high * x.high) + (y.high * y.high + z.high * z.high),
+                                  (rest_of_square(w) + rest_of_square(x)) + (rest_of_square(y) + rest_of_square(z)));
+        const DoubleDouble divisor = exact_sum(norm.hi, w.value);
+        const DoubleDouble inverse = quotient(1.0, 0.0, {divisor.hi, divisor.lo + norm.lo, 1.0 / divisor.hi});
+        numbers[3 * i] = product(x, inverse);
+        numbers[3 * i + 1] = product(y, inverse);
+        numbers[3 * i + 2] = product(z, inverse);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        diagnostics[i] = note_half_turn(rotations.at(i));
+    }
 }
 
 } // namespace
@@ -41,29 +63,8 @@ Reading to_rotation(const Eigen::Vector3d& m) noexcept {
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     Eigen::Vector3d m;
     DiagnosticSet diagnostics;
-    write(OneRotation(rotation), 1, m.data(), &diagnostics);
+    write(plain_spec, 0.0, OneRotation(rotation), 1, m.data(), &diagnostics);
     return m;
-}
-
-ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, double* numbers,
-                                 DiagnosticSet* diagnostics) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        const double sign = rotations.at(i).sign();
-        const Split w = split(rotations.w[i] * sign);
-        const Split x = split(rotations.x[i] * sign);
-        const Split y = split(rotations.y[i] * sign);
-        const Split z = split(rotations.z[i] * sign);
-        const Root norm = root_of((w.high * w.high + x.high * x.high) + (y.high * y.high + z.high * z.high),
-                                  (rest_of_square(w) + rest_of_square(x)) + (rest_of_square(y) + rest_of_square(z)));
-        const DoubleDouble divisor = exact_sum(norm.hi, w.value);
-        const DoubleDouble inverse = quotient(1.0, 0.0, {divisor.hi, divisor.lo + norm.lo, 1.0 / divisor.hi});
-        numbers[3 * i] = product(x, inverse);
-        numbers[3 * i + 1] = product(y, inverse);
-        numbers[3 * i + 2] = product(z, inverse);
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        diagnostics[i] = note_half_turn(rotations.at(i));
-    }
 }
 
 Sensitivity sensitivity(const Rotation& rotation) noexcept {
@@ -81,3 +82,38 @@ Eigen::Vector3d angular_velocity(const Eigen::Vector3d& m, const Eigen::Vector3d
 }
 
 } // namespace rotconv::mrp
+
+namespace rotconv {
+namespace {
+
+using Eigen::Vector3d;
+
+/// -m/|m|^2 past |m| = 1.
+void switch_to_shadow(double* numbers) noexcept {
+    Eigen::Map<Vector3d> m(numbers);
+    if (const double square = m.squaredNorm(); square > 1.0) {
+        m /= -square;
+    }
+}
+
+} // namespace
+
+constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::mrp,
+                                                     .text = "mrp",
+                                                     .size = 3,
+                                                     .columns = {"mx", "my", "mz"},
+                                                     .modifiers = {Modifier::passive},
+                                                     .presets = presets_of_vectors,
+                                                     .range = "norm at most 1",
+                                                     .singular = "half-turn (changes to its shadow)",
+                                                     .singular_attitude = "a half-turn",
+                                                     .formula = "tan(theta/4) n"},
+                                  .read = read_each<3, read_plain<Vector3d, mrp::to_rotation>>,
+                                  .write = mrp::write,
+                                  .sensitivity = sensitivity_plain<mrp::sensitivity>,
+                                  .rate = rate_plain<Vector3d, mrp::rate>,
+                                  .angular_velocity = angular_velocity_plain<Vector3d, mrp::angular_velocity>,
+                                  .greatest_distance = std::numbers::pi,
+                                  .switch_chart = switch_to_shadow};
+
+} // namespace rotconv

@@ -7,9 +7,26 @@
 
 #include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 
 namespace rotconv::quaternion {
+
+namespace {
+
+ROTCONV_TARGET_CLONES
+void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
+           DiagnosticSet* diagnostics) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Quaternion q = from_rotation(rotations.at(i));
+        numbers[4 * i] = q.w;
+        numbers[4 * i + 1] = q.x;
+        numbers[4 * i + 2] = q.y;
+        numbers[4 * i + 3] = q.z;
+    }
+    std::fill_n(diagnostics, rows, DiagnosticSet{});
+}
+
+} // namespace
 
 Reading to_rotation_of_any_size(const Quaternion& q) noexcept {
     if (!all_finite(q.w, q.x, q.y, q.z)) {
@@ -19,18 +36,6 @@ Reading to_rotation_of_any_size(const Quaternion& q) noexcept {
         return Reading::failed(Error::zero_quaternion);
     }
     return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z), .defect = defect(q)};
-}
-
-ROTCONV_TARGET_CLONES
-void write(const Rotations& rotations, std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        const Quaternion q = from_rotation(rotations.at(i));
-        numbers[4 * i] = q.w;
-        numbers[4 * i + 1] = q.x;
-        numbers[4 * i + 2] = q.y;
-        numbers[4 * i + 3] = q.z;
-    }
-    std::fill_n(diagnostics, rows, DiagnosticSet{});
 }
 
 double defect(const Quaternion& q) noexcept {
@@ -59,3 +64,47 @@ Eigen::Vector3d angular_velocity(const Quaternion& q, const Quaternion& rates, F
 }
 
 } // namespace rotconv::quaternion
+
+namespace rotconv {
+namespace {
+
+constexpr PresetMeaning own_presets[]{{"scipy", {Modifier::xyzw}},    {"ros", {Modifier::xyzw}},
+                                      {"tum", {Modifier::xyzw}},      {"spice", {Modifier::passive}},
+                                      {"bunge", {Modifier::passive}}, {"baruh", {Modifier::xyzw}},
+                                      {"trawny", {Modifier::xyzw}},   {"stuelpnagel", {Modifier::passive}}};
+
+Quaternion quaternion_of(const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
+
+Reading read(const Spec& /*spec*/, const double* v) noexcept { return quaternion::to_rotation(quaternion_of(v)); }
+
+} // namespace
+
+constinit const Codec codecs::quat{
+    .representation = {.name = RepresentationId::quat,
+                       .text = "quat",
+                       .aliases = {"quaternion"},
+                       .size = 4,
+                       .columns = {"qw", "qx", "qy", "qz"},
+                       .modifiers = {Modifier::passive, Modifier::xyzw},
+                       .presets = own_presets,
+                       .other_order = {1, 2, 3, 0},
+                       .range = "unit; w > 0, or w = 0 and the first nonzero of x, y, z positive",
+                       .formula = "w = cos(theta/2), (x, y, z) = sin(theta/2) n"},
+    .read = read_each<4, read>,
+    .exact_defect = [](const double* v) noexcept { return quaternion::defect(quaternion_of(v)); },
+    .write = quaternion::write,
+    .sensitivity = sensitivity_plain<quaternion::sensitivity>,
+    .rate =
+        [](const Spec& /*spec*/, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
+            const Quaternion q = quaternion::rate(quaternion_of(v), w, frame);
+            rates[0] = q.w;
+            rates[1] = q.x;
+            rates[2] = q.y;
+            rates[3] = q.z;
+        },
+    .angular_velocity =
+        [](const Spec& /*spec*/, const double* v, const double* rates, Frame frame) noexcept {
+            return quaternion::angular_velocity(quaternion_of(v), quaternion_of(rates), frame);
+        }};
+
+} // namespace rotconv

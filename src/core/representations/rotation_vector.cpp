@@ -12,7 +12,7 @@
 #include "../numerics/scaling.hpp"
 #include "../numerics/trigonometry.hpp"
 #include "axis_half_angle.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 #include "half_turn.hpp"
 
 namespace rotconv::rotation_vector {
@@ -80,15 +80,9 @@ Eigen::Vector3d stretched(const Eigen::Vector3d& r, double factor, const Eigen::
     return factor * v + (along * r.dot(v)) * r;
 }
 
-} // namespace
-
-Reading to_rotation(const RotationVector& value) noexcept {
-    Readings readings; // NOLINT(*-member-init): written before it is read
-    read(value.vector.data(), 1, value.unit, readings);
-    return readings.reading(0);
-}
-
-ROTCONV_TARGET_CLONES void read(const double* numbers, std::size_t rows, AngleUnit unit, Readings& readings) noexcept {
+ROTCONV_TARGET_CLONES void read(const Spec& spec, const double* numbers, std::size_t rows,
+                                Readings& readings) noexcept {
+    const AngleUnit unit = spec.unit;
     BatchColumn length, length_low, inverse, cosine, sine; // NOLINT(*-member-init): written before they are read
     for (std::size_t i = 0; i < rows; ++i) {
         const Root root = length_of(split(numbers[3 * i]), split(numbers[3 * i + 1]), split(numbers[3 * i + 2]));
@@ -119,15 +113,9 @@ ROTCONV_TARGET_CLONES void read(const double* numbers, std::size_t rows, AngleUn
     }
 }
 
-RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
-    RotationVector result{.unit = unit};
-    DiagnosticSet diagnostics;
-    write(OneRotation(rotation), 1, unit, result.vector.data(), &diagnostics);
-    return result;
-}
-
-ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, AngleUnit unit, double* numbers,
-                                 DiagnosticSet* diagnostics) noexcept {
+ROTCONV_TARGET_CLONES void write(const Spec& spec, double /*lock_margin*/, const Rotations& rotations, std::size_t rows,
+                                 double* numbers, DiagnosticSet* diagnostics) noexcept {
+    const AngleUnit unit = spec.unit;
     // The length counts twice, in the angle and in the direction: near pi its rounding would be the largest part of the
     // error.
     AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
@@ -152,6 +140,21 @@ ROTCONV_TARGET_CLONES void write(const Rotations& rotations, std::size_t rows, A
             numbers[3 * i + 2] = parts.z[i] * ratio;
         }
     }
+}
+
+} // namespace
+
+Reading to_rotation(const RotationVector& value) noexcept {
+    Readings readings; // NOLINT(*-member-init): written before it is read
+    read({.unit = value.unit}, value.vector.data(), 1, readings);
+    return readings.reading(0);
+}
+
+RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
+    RotationVector result{.unit = unit};
+    DiagnosticSet diagnostics;
+    write({.unit = unit}, 0.0, OneRotation(rotation), 1, result.vector.data(), &diagnostics);
+    return result;
 }
 
 Sensitivity sensitivity(const Rotation& rotation) noexcept {
@@ -195,3 +198,52 @@ Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vecto
 }
 
 } // namespace rotconv::rotation_vector
+
+namespace rotconv {
+namespace {
+
+using Eigen::Map;
+using Eigen::Vector3d;
+
+RotationVector vector_of(const Spec& spec, const double* v) noexcept { return {{v[0], v[1], v[2]}, spec.unit}; }
+
+/// By whole turns, past a half-turn.
+void wrap(double* numbers) noexcept {
+    Map<Vector3d> r(numbers);
+    if (const double length = r.norm(); length > std::numbers::pi) {
+        r *= without_turns(length) / length;
+    }
+}
+
+} // namespace
+
+constinit const Codec codecs::rotvec{
+    .representation = {.name = RepresentationId::rotvec,
+                       .text = "rotvec",
+                       .aliases = {"exp"},
+                       .size = 3,
+                       .columns = {"rx", "ry", "rz"},
+                       .modifiers = {Modifier::passive, Modifier::deg},
+                       .presets = presets_of_vectors,
+                       .range = "norm at most pi",
+                       .singular = "half-turn",
+                       .singular_attitude = "a half-turn",
+                       .formula = "theta n; R = exp [theta n]"},
+    .read = rotation_vector::read,
+    .write = rotation_vector::write,
+    .sensitivity = [](const Spec& /*spec*/,
+                      const Rotation& rotation) noexcept { return rotation_vector::sensitivity(rotation); },
+    .rate = [](const Spec& spec, const double* v, const Vector3d& w, Frame frame,
+               double* rates) noexcept { Map<Vector3d>{rates} = rotation_vector::rate(vector_of(spec, v), w, frame); },
+    .angular_velocity =
+        [](const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
+            return rotation_vector::angular_velocity(vector_of(spec, v), Map<const Vector3d>(rates), frame);
+        },
+    .sensitivity_of_numbers =
+        [](const Spec& spec, const double* v, const Rotation& rotation) noexcept {
+            return rotation_vector::sensitivity(vector_of(spec, v), rotation);
+        },
+    .greatest_distance = std::numbers::pi,
+    .switch_chart = wrap};
+
+} // namespace rotconv

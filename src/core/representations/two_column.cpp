@@ -8,7 +8,7 @@
 
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/scaling.hpp"
-#include "batches.hpp"
+#include "codec.hpp"
 #include "gram_schmidt.hpp"
 
 namespace rotconv::two_column {
@@ -25,17 +25,17 @@ Reading read_any(const Columns& m) noexcept {
     return reading;
 }
 
+void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    read_columns(to_columns<6>(numbers, rows), rows, readings,
+                 [numbers](std::size_t i) { return read_any(Eigen::Map<const Columns>(numbers + 6 * i)); });
+}
+
 } // namespace
 
 Reading to_rotation(const Columns& m) noexcept {
     Readings one; // NOLINT(*-member-init): written before it is read
-    read(m.data(), 1, one);
+    read(plain_spec, m.data(), 1, one);
     return one.reading(0);
-}
-
-void read(const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    read_columns(to_columns<6>(numbers, rows), rows, readings,
-                 [numbers](std::size_t i) { return read_any(Eigen::Map<const Columns>(numbers + 6 * i)); });
 }
 
 // From the eigenvalues of M'M - I.
@@ -74,3 +74,24 @@ Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates, Frame f
 }
 
 } // namespace rotconv::two_column
+
+namespace rotconv {
+
+constinit const Codec codecs::two_column{
+    .representation = {.name = RepresentationId::two_column,
+                       .text = "6d",
+                       .aliases = {"two-column"},
+                       .size = 6,
+                       .columns = {"r11", "r21", "r31", "r12", "r22", "r32"},
+                       .modifiers = {Modifier::passive},
+                       .presets = presets_of_matrices,
+                       .range = "two orthonormal columns",
+                       .formula = "columns 1 and 2 of R; the third is their cross product"},
+    .read = two_column::read,
+    .exact_defect = defect_plain<Columns, two_column::defect>,
+    .write = write_plain<Columns, two_column::from_rotation>,
+    .sensitivity = sensitivity_plain<two_column::sensitivity>,
+    .rate = rate_plain<Columns, two_column::rate>,
+    .angular_velocity = angular_velocity_plain<Columns, two_column::angular_velocity>};
+
+} // namespace rotconv

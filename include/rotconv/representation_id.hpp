@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+/// The table of representations, in the order in which they are listed: a line each, `line(identifier)`. All that is
+/// known of one stands in the codec at the end of its source.
+#define ROTCONV_REPRESENTATIONS(line)                                                                                  \
+    line(dcm) line(two_column) line(five_d) line(quat) line(axis_angle) line(rotvec) line(euler) line(rpy)             \
+        line(cayley) line(mrp)
+
+namespace rotconv {
+
+#define ROTCONV_LINE(id) id,
+/// Names a representation in code; representation() has the rest.
+enum class RepresentationId : std::uint8_t { ROTCONV_REPRESENTATIONS(ROTCONV_LINE) };
+#undef ROTCONV_LINE
+
+#define ROTCONV_LINE(id) RepresentationId::id,
+inline constexpr std::array all_representations{ROTCONV_REPRESENTATIONS(ROTCONV_LINE)};
+#undef ROTCONV_LINE
+
+} // namespace rotconv
