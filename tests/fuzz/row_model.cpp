@@ -465,8 +465,8 @@ private:
         if (header_ == at) {
             meet("header");
             outcome_.bytes += is_csv ? header_text_ : "";
-        } else if (!line.row()) {
-            meet(line.blank() ? "blank row" : "comment");
+        } else if (!line.row() || at < first_data_) { // of several rows with all the names the last is the header
+            meet(line.blank() ? "blank row" : line.comment() ? "comment" : "row before the header");
             outcome_.bytes += is_csv ? std::string(line.text) + std::string(line.end) : "";
         } else {
             write_row(line, at + 1);
