@@ -12,9 +12,9 @@ namespace rotconv::cayley {
 /// q ~ (1, c): nothing is rounded. Error: not_finite.
 [[nodiscard]] inline Reading to_rotation(const Eigen::Vector3d& c) noexcept {
     if (!c.allFinite()) [[unlikely]] {
-        return Reading::failed(Error::not_finite);
+        return Error::not_finite;
     }
-    return {.rotation = Rotation::from_components(1.0, c.x(), c.y(), c.z())};
+    return Rotation::from_components(1.0, c.x(), c.y(), c.z());
 }
 
 /// c = v/w. Where w is 0 or a quotient overflows, infinite with the sign of each component that is not 0, and 0

@@ -27,7 +27,7 @@ namespace dcm {
 [[nodiscard]] Reading to_rotation(const Dcm& matrix) noexcept;
 
 /// Largest singular value of M - (polar factor of M), that is max |s_i - 1| over the singular values of M.
-/// @pre to_rotation(matrix).ok()
+/// @pre to_rotation(matrix) has a rotation
 [[nodiscard]] double defect(const Dcm& matrix) noexcept;
 
 /// Homogeneous form: (w^2 + x^2 - y^2 - z^2)/|q|^2 on the diagonal, 2(xy - wz)/|q|^2 and so on beside it (Stuelpnagel

@@ -18,6 +18,12 @@ namespace rotconv {
 /// "xyz" in lower case about the fixed axes (extrinsic). Neighbouring letters differ.
 class EulerSequence {
 public:
+    /// XYZ.
+    constexpr EulerSequence() noexcept = default;
+    /// A literal, such as "ZYX", which the compiler checks.
+    consteval EulerSequence(const char (&letters)[4]) // NOLINT(*-avoid-c-arrays, google-explicit-constructor)
+        : EulerSequence(*parse({letters, 3})) {}
+
     /// The sequence of three letters, or nothing where they name none.
     [[nodiscard]] static constexpr std::optional<EulerSequence> parse(std::string_view letters) noexcept {
         if (letters.size() != 3) {
@@ -54,11 +60,11 @@ private:
 };
 
 /// Roll, pitch and yaw: turns about the fixed x, y and z axes (Stuelpnagel's phi, theta, psi).
-inline constexpr EulerSequence roll_pitch_yaw = *EulerSequence::parse("xyz");
+inline constexpr EulerSequence roll_pitch_yaw = "xyz";
 
 /// Three angles in the order of their sequence; any finite size on input.
 struct EulerAngles {
-    std::array<double, 3> angles{};
+    Eigen::Vector3d angles = Eigen::Vector3d::Zero();
     EulerSequence sequence = roll_pitch_yaw;
     AngleUnit unit = AngleUnit::radians;
 };
@@ -96,11 +102,11 @@ inline constexpr double default_lock_margin = 1e-15;
 /// The rates of the three angles, in the unit of the angles a second. For roll, pitch and yaw they solve the 3x3 system
 /// of Stuelpnagel, section 6; the other sequences differ by names and signs of the axes. Divided by the cosine (first =
 /// third axis: the sine) of the middle angle: at lock not finite.
-[[nodiscard]] std::array<double, 3> rate(const EulerAngles& value, const Eigen::Vector3d& w,
-                                         Frame frame = Frame::body) noexcept;
+[[nodiscard]] Eigen::Vector3d rate(const EulerAngles& value, const Eigen::Vector3d& w,
+                                   Frame frame = Frame::body) noexcept;
 
 /// That system's left side: regular everywhere. Rates in the unit of the angles a second, w in rad/s.
-[[nodiscard]] Eigen::Vector3d angular_velocity(const EulerAngles& value, const std::array<double, 3>& rates,
+[[nodiscard]] Eigen::Vector3d angular_velocity(const EulerAngles& value, const Eigen::Vector3d& rates,
                                                Frame frame = Frame::body) noexcept;
 
 } // namespace euler

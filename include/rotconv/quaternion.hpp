@@ -4,19 +4,12 @@
 #include <limits>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {
-
-/// A Hamilton quaternion w + xi + yj + zk of any norm but 0.
-struct Quaternion {
-    double w = 1.0;
-    double x = 0.0;
-    double y = 0.0;
-    double z = 0.0;
-};
 
 /// Euler-Rodrigues parameters, the unit quaternion (Stuelpnagel 1964, section 5; Baruh 1999). Two-to-one (q and -q are
 /// the same attitude), linear kinematics, no singular attitude.
@@ -24,45 +17,45 @@ namespace quaternion {
 
 /// The attitude q/|q|. Exact: nothing is rounded. Faults: not_finite, zero_quaternion. Defect: | |q| - 1 |, up to
 /// `reported_defect` a bound on it.
-[[nodiscard]] Reading to_rotation(const Quaternion& q) noexcept;
+[[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q) noexcept;
 
 /// | |q| - 1 |.
-/// @pre to_rotation(q).ok()
-[[nodiscard]] double defect(const Quaternion& q) noexcept;
+/// @pre to_rotation(q) has a rotation
+[[nodiscard]] double defect(const Eigen::Quaterniond& q) noexcept;
 
 /// q/|q| with w > 0, or w = 0 and the first nonzero of x, y, z positive. Within 1 eps of the attitude: each component
 /// is rounded once; a quaternion that is unit to 4 eps keeps its bits.
-[[nodiscard]] Quaternion from_rotation(const Rotation& rotation) noexcept;
+[[nodiscard]] Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin infinite, condition 1/2.
 [[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// The rates: q (0, w)/2, or (0, w) q/2 in reference axes (Stuelpnagel section 5, of the conjugate: udot = sigma u).
 /// Linear in a quaternion of any norm, which it keeps.
-[[nodiscard]] Quaternion rate(const Quaternion& q, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+[[nodiscard]] Eigen::Quaterniond rate(const Eigen::Quaterniond& q, const Eigen::Vector3d& w,
+                                      Frame frame = Frame::body) noexcept;
 
 /// Vector part of 2 q* qdot/|q|^2, or 2 qdot q*/|q|^2, for any norm: a rate of the norm itself is left out.
 /// @pre q is not 0
-[[nodiscard]] Eigen::Vector3d angular_velocity(const Quaternion& q, const Quaternion& rates,
+[[nodiscard]] Eigen::Vector3d angular_velocity(const Eigen::Quaterniond& q, const Eigen::Quaterniond& rates,
                                                Frame frame = Frame::body) noexcept;
 
 // What follows is short and frequent, so that callers should have it inline.
 
 /// to_rotation() of a quaternion that is far from unit or describes no attitude.
-[[nodiscard]] Reading to_rotation_of_any_size(const Quaternion& q) noexcept;
+[[nodiscard]] Reading to_rotation_of_any_size(const Eigen::Quaterniond& q) noexcept;
 
-inline Reading to_rotation(const Quaternion& q) noexcept {
-    Reading reading{.rotation = Rotation::near_unit(q.w, q.x, q.y, q.z)};
-    const double excess = std::fabs(reading.rotation.squared_norm() - 1.0);
+inline Reading to_rotation(const Eigen::Quaterniond& q) noexcept {
+    const Rotation rotation = Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
+    const double excess = std::fabs(rotation.squared_norm() - 1.0);
     // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1); a number that is not finite fails the comparison
     if (excess <= reported_defect) [[likely]] {
-        reading.defect = excess;
-        return reading;
+        return {rotation, excess};
     }
     return to_rotation_of_any_size(q);
 }
 
-inline Quaternion from_rotation(const Rotation& rotation) noexcept {
+inline Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept {
     const Rotation q = rotation.canonical();
     const double squared_norm = q.squared_norm();
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();

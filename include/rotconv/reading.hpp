@@ -26,15 +26,36 @@ enum class Error : std::uint8_t {
     ended,           ///< an earlier row of the propagation has failed: nothing follows on it
 };
 
-/// What numbers describe: the rotation, how far the numbers were from describing one exactly, or a error.
-struct Reading {
-    Rotation rotation;   ///< the identity where `fault` is not none
-    double defect = 0.0; ///< | |q| - 1 |, or the largest singular value of M - (polar factor of M); 0 for others. Up
-                         ///< to `reported_defect` it may be an upper bound
-    Error error = Error::none;
+/// What came of reading numbers: a rotation, or an error that says why there is none. Tests as true where there is a
+/// rotation.
+class Reading {
+public:
+    Reading(const Rotation& rotation, double defect = 0.0) noexcept : rotation_(rotation), defect_(defect) {}
+    Reading(Error error) noexcept : error_(error) {}
 
-    [[nodiscard]] bool ok() const noexcept { return error == Error::none; }
-    static Reading failed(Error why) noexcept { return {.rotation = {}, .defect = 0.0, .error = why}; }
+    [[nodiscard]] explicit operator bool() const noexcept { return error_ == Error::none; }
+    /// @throw std::logic_error where there is none
+    [[nodiscard]] const Rotation& rotation() const {
+        if (error_ != Error::none) [[unlikely]] {
+            throw_no_rotation();
+        }
+        return rotation_;
+    }
+    /// The same.
+    [[nodiscard]] const Rotation& operator*() const { return rotation(); }
+    [[nodiscard]] const Rotation* operator->() const { return &rotation(); }
+    /// Error::none where there is a rotation.
+    [[nodiscard]] Error error() const noexcept { return error_; }
+    /// How far the numbers were from describing a rotation exactly: | |q| - 1 |, or the largest singular value of M -
+    /// (polar factor of M); 0 for others. Up to `reported_defect` it may be an upper bound.
+    [[nodiscard]] double defect() const noexcept { return defect_; }
+
+private:
+    [[noreturn]] static void throw_no_rotation();
+
+    Rotation rotation_;
+    double defect_ = 0.0;
+    Error error_ = Error::none;
 };
 
 /// Kinds of diagnostic, in the order in which they are reported.

@@ -21,7 +21,7 @@ namespace two_column {
 [[nodiscard]] Reading to_rotation(const Columns& m) noexcept;
 
 /// Largest singular value of M - (polar factor of M).
-/// @pre to_rotation(m).ok()
+/// @pre to_rotation(m) has a rotation
 [[nodiscard]] double defect(const Columns& m) noexcept;
 
 /// The first two columns of the matrix.
@@ -55,7 +55,7 @@ using Vector5 = Eigen::Matrix<double, 5, 1>;
 [[nodiscard]] Reading to_rotation(const Vector5& y) noexcept;
 
 /// That of the columns.
-/// @pre to_rotation(y).ok()
+/// @pre to_rotation(y) has a rotation
 [[nodiscard]] double defect(const Vector5& y) noexcept;
 
 /// In the homogeneous form the denominator (sqrt 2 - 1)(w^2 + x^2) + (sqrt 2 + 1)(y^2 + z^2) has no cancellation.

@@ -55,7 +55,7 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
         first.name = RepresentationId::rpy;
         first.sequence = roll_pitch_yaw;
         second.name = RepresentationId::euler;
-        second.sequence = *EulerSequence::parse("ZYX");
+        second.sequence = "ZYX";
     }
     return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
 }

@@ -177,12 +177,15 @@ void Conversion::run_method(const double* in, const Rotations& rotations, std::s
 }
 
 Report Conversion::report(const Reading& reading, DiagnosticSet diagnostics, const double* numbers) const noexcept {
-    Report report{
-        .error = reading.error, .diagnostics = {}, .defect = reading.defect, .sensitivity = {}, .method_error = 0.0};
-    if (!reading.ok()) {
+    Report report{.error = reading.error(),
+                  .diagnostics = {},
+                  .defect = reading.defect(),
+                  .sensitivity = {},
+                  .method_error = 0.0};
+    if (!reading) {
         return report;
     }
-    if (in_codec_->exact_defect != nullptr && (settings_.sensitivity || settings_.tolerance < reading.defect)) {
+    if (in_codec_->exact_defect != nullptr && (settings_.sensitivity || settings_.tolerance < reading.defect())) {
         report.defect = in_codec_->exact_defect(numbers);
     }
     if (report.defect > settings_.tolerance) {
@@ -192,7 +195,7 @@ Report Conversion::report(const Reading& reading, DiagnosticSet diagnostics, con
     report.diagnostics = diagnostics;
     report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
     if (settings_.sensitivity || !report.diagnostics.empty()) {
-        report.sensitivity = out_codec_->sensitivity(to_, reading.rotation);
+        report.sensitivity = out_codec_->sensitivity(to_, *reading);
     }
     return report;
 }

@@ -1,10 +1,13 @@
 #include <rotconv/reading.hpp>
 
 #include <array>
+#include <stdexcept>
 
 #include "enum_table.hpp"
 
 namespace rotconv {
+
+void Reading::throw_no_rotation() { throw std::logic_error("rotconv: the numbers describe no rotation"); }
 
 std::string_view name_of(DiagnosticKind kind) noexcept {
     struct Line {

@@ -137,8 +137,8 @@ private:
             report.defect = answer.defect;
             return;
         }
-        const Quaternion q = quaternion::from_rotation(answer.rotation);
-        const std::array<double, 4> numbers{q.w, q.x, q.y, q.z};
+        const Eigen::Quaterniond q = quaternion::from_rotation(answer.rotation);
+        const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
         conversion_.run(numbers, out, {&report, 1});
         report.defect = answer.defect;
         report.step_error = answer.step_error;

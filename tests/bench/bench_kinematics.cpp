@@ -115,8 +115,8 @@ void work(std::ostream& csv, const Motion& motion) {
                 error = integrate(stepper, omega, i * look, h, per_look);
                 if (error == Error::none) {
                     const Reading reading = stepper.attitude();
-                    error = std::max(error, error_of(exact[static_cast<std::size_t>(i) + 1], reading.rotation));
-                    defect = std::max(defect, reading.defect);
+                    error = std::max(error, error_of(exact[static_cast<std::size_t>(i) + 1], *reading));
+                    defect = std::max(defect, reading.defect());
                     until = (i + 1) * look;
                 }
             }
@@ -157,8 +157,8 @@ void drift(std::ostream& csv, const Motion& motion) {
             const double time = static_cast<double>(done) * h;
             const Reading reading = stepper.attitude();
             const auto exact = motion.attitude(oracle::Real(h) * static_cast<double>(done));
-            worst = std::max(worst, error_of(exact, reading.rotation));
-            write(csv, "drift", motion, way, h, time, worst, reading.defect, none, error);
+            worst = std::max(worst, error_of(exact, *reading));
+            write(csv, "drift", motion, way, h, time, worst, reading.defect(), none, error);
         }
     }
 }

@@ -95,7 +95,7 @@ void eigen_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t ro
 
 void typed_dcm_quat(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<9, 4>(in, rows, out, [](const double* m, double* to) {
-        const rotconv::Quaternion q = rotconv::quaternion::from_rotation(rotconv::dcm::to_rotation(In{m}).rotation);
+        const Eigen::Quaterniond q = rotconv::quaternion::from_rotation(*rotconv::dcm::to_rotation(In{m}));
         to[0] = q.w;
         store({q.x, q.y, q.z}, to + 1);
     });
@@ -103,14 +103,14 @@ void typed_dcm_quat(EulerSequence /*unused*/, const double* in, std::size_t rows
 
 void typed_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<4, 9>(in, rows, out, [](const double* q, double* to) {
-        const rotconv::Quaternion given{q[0], q[1], q[2], q[3]};
-        Out{to} = rotconv::dcm::from_rotation(rotconv::quaternion::to_rotation(given).rotation);
+        const Eigen::Quaterniond given{q[0], q[1], q[2], q[3]};
+        Out{to} = rotconv::dcm::from_rotation(*rotconv::quaternion::to_rotation(given));
     });
 }
 
 void typed_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<3, 9>(in, rows, out, [](const double* c, double* to) {
-        Out{to} = rotconv::dcm::from_rotation(rotconv::cayley::to_rotation(vector(c)).rotation);
+        Out{to} = rotconv::dcm::from_rotation(*rotconv::cayley::to_rotation(vector(c)));
     });
 }
 

@@ -18,8 +18,7 @@ int main() {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 std::array<double, 3> v{};
                 v.at(axis) = s;
-                const auto m =
-                    rotconv::dcm::from_rotation(rotconv::quaternion::to_rotation({c, v[0], v[1], v[2]}).rotation);
+                const auto m = rotconv::dcm::from_rotation(*rotconv::quaternion::to_rotation({c, v[0], v[1], v[2]}));
                 int ones = 0;
                 int zeros = 0;
                 for (Eigen::Index i = 0; i < 9; ++i) {

@@ -102,10 +102,10 @@ TEST_CASE("Stuelpnagel's quaternion equation") {
             -c.w.x(), 0, c.w.z(), -c.w.y(),      //
             -c.w.y(), -c.w.z(), 0, c.w.x(),      //
             -c.w.z(), c.w.y(), -c.w.x(), 0;
-        const Quaternion u = quaternion::from_rotation(c.x());
-        const Quaternion rates = quaternion::rate(u, -c.w, Frame::reference);
-        CHECK(distance(Eigen::Vector4d(rates.w, rates.x, rates.y, rates.z),
-                       0.5 * printed * Eigen::Vector4d(u.w, u.x, u.y, u.z)) < rounding);
+        const Eigen::Quaterniond u = quaternion::from_rotation(c.x());
+        const Eigen::Quaterniond rates = quaternion::rate(u, -c.w, Frame::reference);
+        CHECK(distance(Eigen::Vector4d(rates.w(), rates.x(), rates.y(), rates.z()),
+                       0.5 * printed * Eigen::Vector4d(u.w(), u.x(), u.y(), u.z())) < rounding);
     }
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("Stuelpnagel's equation of the exponential set, mended and as misprint
         const Matrix3d x = dcm::from_rotation(c.x());
         const auto moved = [&](const Vector3d& rate) {
             const RotationVector next{.vector = r.vector + h * rate};
-            return Matrix3d(dcm::from_rotation(rotation_vector::to_rotation(next).rotation.inverse()));
+            return Matrix3d(dcm::from_rotation(rotation_vector::to_rotation(next)->inverse()));
         };
         const Matrix3d slope = omega(c) * x;
         CHECK(((moved(mended) - x) / h - slope).norm() < 1e-4);
@@ -183,10 +183,10 @@ TEST_CASE("the angular velocity is that of the tangent part of the rates") {
         CHECK(distance(dcm::angular_velocity(r, dcm::rate(r, c.w) + r * symmetric), c.w) < rounding);
         CHECK(distance(dcm::angular_velocity(r, dcm::rate(r, c.w, Frame::reference) + symmetric * r, Frame::reference),
                        c.w) < rounding);
-        Quaternion q = quaternion::from_rotation(c.rotation);
-        q = {1e-170 * q.w, 1e-170 * q.x, 1e-170 * q.y, 1e-170 * q.z};
-        Quaternion rates = quaternion::rate(q, c.w);
-        rates = {rates.w + 3 * q.w, rates.x + 3 * q.x, rates.y + 3 * q.y, rates.z + 3 * q.z};
+        Eigen::Quaterniond q = quaternion::from_rotation(c.rotation);
+        q = {1e-170 * q.w(), 1e-170 * q.x(), 1e-170 * q.y(), 1e-170 * q.z()};
+        Eigen::Quaterniond rates = quaternion::rate(q, c.w);
+        rates = {rates.w() + 3 * q.w(), rates.x() + 3 * q.x(), rates.y() + 3 * q.y(), rates.z() + 3 * q.z()};
         CHECK(distance(quaternion::angular_velocity(q, rates), c.w) < rounding);
     }
 }

@@ -173,26 +173,23 @@ double Stepper::distance_to_singularity() const noexcept { return codec_of(set_.
 Error Stepper::renormalise() noexcept {
     const Codec& codec = codec_of(set_.name);
     const Reading reading = codec.read_row(set_, numbers_.data());
-    codec.write_row(set_, reading.rotation, numbers_.data());
-    return reading.error;
+    if (reading) {
+        codec.write_row(set_, *reading, numbers_.data());
+    }
+    return reading.error();
 }
 
 Reading Stepper::attitude() const noexcept {
     if (error_ != Error::none) {
-        return Reading::failed(error_);
+        return error_;
     }
     const Codec& codec = codec_of(set_.name);
-    Reading reading = codec.read_row(set_, numbers_.data());
-    if (!reading.ok()) {
-        return Reading::failed(reading.error);
+    const Reading reading = codec.read_row(set_, numbers_.data());
+    if (!reading) {
+        return reading;
     }
-    if (codec.exact_defect != nullptr) {
-        reading.defect = codec.exact_defect(numbers_.data());
-    }
-    if (set_.passive) {
-        reading.rotation = reading.rotation.inverse();
-    }
-    return reading;
+    return {set_.passive ? reading.rotation().inverse() : *reading,
+            codec.exact_defect == nullptr ? reading.defect() : codec.exact_defect(numbers_.data())};
 }
 
 } // namespace rotconv

@@ -22,11 +22,11 @@ constexpr double harmless_stretch = 0.1;
 double angle_between(const Stepper& a, const Stepper& b) noexcept {
     const Reading p = a.attitude();
     const Reading q = b.attitude();
-    if (!p.ok() || !q.ok()) {
+    if (!p || !q) {
         return std::numbers::pi;
     }
     const auto quaternion = [](const Rotation& r) { return Eigen::Quaterniond(r.w(), r.x(), r.y(), r.z()); };
-    return quaternion(p.rotation).angularDistance(quaternion(q.rotation));
+    return quaternion(p.rotation()).angularDistance(quaternion(q.rotation()));
 }
 
 /// The polynomial through up to four points, in Newton's form.
@@ -128,7 +128,10 @@ void Propagator::advance(std::size_t from) noexcept {
 
 Propagated Propagator::answer() const noexcept {
     const Reading reading = stepper_.attitude();
-    return {.rotation = reading.rotation, .defect = reading.defect, .step_error = step_error_, .error = reading.error};
+    return {.rotation = reading ? *reading : Rotation(),
+            .defect = reading.defect(),
+            .step_error = step_error_,
+            .error = reading.error()};
 }
 
 } // namespace rotconv

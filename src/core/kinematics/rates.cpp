@@ -68,16 +68,16 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
 
     const Codec& codec = codec_of(spec_.name);
     const Reading reading = codec.read_row(spec_, numbers.data());
-    RateReport report{.error = reading.error, .defect = reading.defect};
-    if (!reading.ok()) {
+    RateReport report{.error = reading.error(), .defect = reading.defect()};
+    if (!reading) {
         return report;
     }
-    if (codec.exact_defect != nullptr && settings_.tolerance < reading.defect) {
+    if (codec.exact_defect != nullptr && settings_.tolerance < reading.defect()) {
         report.defect = codec.exact_defect(numbers.data());
     }
     report.sensitivity = codec.sensitivity_of_numbers == nullptr
-                             ? codec.sensitivity(spec_, reading.rotation)
-                             : codec.sensitivity_of_numbers(spec_, numbers.data(), reading.rotation);
+                             ? codec.sensitivity(spec_, *reading)
+                             : codec.sensitivity_of_numbers(spec_, numbers.data(), *reading);
     if (report.defect > settings_.tolerance) {
         report.error = Error::defect;
     } else if (report.sensitivity.margin <= singular_margin) {

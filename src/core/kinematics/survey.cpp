@@ -18,8 +18,8 @@ constexpr double least_jump = 1.0;
 constexpr double greatest_explanation = 1e15;
 
 Rotation unit(const Rotation& rotation) noexcept {
-    const Quaternion q = quaternion::from_rotation(rotation);
-    return Rotation::near_unit(q.w, q.x, q.y, q.z);
+    const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
+    return Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
 }
 
 Numbers numbers_of(const Spec& set, const Rotation& rotation) noexcept {

@@ -228,8 +228,8 @@ void polar(const double* m, double* q) noexcept {
 void compensated(const double* m, double* q) noexcept {
     const Davenport k(m);
     const auto p = k.exact_power_step(k.power_step(k.pivot_column()));
-    const double norm = std::sqrt((p.w * p.w + p.x * p.x) + (p.y * p.y + p.z * p.z));
-    set(q, p.w / norm, p.x / norm, p.y / norm, p.z / norm);
+    const double norm = std::sqrt((p[0] * p[0] + p[1] * p[1]) + (p[2] * p[2] + p[3] * p[3]));
+    set(q, p[0] / norm, p[1] / norm, p[2] / norm, p[3] / norm);
 }
 
 } // namespace rotconv::formula::dcm_to_quat

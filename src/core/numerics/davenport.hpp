@@ -1,6 +1,8 @@
 #pragma once
 
-#include <rotconv/quaternion.hpp>
+#include <array>
+
+#include <Eigen/Core>
 
 #include "double_double.hpp"
 
@@ -18,6 +20,8 @@ inline constexpr double clean_defect = 0x1p-27;
 /// rotation K + I = 4 q q'.
 class Davenport {
 public:
+    using Four = std::array<double, 4>; ///< w, x, y, z
+
     /// @param m nine numbers, row by row
     explicit Davenport(const double* m) noexcept
         : ww((1.0 + m[0]) + (m[4] + m[8])), xx((1.0 + m[0]) - (m[4] + m[8])), yy((1.0 - m[0]) + (m[4] - m[8])),
@@ -26,7 +30,7 @@ public:
 
     /// A quarter of the column with the largest diagonal element: parallel to q for a rotation, near it for a matrix
     /// near one. Its length is then between 1/2 and 1.
-    [[nodiscard]] Quaternion pivot_column() const noexcept {
+    [[nodiscard]] Four pivot_column() const noexcept {
         const bool w_first = ww >= xx;
         const bool y_first = yy >= zz;
         const double wx_pivot = w_first ? ww : xx;
@@ -39,19 +43,19 @@ public:
     }
 
     /// (K + I) q / 4: keeps the eigenvector, reduces all else by about the matrix's defect.
-    [[nodiscard]] Quaternion power_step(const Quaternion& q) const noexcept {
-        return {0.25 * ((ww * q.w + wx * q.x) + (wy * q.y + wz * q.z)),
-                0.25 * ((wx * q.w + xx * q.x) + (xy * q.y + xz * q.z)),
-                0.25 * ((wy * q.w + xy * q.x) + (yy * q.y + yz * q.z)),
-                0.25 * ((wz * q.w + xz * q.x) + (yz * q.y + zz * q.z))};
+    [[nodiscard]] Four power_step(const Four& q) const noexcept {
+        return {0.25 * ((ww * q[0] + wx * q[1]) + (wy * q[2] + wz * q[3])),
+                0.25 * ((wx * q[0] + xx * q[1]) + (xy * q[2] + xz * q[3])),
+                0.25 * ((wy * q[0] + xy * q[1]) + (yy * q[2] + yz * q[3])),
+                0.25 * ((wz * q[0] + xz * q[1]) + (yz * q[2] + zz * q[3]))};
     }
 
     /// The same with exact products, each component rounded once: for the last step, whose rounding remains.
-    [[nodiscard]] Quaternion exact_power_step(const Quaternion& q) const noexcept {
-        const Split w = split(q.w);
-        const Split x = split(q.x);
-        const Split y = split(q.y);
-        const Split z = split(q.z);
+    [[nodiscard]] Four exact_power_step(const Four& q) const noexcept {
+        const Split w = split(q[0]);
+        const Split x = split(q[1]);
+        const Split y = split(q[2]);
+        const Split z = split(q[3]);
         const auto row = [&](double kw, double kx, double ky, double kz) {
             const Split sw = split(kw);
             const Split sx = split(kx);
@@ -70,7 +74,7 @@ private:
 
 /// The quaternion of nine numbers, row by row, that are a rotation to rounding: the polar factor to a few tenths of an
 /// eps.
-inline Quaternion quaternion_of_rotation(const double* m) noexcept {
+inline Davenport::Four quaternion_of_rotation(const double* m) noexcept {
     const Davenport k(m);
     return k.exact_power_step(k.pivot_column());
 }

@@ -49,17 +49,17 @@ ROTCONV_TARGET_CLONES void write(const Spec& spec, double /*lock_margin*/, const
 
 Reading to_rotation(const AxisAngle& value) noexcept {
     if (!all_finite(value.axis.x(), value.axis.y(), value.axis.z(), value.angle)) {
-        return Reading::failed(Error::not_finite);
+        return Error::not_finite;
     }
     const HalfAngle half = half_of(value.angle, value.unit);
     const double size = value.axis.cwiseAbs().maxCoeff();
     if (size == 0.0) {
         const bool no_turn = value.unit == AngleUnit::degrees ? half.sine == 0.0 : value.angle == 0.0;
-        return no_turn ? Reading{} : Reading::failed(Error::zero_axis);
+        return no_turn ? Reading(Rotation()) : Reading(Error::zero_axis);
     }
     const Eigen::Vector3d axis = value.axis.unaryExpr(PowerOfTwo::to_unit(size));
     const Eigen::Vector3d v = axis * half.sine;
-    return {.rotation = Rotation::from_components(axis.norm() * half.cosine, v.x(), v.y(), v.z())};
+    return Rotation::from_components(axis.norm() * half.cosine, v.x(), v.y(), v.z());
 }
 
 AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {

@@ -47,7 +47,7 @@ struct PowerStep {
     }
 
     double square;
-    Quaternion q;
+    std::array<double, 4> q;
 };
 
 /// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
@@ -111,7 +111,7 @@ int sign_of_determinant(Dcm m) noexcept {
 /// on trace(R(q)' M) against M itself then removes the rounding of the decomposition.
 Reading far_from_rotation(const Dcm& matrix) noexcept {
     if (sign_of_determinant(matrix) <= 0) {
-        return Reading::failed(Error::not_proper);
+        return Error::not_proper;
     }
     const auto scale = PowerOfTwo::to_unit(matrix.cwiseAbs().maxCoeff());
     const Dcm m = matrix.unaryExpr(scale);
@@ -121,8 +121,8 @@ Reading far_from_rotation(const Dcm& matrix) noexcept {
         // det M > 0 is known exactly: rounding has turned the sign of the smallest singular value
         factor -= 2.0 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
     }
-    const Quaternion q = quaternion_of_rotation(RowMajor(factor).data());
-    const Rotation decomposed = Rotation::from_components(q.w, q.x, q.y, q.z);
+    const auto q = quaternion_of_rotation(RowMajor(factor).data());
+    const Rotation decomposed = Rotation::from_components(q[0], q[1], q[2], q[3]);
 
     // With S = R(q)' M, the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12).
     const Eigen::Matrix3d s = from_rotation(decomposed).transpose() * m;
@@ -133,21 +133,19 @@ Reading far_from_rotation(const Dcm& matrix) noexcept {
     if (!(half.norm() < 1e-8)) {
         half.setZero(); // the matrix is nearly singular, and this its noise
     }
-    const Eigen::Vector3d v{q.x, q.y, q.z};
-    const Eigen::Vector3d corrected = v + q.w * half + v.cross(half);
+    const Eigen::Vector3d v{q[1], q[2], q[3]};
+    const Eigen::Vector3d corrected = v + q[0] * half + v.cross(half);
 
-    Reading reading;
-    reading.rotation = Rotation::from_components(q.w - v.dot(half), corrected.x(), corrected.y(), corrected.z());
     const Eigen::Vector3d& singular = svd.singularValues();
-    reading.defect = std::max(std::fabs(scale.undone(singular[0]) - 1.0), std::fabs(scale.undone(singular[2]) - 1.0));
-    return reading;
+    return {Rotation::from_components(q[0] - v.dot(half), corrected.x(), corrected.y(), corrected.z()),
+            std::max(std::fabs(scale.undone(singular[0]) - 1.0), std::fabs(scale.undone(singular[2]) - 1.0))};
 }
 
 /// Where one power step is not known to serve.
 Reading read_unclean(const double* numbers, double square) noexcept {
     const Eigen::Map<const RowMajor> matrix(numbers);
     if (!matrix.allFinite()) {
-        return Reading::failed(Error::not_finite);
+        return Error::not_finite;
     }
     const double bound = 3.0 * std::sqrt(square);
     if (!(bound <= near_rotation)) {
@@ -160,8 +158,7 @@ Reading read_unclean(const double* numbers, double square) noexcept {
         q = k.power_step(q);
         remaining *= bound;
     }
-    return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z),
-            .defect = bound <= reported_defect ? bound : defect(matrix)};
+    return {Rotation::from_components(q[0], q[1], q[2], q[3]), bound <= reported_defect ? bound : defect(matrix)};
 }
 
 ROTCONV_TARGET_CLONES
@@ -171,10 +168,10 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
     for (std::size_t i = 0; i < rows; ++i) {
         const PowerStep step({m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i], m[8][i]});
         square[i] = step.square;
-        readings.w[i] = step.q.w;
-        readings.x[i] = step.q.x;
-        readings.y[i] = step.q.y;
-        readings.z[i] = step.q.z;
+        readings.w[i] = step.q[0];
+        readings.x[i] = step.q[1];
+        readings.y[i] = step.q[2];
+        readings.z[i] = step.q[3];
         readings.defect[i] = clean_defect;
     }
     for (std::size_t i = 0; i < rows; ++i) {
@@ -192,7 +189,7 @@ Reading to_rotation(const Dcm& matrix) noexcept {
     Eigen::Map<RowMajor>{numbers.data()} = matrix;
     const PowerStep step(numbers);
     if (step.square <= clean_square) [[likely]] {
-        return {.rotation = Rotation::near_unit(step.q.w, step.q.x, step.q.y, step.q.z), .defect = clean_defect};
+        return {Rotation::near_unit(step.q[0], step.q[1], step.q[2], step.q[3]), clean_defect};
     }
     return read_unclean(numbers.data(), step.square);
 }
@@ -200,7 +197,7 @@ Reading to_rotation(const Dcm& matrix) noexcept {
 double defect(const Dcm& matrix) noexcept {
     const Eigen::Matrix3d excess = gram_excess(matrix);
     if (!(0.5 * excess.norm() <= near_rotation)) {
-        return far_from_rotation(matrix).defect;
+        return far_from_rotation(matrix).defect();
     }
     // s^2 - 1 for the singular values s, without cancellation
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;

@@ -256,7 +256,7 @@ struct RateSystem {
 Reading to_rotation(const EulerAngles& value) noexcept {
     const auto& angles = value.angles;
     if (!all_finite(angles[0], angles[1], angles[2])) {
-        return Reading::failed(Error::not_finite);
+        return Error::not_finite;
     }
     const EulerSequence sequence = value.sequence;
     const FixedAxes axes(sequence);
@@ -284,7 +284,7 @@ Reading to_rotation(const EulerAngles& value) noexcept {
         v[j] = second.sine * cc + axes.sign * (second.cosine * ss);
         v[k] = second.cosine * sc - axes.sign * (second.sine * cs);
     }
-    return {.rotation = Rotation::from_components(w, v[0], v[1], v[2])};
+    return Rotation::from_components(w, v[0], v[1], v[2]);
 }
 
 EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
@@ -307,20 +307,17 @@ Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexce
             .condition = 1.0 / (std::numbers::sqrt2 * h.sine_of_half_margin())};
 }
 
-std::array<double, 3> rate(const EulerAngles& value, const Eigen::Vector3d& w, Frame frame) noexcept {
+Eigen::Vector3d rate(const EulerAngles& value, const Eigen::Vector3d& w, Frame frame) noexcept {
     const RateSystem s(value, frame);
     const double across = s.cosine * w[s.k] - s.sine * w[s.m];
-    std::array<double, 3> rates{};
+    Eigen::Vector3d rates;
     rates[s.far] = across / s.far_across;
     rates[1] = s.cosine * w[s.m] + s.sine * w[s.k];
     rates[s.near] = w[s.n] - s.far_along * rates[s.far];
-    for (double& angle_rate : rates) {
-        angle_rate *= units_per_radian(value.unit);
-    }
-    return rates;
+    return rates * units_per_radian(value.unit);
 }
 
-Eigen::Vector3d angular_velocity(const EulerAngles& value, const std::array<double, 3>& rates, Frame frame) noexcept {
+Eigen::Vector3d angular_velocity(const EulerAngles& value, const Eigen::Vector3d& rates, Frame frame) noexcept {
     const RateSystem s(value, frame);
     const double across = s.far_across * rates[s.far];
     Eigen::Vector3d w;
@@ -358,8 +355,10 @@ constexpr Codec codec_of_angles(const Representation& representation) noexcept {
         .write = euler::write,
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
-        .rate = [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame,
-                   double* rates) noexcept { std::ranges::copy(euler::rate(angles_of(spec, v), w, frame), rates); },
+        .rate =
+            [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
+                Eigen::Map<Eigen::Vector3d>{rates} = euler::rate(angles_of(spec, v), w, frame);
+            },
         .angular_velocity =
             [](const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
                 return euler::angular_velocity(angles_of(spec, v), {rates[0], rates[1], rates[2]}, frame);

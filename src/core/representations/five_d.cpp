@@ -54,15 +54,12 @@ struct Scaled {
 
 Reading read_any(const Vector5& y) noexcept {
     if (!y.allFinite()) {
-        return Reading::failed(Error::not_finite);
+        return Error::not_finite;
     }
     const Scaled scaled(y);
-    Reading reading =
+    const Reading reading =
         gram_schmidt(scaled.first(), scaled.y.tail<3>()); // of the second column only the direction counts
-    if (reading.ok()) {
-        reading.defect = two_column::defect(scaled.columns());
-    }
-    return reading;
+    return reading ? Reading(*reading, two_column::defect(scaled.columns())) : reading;
 }
 
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {

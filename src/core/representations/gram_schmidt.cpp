@@ -11,7 +11,7 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
     const double first_size = first.cwiseAbs().maxCoeff();
     const double second_size = second.cwiseAbs().maxCoeff();
     if (first_size == 0.0 || second_size == 0.0) {
-        return Reading::failed(Error::rank_deficient);
+        return Error::rank_deficient;
     }
     first = first.unaryExpr(PowerOfTwo::to_unit(first_size)).eval();
     second = second.unaryExpr(PowerOfTwo::to_unit(second_size)).eval();
@@ -21,15 +21,15 @@ Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept {
                            difference_of_products(first[0], second[1], first[1], second[0])};
     const double normal_size = normal.cwiseAbs().maxCoeff();
     if (normal_size == 0.0) {
-        return Reading::failed(Error::rank_deficient);
+        return Error::rank_deficient;
     }
     normal = normal.unaryExpr(PowerOfTwo::to_unit(normal_size)).eval();
     RowMajor m;
     m.col(0) = first.normalized();
     m.col(2) = normal.normalized();
     m.col(1) = m.col(2).cross(m.col(0));
-    const Quaternion q = quaternion_of_rotation(m.data());
-    return {.rotation = Rotation::from_components(q.w, q.x, q.y, q.z)};
+    const auto q = quaternion_of_rotation(m.data());
+    return Rotation::from_components(q[0], q[1], q[2], q[3]);
 }
 
 ROTCONV_TARGET_CLONES
@@ -47,11 +47,11 @@ void gram_schmidt(const TwoColumns& m, std::size_t rows, Readings& readings, Bat
         const double b_excess = ((b0 * b0 + b1 * b1) + b2 * b2) - 1.0;
         const std::array matrix{a0, b0, a1 * b2 - a2 * b1, a1, b1, a2 * b0 - a0 * b2, a2, b2, a0 * b1 - a1 * b0};
         const Davenport k(matrix.data());
-        const Quaternion q = k.power_step(k.pivot_column());
-        readings.w[i] = q.w;
-        readings.x[i] = q.x;
-        readings.y[i] = q.y;
-        readings.z[i] = q.z;
+        const auto q = k.power_step(k.pivot_column());
+        readings.w[i] = q[0];
+        readings.x[i] = q[1];
+        readings.y[i] = q[2];
+        readings.z[i] = q[3];
         readings.defect[i] = clean_defect;
         square[i] = (a_excess * a_excess + b_excess * b_excess) + along * along;
     }

@@ -46,7 +46,7 @@ ROTCONV_TARGET_CLONES void write(const Spec& /*spec*/, double /*lock_margin*/, c
 
 Reading to_rotation(const Eigen::Vector3d& m) noexcept {
     if (!all_finite(m.x(), m.y(), m.z())) {
-        return Reading::failed(Error::not_finite);
+        return Error::not_finite;
     }
     // Times the square of a power of two f <= 1, so that |m|^2 cannot overflow.
     const auto scale = PowerOfTwo::to_unit(std::max(0.5, m.cwiseAbs().maxCoeff()));
@@ -57,7 +57,7 @@ Reading to_rotation(const Eigen::Vector3d& m) noexcept {
     // The rounding of |m|^2 would be the largest part of the error where |m| is about 1 or more.
     const double w = (f * f - ((x.high * x.high + y.high * y.high) + z.high * z.high)) -
                      ((rest_of_square(x) + rest_of_square(y)) + rest_of_square(z));
-    return {.rotation = Rotation::from_components(w, 2.0 * f * x.value, 2.0 * f * y.value, 2.0 * f * z.value)};
+    return Rotation::from_components(w, 2.0 * f * x.value, 2.0 * f * y.value, 2.0 * f * z.value);
 }
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {

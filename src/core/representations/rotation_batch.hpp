@@ -9,7 +9,7 @@
 
 namespace rotconv {
 
-/// The attitudes of a batch_rows; not set at first.
+/// The attitudes of a batch; not set at first.
 struct Rotations {
     BatchColumn w, x, y, z;
 
@@ -37,13 +37,13 @@ struct Readings : Rotations {
     std::array<Error, batch_rows> error;
 
     void set(std::size_t row, const Reading& reading) noexcept {
-        Rotations::set(row, reading.rotation);
-        defect[row] = reading.defect;
-        error[row] = reading.error;
+        Rotations::set(row, reading ? *reading : Rotation()); // something finite in any case
+        defect[row] = reading.defect();
+        error[row] = reading.error();
     }
 
     [[nodiscard]] Reading reading(std::size_t row) const noexcept {
-        return {.rotation = at(row), .defect = defect[row], .error = error[row]};
+        return error[row] == Error::none ? Reading(at(row), defect[row]) : Reading(error[row]);
     }
 };
 

@@ -107,8 +107,8 @@ ROTCONV_TARGET_CLONES void read(const Spec& spec, const double* numbers, std::si
         readings.defect[i] = 0.0;
         readings.error[i] = Error::none;
         if (unit != AngleUnit::radians || !is_plain(length[i])) {
-            readings.set(i, all_finite(r[0], r[1], r[2]) ? Reading{.rotation = rotation_of_any(r[0], r[1], r[2], unit)}
-                                                         : Reading::failed(Error::not_finite));
+            readings.set(i, all_finite(r[0], r[1], r[2]) ? Reading(rotation_of_any(r[0], r[1], r[2], unit))
+                                                         : Reading(Error::not_finite));
         }
     }
 }

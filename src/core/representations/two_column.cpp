@@ -16,13 +16,10 @@ namespace {
 
 Reading read_any(const Columns& m) noexcept {
     if (!m.allFinite()) {
-        return Reading::failed(Error::not_finite);
+        return Error::not_finite;
     }
-    Reading reading = gram_schmidt(m.col(0), m.col(1));
-    if (reading.ok()) {
-        reading.defect = defect(m);
-    }
-    return reading;
+    const Reading reading = gram_schmidt(m.col(0), m.col(1));
+    return reading ? Reading(*reading, defect(m)) : reading;
 }
 
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
