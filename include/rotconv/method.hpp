@@ -9,12 +9,6 @@
 
 namespace rotconv {
 
-/// The worst error of a method that was measured.
-struct Worst {
-    double error = 0.0;       ///< in eps = 2^-52 rad; nan where a result was not finite
-    std::string_view where{}; ///< the stratum of attitudes; empty where nothing was measured
-};
-
 /// A published way from one representation to another, written as it was published, weaknesses included. rotconv's own
 /// way is the row `default` of each pair, whose function is null.
 struct Method {
@@ -26,8 +20,6 @@ struct Method {
     /// Rows of numbers in the representations' own order, active, in radians. Never errors: outside its domain a row
     /// may hold anything, nan included. `sequence` counts where `to` is euler.
     void (*run)(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept;
-    Worst clean{};   ///< on rows that describe an attitude exactly
-    Worst hostile{}; ///< on matrices off by up to 5e-4, quaternions of any length, rotation vectors up to 1e14
 
     /// Whether it is of this pair; rpy counts as euler.
     [[nodiscard]] bool serves(RepresentationId source, RepresentationId target) const noexcept;

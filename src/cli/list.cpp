@@ -35,8 +35,6 @@ std::string effect_of(const Preset& preset, const Representation& entry) {
 
 std::string_view name_of(const Representation& entry) { return entry.takes_sequence ? "euler:SEQ" : entry.text; }
 
-std::string error_of(const Worst& worst) { return worst.where.empty() ? "-" : fmt::format("{:.2g}", worst.error); }
-
 } // namespace
 
 std::string list_all() {
@@ -78,18 +76,12 @@ std::optional<std::string> list_one(std::string_view name) {
 }
 
 std::string list_methods() {
-    std::string text = fmt::format("{:<6}  {:<6}  {:<16}  {:>7}  {:<14}  {:>7}  {:<14}  {:<40}  {}\n", "FROM", "TO",
-                                   "METHOD", "clean", "worst at", "hostile", "worst at", "holds for", "reference");
+    std::string text =
+        fmt::format("{:<6}  {:<6}  {:<16}  {:<40}  {}\n", "FROM", "TO", "METHOD", "holds for", "reference");
     for (const Method& method : methods()) {
-        text += fmt::format("{:<6}  {:<6}  {:<16}  {:>7}  {:<14}  {:>7}  {:<14}  {:<40}  {}\n",
-                            representation(method.from).text, representation(method.to).text, method.name,
-                            error_of(method.clean), method.clean.where, error_of(method.hostile), method.hostile.where,
-                            method.domain, method.reference);
+        text += fmt::format("{:<6}  {:<6}  {:<16}  {:<40}  {}\n", representation(method.from).text,
+                            representation(method.to).text, method.name, method.domain, method.reference);
     }
-    text +=
-        "\nWorst errors are in eps = 2.2e-16 rad, 1.4e+16 a half-turn, nan where a result is not finite; clean rows\n"
-        "describe an attitude exactly, hostile ones are matrices off by up to 5e-4, quaternions and vectors of any "
-        "size.\n";
     return text;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "figures.hpp"
 #include "methods.hpp"
 
 namespace rotconv {
@@ -24,21 +23,8 @@ namespace qe = formula::quat_to_euler;
 namespace rd = formula::rotvec_to_dcm;
 namespace cd = formula::cayley_to_dcm;
 
-/// Each method with its figures.
-template <std::size_t size> constexpr std::array<Method, size> measured(std::array<Method, size> methods) noexcept {
-    for (Method& method : methods) {
-        for (const Measurement& row : figures) {
-            if (row.from == method.from && row.to == method.to && row.name == method.name) {
-                method.clean = row.clean;
-                method.hostile = row.hostile;
-            }
-        }
-    }
-    return methods;
-}
-
 // The rows of a pair stand together, its default first.
-constexpr std::array table = measured(std::array{
+constexpr std::array table{
     own(RepresentationId::dcm, RepresentationId::quat),
     Method{RepresentationId::dcm, RepresentationId::quat, "trace", "Baruh 1999, Eqs 1-4", "theta below 180 deg",
            each_row<9, 4, dq::trace>},
@@ -132,7 +118,7 @@ constexpr std::array table = measured(std::array{
            "lengths far below 1e16", each_row<3, 9, cd::inverse>},
     Method{RepresentationId::cayley, RepresentationId::dcm, "closed", "common property; Shuster 1993, Rodrigues vector",
            "lengths below 1e150", each_row<3, 9, cd::closed>},
-});
+};
 
 constexpr RepresentationId set_of(RepresentationId name) noexcept {
     return name == RepresentationId::rpy ? RepresentationId::euler : name;
