@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <span>
 
-#include <rotconv/method.hpp>
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
@@ -14,7 +13,6 @@ struct Settings {
     double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool sensitivity = false;                        ///< margin, condition and the exact defect for every row
-    const Method* method = nullptr;                  ///< one that serves this pair; null: rotconv's own
 };
 
 /// What is known of one converted row.
@@ -23,19 +21,15 @@ struct Report {
     DiagnosticSet diagnostics;
     double defect = 0.0;       ///< below `reported_defect` and without Settings::sensitivity only an upper bound
     Sensitivity sensitivity{}; ///< where there are diagnostics or Settings::sensitivity asks for them
-    /// With Settings::method, angle in radians from the attitude to the method's answer; nan where that is none.
-    double method_error = 0.0;
-    double step_error = 0.0; ///< of a propagation, see Propagated::step_error
+    double deviation = 0.0;    ///< angle in radians by which the numbers may be off, where whoever made them says so
 };
 
 struct Codec;
-struct Rotations;
 
 /// A way from one representation to another, resolved once and then run over batches of rows.
 /// Thread-safe: running it changes nothing in it.
 class Conversion {
 public:
-    /// Throws std::invalid_argument where the method is one of another pair.
     Conversion(const Spec& from, const Spec& to, const Settings& settings = {});
 
     [[nodiscard]] const Spec& from() const noexcept { return from_; }
@@ -50,10 +44,6 @@ private:
     void run_batch(const double* in, double* out, std::span<Report> reports) const noexcept;
     [[nodiscard]] Report report(const Reading& reading, DiagnosticSet diagnostics,
                                 const double* numbers) const noexcept;
-
-    /// The method's numbers in the place of rotconv's own, still in the representation's own order.
-    void run_method(const double* in, const Rotations& rotations, std::size_t rows, double* out,
-                    DiagnosticSet* diagnostics, double* errors) const noexcept;
 
     Spec from_;
     Spec to_;

@@ -104,8 +104,6 @@ struct Sensitivity {
 inline constexpr double half_turn_margin = 1e-15;
 /// A condition above this is reported as near gimbal lock.
 inline constexpr double near_lock_condition = 1e6;
-/// A method's answer that is further than this (radians) from the attitude is reported.
-inline constexpr double reported_method_error = 1e-6;
 /// A step of an integration whose error is estimated above this (radians) is reported.
 inline constexpr double reported_step_error = 1e-3;
 /// A defect above this is reported.

@@ -9,7 +9,6 @@
 #include <rotconv/euler.hpp>
 #include <rotconv/frame.hpp>
 #include <rotconv/integration.hpp>
-#include <rotconv/method.hpp>
 #include <rotconv/mrp.hpp>
 #include <rotconv/propagation.hpp>
 #include <rotconv/quaternion.hpp>

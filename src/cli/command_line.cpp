@@ -105,10 +105,13 @@ std::string help(CLI::App& app, RawOptions& texts) {
     return app.help();
 }
 
-/// The method of the pair, or null for rotconv's own.
+/// The published method of the pair, or null for rotconv's own.
 const Method* method_of(const Spec& from, const Spec& to, const std::string& text) {
+    if (text == "default") {
+        return nullptr;
+    }
     const Method* method = find_method(from.name, to.name, text);
-    if (method == nullptr && text != "default") {
+    if (method == nullptr) {
         throw Usage("--method " + messages::no_such_method(from.name, to.name, text));
     }
     return method;
@@ -117,9 +120,12 @@ const Method* method_of(const Spec& from, const Spec& to, const std::string& tex
 RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const Spec to = spec_of("--to", texts.to, texts.degrees);
-    Settings settings = settings_of(texts);
-    settings.method = method_of(from, to, texts.method);
-    return rows_command(texts, stream::conversion_operation(Conversion(from, to, settings)),
+    const Settings settings = settings_of(texts);
+    const Method* const method = method_of(from, to, texts.method);
+    const Conversion own(from, to, settings);
+    return rows_command(texts,
+                        method == nullptr ? stream::conversion_operation(own)
+                                          : stream::method_operation(MethodConversion(own, *method)),
                         {std::string(representation(from.name).text), from.size(), from.name, settings.tolerance},
                         operands);
 }

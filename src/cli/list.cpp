@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <rotconv/method.hpp>
 #include <rotconv/spec.hpp>
 
+#include "../methods/method.hpp"
 #include "messages.hpp"
 
 namespace rotconv::cli {

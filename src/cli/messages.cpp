@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "../methods/method.hpp"
 #include "../stream/utf8.hpp"
 
 namespace rotconv::cli::messages {

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include <rotconv/method.hpp>
 #include <rotconv/spec.hpp>
 
 #include "../stream/column_list.hpp"

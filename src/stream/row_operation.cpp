@@ -141,7 +141,7 @@ private:
         const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
         conversion_.run(numbers, out, {&report, 1});
         report.defect = answer.defect;
-        report.step_error = answer.step_error;
+        report.deviation = answer.step_error;
         report.diagnostics |= {DiagnosticKind::normalized, answer.defect > reported_defect};
         report.diagnostics |= {DiagnosticKind::coarse_step, answer.step_error > reported_step_error};
     }
@@ -157,9 +157,8 @@ private:
     std::size_t answered_ = 0;  ///< of the rows at hand
 };
 
-} // namespace
-
-RowOperation conversion_operation(const Conversion& conversion) {
+/// What a conversion makes of its rows, whether rotconv's own or a method's.
+template <class AnyConversion> RowOperation operation_of(const AnyConversion& conversion) {
     return {.inputs = conversion.from().size(),
             .input_names = column_names(conversion.from()),
             .from = conversion.from(),
@@ -170,6 +169,12 @@ RowOperation conversion_operation(const Conversion& conversion) {
                 return reports.size();
             }};
 }
+
+} // namespace
+
+RowOperation conversion_operation(const Conversion& conversion) { return operation_of(conversion); }
+
+RowOperation method_operation(const MethodConversion& conversion) { return operation_of(conversion); }
 
 RowOperation rates_operation(const Spec& spec, const RateSettings& settings) {
     const Rates rates(spec, settings);

@@ -12,6 +12,8 @@
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
 
+#include "../methods/method_conversion.hpp"
+
 namespace rotconv::stream {
 
 /// Rows that have their numbers, in the order of the stream.
@@ -40,6 +42,7 @@ struct RowOperation {
 
 /// The conversion of attitudes.
 [[nodiscard]] RowOperation conversion_operation(const Conversion& conversion);
+[[nodiscard]] RowOperation method_operation(const MethodConversion& conversion);
 
 /// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are wx,
 /// wy and wz.

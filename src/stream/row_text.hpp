@@ -54,8 +54,8 @@ template <class Visit> void for_each_diagnostic(const Report& report, std::size_
         if (report.diagnostics.has(kind)) {
             const double figure = kind == DiagnosticKind::normalized         ? report.defect
                                   : kind == DiagnosticKind::near_gimbal_lock ? report.sensitivity.condition
-                                  : kind == DiagnosticKind::method_error     ? report.method_error
-                                  : kind == DiagnosticKind::coarse_step      ? report.step_error
+                                  : kind == DiagnosticKind::method_error     ? report.deviation
+                                  : kind == DiagnosticKind::coarse_step      ? report.deviation
                                                                              : report.sensitivity.margin;
             visit(Diagnostic{line, kind, figure});
         }

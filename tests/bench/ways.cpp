@@ -19,11 +19,7 @@ Spec parse(const std::string& text) { return std::get<Spec>(parse_spec(text)); }
 class Own {
 public:
     Own(const Spec& from, const Spec& to)
-        : conversion_(from, to,
-                      {.tolerance = std::numeric_limits<double>::infinity(),
-                       .lock_margin = 0.0,
-                       .sensitivity = false,
-                       .method = nullptr}) {}
+        : conversion_(from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0}) {}
 
     void run(const double* in, std::size_t rows, double* out) {
         const std::size_t inputs = conversion_.from().size();

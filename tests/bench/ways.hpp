@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <rotconv/method.hpp>
+#include "methods/method.hpp"
 
 namespace bench {
 

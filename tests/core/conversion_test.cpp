@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include <rotconv/rotconv.hpp>
 
@@ -42,20 +41,4 @@ TEST_CASE("the hub keeps a quaternion exactly up to a power of two") {
     const auto largest = Rotation::from_components(1.7976931348623157e308, 1e308, 0, 0);
     CHECK(largest.w() < 1.0);
     CHECK(largest.w() >= 0.5);
-}
-
-// Would catch: rows of nine numbers, written by a method of another pair where there is room for four.
-TEST_CASE("a conversion takes no method of another pair") {
-    const Spec quat = std::get<Spec>(parse_spec("quat"));
-    const Spec dcm = std::get<Spec>(parse_spec("dcm"));
-    const Spec rpy = std::get<Spec>(parse_spec("rpy"));
-    const Settings unit{.method = find_method(RepresentationId::quat, RepresentationId::dcm, "unit")};
-    REQUIRE(unit.method != nullptr);
-    CHECK_NOTHROW(Conversion(quat, dcm, unit));
-    CHECK_THROWS_AS(Conversion(dcm, quat, unit), std::invalid_argument);
-    CHECK_THROWS_AS(Conversion(quat, quat, unit), std::invalid_argument);
-    const Settings classic{.method = find_method(RepresentationId::quat, RepresentationId::euler, "classic")};
-    REQUIRE(classic.method != nullptr);
-    CHECK_NOTHROW(Conversion(quat, rpy, classic));
-    CHECK_THROWS_AS(Conversion(quat, dcm, classic), std::invalid_argument);
 }

@@ -1,5 +1,5 @@
 // Small losses in the place of rotconv's own answers: the checks that hold rotconv must reject each of them. What they
-// say of published methods stands in methods_test.cpp.
+// say of published methods stands in tests/methods.
 
 #include <rotconv/conversion.hpp>
 

@@ -9,6 +9,9 @@
 
 namespace rotconv {
 
+/// A method's answer that is further than this (radians) from the attitude is reported.
+inline constexpr double reported_method_error = 1e-6;
+
 /// A published way from one representation to another, written as it was published, weaknesses included. rotconv's own
 /// way is the row `default` of each pair, whose function is null.
 struct Method {

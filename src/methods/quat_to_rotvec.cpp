@@ -1,10 +1,10 @@
-#include "methods.hpp"
+#include "formulas.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "../numerics/double_double.hpp"
-#include "../numerics/scaling.hpp"
+#include "../core/numerics/double_double.hpp"
+#include "../core/numerics/scaling.hpp"
 
 namespace rotconv::formula::quat_to_rotvec {
 namespace {

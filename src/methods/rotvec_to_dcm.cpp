@@ -1,10 +1,10 @@
-#include "methods.hpp"
+#include "formulas.hpp"
 
 #include <cmath>
 
-#include "../numerics/double_double.hpp"
-#include "../numerics/scaling.hpp"
-#include "../numerics/trigonometry.hpp"
+#include "../core/numerics/double_double.hpp"
+#include "../core/numerics/scaling.hpp"
+#include "../core/numerics/trigonometry.hpp"
 
 namespace rotconv::formula::rotvec_to_dcm {
 namespace {

@@ -1,4 +1,4 @@
-#include "methods.hpp"
+#include "formulas.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include <rotconv/method.hpp>
+#include "method.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "methods.hpp"
+#include "formulas.hpp"
 
 namespace rotconv {
 namespace {

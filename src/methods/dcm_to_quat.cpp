@@ -1,4 +1,4 @@
-#include "methods.hpp"
+#include "formulas.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "../numerics/davenport.hpp"
+#include "../core/numerics/davenport.hpp"
 
 namespace rotconv::formula::dcm_to_quat {
 namespace {

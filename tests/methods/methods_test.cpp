@@ -8,13 +8,14 @@
 #include <limits>
 #include <numbers>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include <rotconv/conversion.hpp>
-#include <rotconv/method.hpp>
 
 #include "accuracy.hpp"
 #include "catch.hpp"
+#include "methods/method_conversion.hpp"
 #include "oracle.hpp"
 #include "strata.hpp"
 
@@ -27,9 +28,11 @@ using rotconv::RepresentationId;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 accuracy::Convert by(const Method& method, const rotconv::Spec& from, const rotconv::Spec& to) {
-    const rotconv::Conversion conversion(
-        from, to, {.tolerance = inf, .lock_margin = 0.0, .sensitivity = false, .method = &method});
-    return [conversion](std::span<const double> row) {
+    if (method.run == nullptr) {
+        return accuracy::own(from, to);
+    }
+    const rotconv::Conversion own(from, to, {.tolerance = inf, .lock_margin = 0.0});
+    return [conversion = rotconv::MethodConversion(own, method)](std::span<const double> row) {
         std::vector<double> result(conversion.to().size());
         rotconv::Report report;
         conversion.run(row, result, {&report, 1});
@@ -224,34 +227,52 @@ TEST_CASE("a method's error is reported with its angle") {
                               const std::vector<double>& row) {
         const auto from = spec(from_text);
         const auto to = spec(to_text);
-        rotconv::Settings settings;
-        settings.method = rotconv::find_method(from.name, to.name, name);
+        const Method* method = rotconv::find_method(from.name, to.name, name);
+        REQUIRE(method != nullptr);
         std::vector<double> out(to.size());
         rotconv::Report report;
-        rotconv::Conversion(from, to, settings).run(row, out, {&report, 1});
+        rotconv::MethodConversion(rotconv::Conversion(from, to), *method).run(row, out, {&report, 1});
         return report;
     };
     const std::vector<double> half_turn{-1, 0, 0, 0, 1, 0, 0, 0, -1};
     const auto wrong = report_of("dcm", "quat", "baruh", half_turn);
     CHECK(wrong.diagnostics.has(rotconv::DiagnosticKind::method_error));
-    CHECK(std::isnan(wrong.method_error));
+    CHECK(std::isnan(wrong.deviation));
     CHECK(report_of("dcm", "quat", "shepperd", half_turn).diagnostics.empty());
-    CHECK(report_of("dcm", "quat", "default", half_turn).diagnostics.empty());
     // 90 degrees about z, k times too long: the unit formula gives the angle of (1 - k^2, k^2).
     const double k = 1.0001;
     const auto off = report_of("quat", "dcm", "unit", {k * std::sqrt(0.5), 0, 0, k * std::sqrt(0.5)});
     CHECK(off.diagnostics.has(rotconv::DiagnosticKind::method_error));
-    CHECK(off.method_error == Approx(std::atan2(k * k - 1.0, k * k)).epsilon(1e-9));
+    CHECK(off.deviation == Approx(std::atan2(k * k - 1.0, k * k)).epsilon(1e-9));
     // By less than is reported, on a row with nothing to report: k^2 below 1 + 1e-7.
     const double close = 1.0 + 4e-8;
     const auto unremarkable = report_of("quat", "dcm", "unit", {close * std::sqrt(0.5), 0, 0, close * std::sqrt(0.5)});
     CHECK(unremarkable.diagnostics.empty());
-    CHECK(unremarkable.method_error == Approx(std::atan2(close * close - 1.0, close * close)).epsilon(1e-6));
+    CHECK(unremarkable.deviation == Approx(std::atan2(close * close - 1.0, close * close)).epsilon(1e-6));
     // Both are infinite at a half-turn, as the vector is.
     CHECK_FALSE(
         report_of("dcm", "cayley", "quaternion", half_turn).diagnostics.has(rotconv::DiagnosticKind::method_error));
     // A row without an attitude stays a error.
     CHECK(report_of("dcm", "quat", "trace", {0, 0, 0, 0, 0, 0, 0, 0, 0}).error == rotconv::Error::not_proper);
+}
+
+// Would catch: rows of nine numbers, written by a method of another pair where there is room for four.
+TEST_CASE("a conversion takes no method of another pair") {
+    const auto conversion = [](const std::string& from, const std::string& to, const Method& method) {
+        return rotconv::MethodConversion(rotconv::Conversion(spec(from), spec(to)), method);
+    };
+    const Method* unit = rotconv::find_method(RepresentationId::quat, RepresentationId::dcm, "unit");
+    REQUIRE(unit != nullptr);
+    CHECK_NOTHROW(conversion("quat", "dcm", *unit));
+    CHECK_THROWS_AS(conversion("dcm", "quat", *unit), std::invalid_argument);
+    CHECK_THROWS_AS(conversion("quat", "quat", *unit), std::invalid_argument);
+    const Method* classic = rotconv::find_method(RepresentationId::quat, RepresentationId::euler, "classic");
+    REQUIRE(classic != nullptr);
+    CHECK_NOTHROW(conversion("quat", "rpy", *classic));
+    CHECK_THROWS_AS(conversion("quat", "dcm", *classic), std::invalid_argument);
+    const Method* own = rotconv::find_method(RepresentationId::quat, RepresentationId::dcm, "default");
+    REQUIRE(own != nullptr);
+    CHECK_THROWS_AS(conversion("quat", "dcm", *own), std::invalid_argument);
 }
 
 // Would catch: a README that counts other methods than there are.

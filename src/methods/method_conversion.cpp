@@ -1,0 +1,119 @@
+#include "method_conversion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+
+#include <rotconv/angle.hpp>
+
+#include "../core/representations/codec.hpp"
+#include "formulas.hpp"
+
+namespace rotconv {
+namespace {
+
+constexpr std::size_t widest = 9;
+
+/// The numbers of the inverse rotation, of a representation that methods start from.
+void invert(RepresentationId name, double* numbers) noexcept {
+    if (name == RepresentationId::dcm) {
+        Eigen::Map<formula::RowMajor>{numbers}.transposeInPlace();
+        return;
+    }
+    const std::size_t first = name == RepresentationId::quat ? 1 : 0; // of the vector
+    std::transform(numbers + first, numbers + first + 3, numbers + first, std::negate<>());
+}
+
+/// The sign of a quaternion that is printed.
+void make_sign_canonical(double* q) noexcept {
+    const double* const leader = std::find_if(q, q + 4, [](double component) { return component != 0.0; });
+    if (leader != q + 4 && *leader < 0.0) {
+        std::transform(q, q + 4, q, std::negate<>());
+    }
+}
+
+/// The angle between two attitudes; nan where the first is none.
+double angle_between(const Reading& answer, const Rotation& attitude) noexcept {
+    if (!answer.ok()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto quaternion = [](const Rotation& r) { return Eigen::Quaterniond(r.w(), r.x(), r.y(), r.z()); };
+    return quaternion(answer.rotation).angularDistance(quaternion(attitude));
+}
+
+} // namespace
+
+MethodConversion::MethodConversion(const Conversion& own, const Method& method) : own_(own), method_(&method) {
+    if (!method.serves(from().name, to().name) || method.run == nullptr) {
+        throw std::invalid_argument("not a published method of this pair");
+    }
+}
+
+void MethodConversion::run(std::span<const double> in, std::span<double> out,
+                           std::span<Report> reports) const noexcept {
+    own_.run(in, out, reports);
+    for (std::size_t first = 0; first < reports.size(); first += batch_rows) {
+        const std::size_t rows = std::min(batch_rows, reports.size() - first);
+        run_batch(in.data() + first * from().size(), out.data() + first * to().size(), reports.subspan(first, rows));
+    }
+}
+
+void MethodConversion::run_batch(const double* in, double* out, std::span<Report> reports) const noexcept {
+    const std::size_t rows = reports.size();
+    const std::size_t in_size = from().size();
+    const std::size_t out_size = to().size();
+    const bool inverse = from().passive != to().passive;
+
+    // What the methods do not know of is done to the numbers: order, the inverse, and degrees.
+    std::array<double, batch_rows * widest> numbers; // NOLINT(*-member-init): written before it is read
+    const auto in_order = from().order();
+    for (std::size_t i = 0; i < rows * in_size; i += in_size) {
+        for (std::size_t k = 0; k < in_size; ++k) {
+            numbers[i + in_order[k]] = in[i + k];
+        }
+    }
+    Readings attitudes; // NOLINT(*-member-init)
+    codec_of(from().name).read(from(), numbers.data(), rows, attitudes);
+    if (inverse) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            invert(from().name, numbers.data() + i * in_size);
+        }
+    }
+    if (from().unit == AngleUnit::degrees) {
+        std::for_each_n(numbers.begin(), rows * in_size, [](double& v) { v *= radians_per_degree; });
+    }
+
+    std::array<double, batch_rows * widest> answers; // NOLINT(*-member-init): written before it is read
+    method_->run(to().sequence, numbers.data(), rows, answers.data());
+    if (to().unit == AngleUnit::degrees) {
+        std::for_each_n(answers.begin(), rows * out_size, [](double& v) { v *= degrees_per_radian; });
+    }
+    Readings answered; // NOLINT(*-member-init)
+    codec_of(to().name).read(to(), answers.data(), rows, answered);
+
+    const auto out_order = to().order();
+    for (std::size_t i = 0; i < rows; ++i) {
+        Report& report = reports[i];
+        if (report.error != Error::none) {
+            continue;
+        }
+        if (!report.diagnostics.has(DiagnosticKind::infinite)) { // else no finite number is nearer
+            const Rotation attitude = attitudes.at(i);
+            report.deviation = angle_between(answered.reading(i), inverse ? attitude.inverse() : attitude);
+            report.diagnostics |= {DiagnosticKind::method_error, !(report.deviation <= reported_method_error)};
+        }
+        double* const answer = answers.data() + i * out_size;
+        if (to().name == RepresentationId::quat) {
+            make_sign_canonical(answer);
+        }
+        for (std::size_t k = 0; k < out_size; ++k) {
+            out[i * out_size + k] = answer[out_order[k]] + 0.0; // -0 becomes 0
+        }
+    }
+}
+
+} // namespace rotconv
