@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -36,13 +37,13 @@ void make_sign_canonical(double* q) noexcept {
     }
 }
 
-/// The angle between two attitudes; nan where the first is none.
-double angle_between(const Reading& answer, const Rotation& attitude) noexcept {
-    if (!answer.ok()) {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    const auto quaternion = [](const Rotation& r) { return Eigen::Quaterniond(r.w(), r.x(), r.y(), r.z()); };
-    return quaternion(answer.rotation).angularDistance(quaternion(attitude));
+/// The angle between two attitudes, in radians.
+double angle_between(const Rotation& p, const Rotation& q) noexcept {
+    const double w = (p.w() * q.w() + p.x() * q.x()) + (p.y() * q.y() + p.z() * q.z());
+    const double x = (p.w() * q.x() - p.x() * q.w()) - (p.y() * q.z() - p.z() * q.y());
+    const double y = (p.w() * q.y() - p.y() * q.w()) - (p.z() * q.x() - p.x() * q.z());
+    const double z = (p.w() * q.z() - p.z() * q.w()) - (p.x() * q.y() - p.y() * q.x());
+    return 2.0 * std::atan2(std::sqrt((x * x + y * y) + z * z), std::fabs(w));
 }
 
 } // namespace
@@ -102,8 +103,9 @@ void MethodConversion::run_batch(const double* in, double* out, std::span<Report
             continue;
         }
         if (!report.diagnostics.has(DiagnosticKind::infinite)) { // else no finite number is nearer
-            const Rotation attitude = attitudes.at(i);
-            report.deviation = angle_between(answered.reading(i), inverse ? attitude.inverse() : attitude);
+            const Rotation attitude = inverse ? attitudes.at(i).inverse() : attitudes.at(i);
+            report.deviation = answered.error[i] == Error::none ? angle_between(answered.at(i), attitude)
+                                                                : std::numeric_limits<double>::quiet_NaN();
             report.diagnostics |= {DiagnosticKind::method_error, !(report.deviation <= reported_method_error)};
         }
         double* const answer = answers.data() + i * out_size;
