@@ -33,7 +33,7 @@ public:
 
 private:
     Conversion conversion_;
-    std::array<Report, batch_rows> reports_{};
+    std::array<Report, block> reports_{};
 };
 
 } // namespace
