@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
@@ -15,12 +16,13 @@ struct Settings {
     bool sensitivity = false;                        ///< margin, condition and the exact defect for every row
 };
 
-/// What is known of one converted row.
+/// What is to be told of one converted row.
 struct Report {
+    std::size_t row = 0; ///< its index among the rows of the run
     Error error = Error::none;
-    DiagnosticSet diagnostics;
+    DiagnosticSet diagnostics{};
     double defect = 0.0;       ///< below `reported_defect` and without Settings::sensitivity only an upper bound
-    Sensitivity sensitivity{}; ///< where there are diagnostics or Settings::sensitivity asks for them
+    Sensitivity sensitivity{}; ///< of a row without error
     double deviation = 0.0;    ///< angle in radians by which the numbers may be off, where whoever made them says so
 };
 
@@ -35,13 +37,17 @@ public:
     [[nodiscard]] const Spec& from() const noexcept { return from_; }
     [[nodiscard]] const Spec& to() const noexcept { return to_; }
 
-    /// Converts reports.size() rows of from().size() numbers each into rows of to().size() numbers. The numbers of a
-    /// row with a error become nan. No number becomes -0.
-    /// @pre in.size() >= rows * from().size() and out.size() >= rows * to().size()
-    void run(std::span<const double> in, std::span<double> out, std::span<Report> reports) const noexcept;
+    /// Converts rows of from().size() numbers each into rows of to().size() numbers. The numbers of a row with a error
+    /// become nan. No number becomes -0.
+    /// @param reports become those of the rows with an error or diagnostics, or with Settings::sensitivity of all rows,
+    /// in their order. Most rows have none; a vector that is used again is not allocated again
+    /// @pre out.size() >= rows * to().size()
+    void run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const;
 
 private:
-    void run_batch(const double* in, double* out, std::span<Report> reports) const noexcept;
+    /// At most `batch_rows` rows, of which the first is row `first` of the run.
+    void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
+                   std::vector<Report>& reports) const;
     [[nodiscard]] Report report(const Reading& reading, DiagnosticSet diagnostics,
                                 const double* numbers) const noexcept;
 

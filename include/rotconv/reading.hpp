@@ -78,18 +78,19 @@ inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(Di
 class DiagnosticSet {
 public:
     constexpr DiagnosticSet() noexcept = default;
-    constexpr DiagnosticSet(DiagnosticKind kind, bool present) noexcept : bits_(present ? bit(kind) : 0U) {}
+    constexpr DiagnosticSet(DiagnosticKind kind, bool present) noexcept
+        : bits_(static_cast<std::uint8_t>(present ? bit(kind) : 0U)) {}
 
     [[nodiscard]] constexpr bool has(DiagnosticKind kind) const noexcept { return (bits_ & bit(kind)) != 0U; }
     [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0U; }
     constexpr DiagnosticSet& operator|=(DiagnosticSet other) noexcept {
-        bits_ |= other.bits_;
+        bits_ = static_cast<std::uint8_t>(bits_ | other.bits_);
         return *this;
     }
 
 private:
     static constexpr unsigned bit(DiagnosticKind kind) noexcept { return 1U << static_cast<unsigned>(kind); }
-    unsigned bits_ = 0;
+    std::uint8_t bits_ = 0;
 };
 
 /// How close an attitude is to where a set of parameters is singular.

@@ -59,11 +59,11 @@ Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
         }
     }
     std::array<double, 4> q{};
-    Report report;
-    Conversion(spec, Spec{}, {.tolerance = tolerance}).run(numbers, q, {&report, 1});
-    if (report.error != Error::none) {
-        error.error = report.error;
-        error.defect = report.defect;
+    std::vector<Report> reports;
+    Conversion(spec, Spec{}, {.tolerance = tolerance}).run(std::span(numbers).first(spec.size()), q, reports);
+    if (!reports.empty() && reports.front().error != Error::none) {
+        error.error = reports.front().error;
+        error.defect = reports.front().defect;
         refuse(stream::RowError::What::attitude);
     }
     return Rotation::from_components(q[0], q[1], q[2], q[3]);
@@ -128,7 +128,7 @@ RowsCommand rates_command(const RawOptions& texts, const Operands& operands) {
         .degrees = texts.degrees,
         .frame = choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}}),
         .tolerance = settings_of(texts).tolerance};
-    auto function = stream::rates_operation(spec, settings);
+    auto function = stream::rates_operation(spec, settings, settings_of(texts).sensitivity);
     const std::string subject =
         fmt::format("{} with {}", representation(spec.name).text, settings.inverse ? "its rates" : "wx wy wz");
     messages::Subject about{subject, function.inputs, spec.name, settings.tolerance};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include "representations/codec.hpp"
@@ -40,25 +41,48 @@ template <std::size_t size> void to_written_order(const Spec& spec, double* numb
     }
 }
 
+/// Sets -0 to 0.
+ROTCONV_TARGET_CLONES
+void drop_minus_zero(double* numbers, std::size_t count) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+        numbers[i] += 0.0;
+    }
+}
+
+/// Whether there may be something to tell of any row: one look at each column, for most batches have no such row.
+ROTCONV_TARGET_CLONES
+bool any_remarkable(const Readings& readings, const DiagnosticSet* diagnostics, std::size_t rows,
+                    double largest_defect) noexcept {
+    // Sums of bits, since compilers vectorise those.
+    std::uint64_t defects = 0;
+    std::uint8_t errors = 0;
+    DiagnosticSet kinds;
+    for (std::size_t i = 0; i < rows; ++i) {
+        defects |= readings.defect[i] <= largest_defect ? 0U : 1U;
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        errors = static_cast<std::uint8_t>(errors | static_cast<std::uint8_t>(readings.error[i]));
+        kinds |= diagnostics[i];
+    }
+    return defects != 0 || errors != 0 || !kinds.empty();
+}
+
 } // namespace
 
 Conversion::Conversion(const Spec& from, const Spec& to, const Settings& settings)
     : from_(from), to_(to), settings_(settings), in_codec_(&codec_of(from.name)), out_codec_(&codec_of(to.name)) {}
 
-void Conversion::run(std::span<const double> in, std::span<double> out, std::span<Report> reports) const noexcept {
-    const double* from = in.data();
-    double* to = out.data();
-    while (!reports.empty()) {
-        const std::size_t rows = std::min(batch_rows, reports.size());
-        run_batch(from, to, reports.first(rows));
-        from += rows * from_.size();
-        to += rows * to_.size();
-        reports = reports.subspan(rows);
+void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const {
+    reports.clear();
+    const std::size_t rows = in.size() / from_.size();
+    for (std::size_t first = 0; first < rows; first += batch_rows) {
+        run_batch(in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
+                  out.data() + first * to_.size(), reports);
     }
 }
 
-void Conversion::run_batch(const double* in, double* out, std::span<Report> reports) const noexcept {
-    const std::size_t rows = reports.size();
+void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
+                           std::vector<Report>& reports) const {
     std::array<double, batch_rows * widest> own_order; // NOLINT(*-member-init): written before it is read
     if (reordered(from_)) {
         to_own_order(from_, in, rows, own_order.data());
@@ -74,29 +98,33 @@ void Conversion::run_batch(const double* in, double* out, std::span<Report> repo
     std::array<DiagnosticSet, batch_rows> diagnostics; // NOLINT(*-member-init)
     out_codec_->write(to_, settings_.lock_margin, readings, rows, out, diagnostics.data());
     const std::size_t width = to_.size();
-    for (std::size_t i = 0; i < rows * width; ++i) {
-        out[i] += 0.0; // -0 becomes 0
-    }
+    drop_minus_zero(out, rows * width);
     if (reordered(to_)) {
         (to_.size() == 4 ? to_written_order<4> : to_written_order<9>)(to_, out, rows); // a quaternion or a matrix
     }
-    const double unremarkable = settings_.sensitivity ? -1.0 : std::min(settings_.tolerance, reported_defect);
+    const double largest_defect = settings_.sensitivity ? -1.0 : std::min(settings_.tolerance, reported_defect);
+    if (!any_remarkable(readings, diagnostics.data(), rows, largest_defect)) {
+        return;
+    }
     for (std::size_t i = 0; i < rows; ++i) {
-        const bool remarkable =
-            !(readings.defect[i] <= unremarkable) || readings.error[i] != Error::none || !diagnostics[i].empty();
-        reports[i] = {};
-        reports[i].defect = readings.defect[i];
-        if (remarkable) {
-            reports[i] = report(readings.reading(i), diagnostics[i], in + i * from_.size());
+        if (readings.defect[i] <= largest_defect && readings.error[i] == Error::none && diagnostics[i].empty()) {
+            continue;
         }
-        if (reports[i].error != Error::none) {
+        Report found = report(readings.reading(i), diagnostics[i], in + i * from_.size());
+        if (found.error != Error::none) {
             std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
+        }
+        if (settings_.sensitivity || found.error != Error::none || !found.diagnostics.empty()) {
+            found.row = first + i;
+            reports.push_back(found);
         }
     }
 }
 
 Report Conversion::report(const Reading& reading, DiagnosticSet diagnostics, const double* numbers) const noexcept {
-    Report report{.error = reading.error(), .diagnostics = {}, .defect = reading.defect(), .sensitivity = {}};
+    Report report;
+    report.error = reading.error();
+    report.defect = reading.defect();
     if (!reading) {
         return report;
     }

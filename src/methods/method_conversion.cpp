@@ -54,17 +54,24 @@ MethodConversion::MethodConversion(const Conversion& own, const Method& method) 
     }
 }
 
-void MethodConversion::run(std::span<const double> in, std::span<double> out,
-                           std::span<Report> reports) const noexcept {
-    own_.run(in, out, reports);
-    for (std::size_t first = 0; first < reports.size(); first += batch_rows) {
-        const std::size_t rows = std::min(batch_rows, reports.size() - first);
-        run_batch(in.data() + first * from().size(), out.data() + first * to().size(), reports.subspan(first, rows));
+void MethodConversion::run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const {
+    std::vector<Report> own;
+    own_.run(in, out, own);
+    reports.clear();
+    auto next = own.cbegin();
+    const std::size_t rows = in.size() / from().size();
+    for (std::size_t first = 0; first < rows; first += batch_rows) {
+        const std::size_t some = std::min(batch_rows, rows - first);
+        const auto end =
+            std::find_if(next, own.cend(), [&](const Report& report) { return report.row >= first + some; });
+        run_batch(in.data() + first * from().size(), first, some, out.data() + first * to().size(), {next, end},
+                  reports);
+        next = end;
     }
 }
 
-void MethodConversion::run_batch(const double* in, double* out, std::span<Report> reports) const noexcept {
-    const std::size_t rows = reports.size();
+void MethodConversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
+                                 std::span<const Report> own, std::vector<Report>& reports) const {
     const std::size_t in_size = from().size();
     const std::size_t out_size = to().size();
     const bool inverse = from().passive != to().passive;
@@ -98,8 +105,14 @@ void MethodConversion::run_batch(const double* in, double* out, std::span<Report
 
     const auto out_order = to().order();
     for (std::size_t i = 0; i < rows; ++i) {
-        Report& report = reports[i];
+        Report report{.row = first + i};
+        const bool reported = !own.empty() && own.front().row == report.row;
+        if (reported) {
+            report = own.front();
+            own = own.subspan(1);
+        }
         if (report.error != Error::none) {
+            reports.push_back(report);
             continue;
         }
         if (!report.diagnostics.has(DiagnosticKind::infinite)) { // else no finite number is nearer
@@ -107,6 +120,9 @@ void MethodConversion::run_batch(const double* in, double* out, std::span<Report
             report.deviation = answered.error[i] == Error::none ? angle_between(answered.at(i), attitude)
                                                                 : std::numeric_limits<double>::quiet_NaN();
             report.diagnostics |= {DiagnosticKind::method_error, !(report.deviation <= reported_method_error)};
+        }
+        if (reported || !report.diagnostics.empty()) {
+            reports.push_back(report);
         }
         double* const answer = answers.data() + i * out_size;
         if (to().name == RepresentationId::quat) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include <rotconv/conversion.hpp>
 
@@ -21,10 +23,12 @@ public:
 
     /// As Conversion::run(). Report::deviation is the angle from the attitude to the method's answer, nan where that is
     /// none.
-    void run(std::span<const double> in, std::span<double> out, std::span<Report> reports) const noexcept;
+    void run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const;
 
 private:
-    void run_batch(const double* in, double* out, std::span<Report> reports) const noexcept;
+    /// `own`: the reports of rotconv's own numbers of these rows, of which the first is row `first`.
+    void run_batch(const double* in, std::size_t first, std::size_t rows, double* out, std::span<const Report> own,
+                   std::vector<Report>& reports) const;
 
     Conversion own_;
     const Method* method_;

@@ -64,30 +64,28 @@ bool RowTransformer::is_doubles_alone() const noexcept {
 void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output) {
     const std::size_t row_size = options_->width * sizeof(double);
     const std::size_t width = function_.names.size();
-    const auto is_remarkable = [](const Report& report) {
-        return report.error != Error::none || !report.diagnostics.empty();
-    };
     while (!text.empty() && !output.stopped) {
         const std::size_t rows = std::min(batch, text.size() / row_size);
         numbers_.resize(rows * function_.inputs);
         std::memcpy(numbers_.data(), text.data(), rows * row_size);
         lines_.resize(rows);
         std::iota(lines_.begin(), lines_.end(), line);
-        reports_.resize(rows);
         results_.resize(rows * width);
-        function_.run({numbers_, lines_, false, {}}, results_, reports_);
+        function_.run({numbers_, lines_}, results_, reports_);
+        next_report_ = 0;
         std::size_t next = 0;
-        while (next < rows && !output.stopped) {
-            const auto found =
-                std::find_if(reports_.begin() + static_cast<std::ptrdiff_t>(next), reports_.end(), is_remarkable);
-            const auto end = static_cast<std::size_t>(found - reports_.begin());
+        const auto write_clean = [&](std::size_t end) {
             append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
             next = end;
-            if (next < rows) {
-                Row row{.line = {text.substr(next * row_size, row_size), {}}, .number = line + next, .index = next};
-                write_row(row, output);
-                ++next;
-            }
+        };
+        while (next_report_ < reports_.size() && !output.stopped) {
+            write_clean(reports_[next_report_].row);
+            Row row{.line = {text.substr(next * row_size, row_size), {}}, .number = line + next, .index = next};
+            write_row(row, output);
+            ++next;
+        }
+        if (!output.stopped) {
+            write_clean(rows);
         }
         text.remove_prefix(rows * row_size);
         line += rows;

@@ -34,12 +34,6 @@ Conversion conversion_to(const Spec& to, Settings settings) {
     return {Spec{}, to, settings};
 }
 
-Report failed(Error error) {
-    Report report;
-    report.error = error;
-    return report;
-}
-
 /// The times of rows that are accepted.
 class Clock {
 public:
@@ -79,14 +73,14 @@ private:
 class Propagation {
 public:
     explicit Propagation(const PropagationRows& rows)
-        : clock_(rows.time_power), velocity_unit_(rows.degrees ? radians_per_degree : 1.0),
-          tolerance_(rows.conversion.tolerance), stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
+        : clock_(rows.time_power), velocity_unit_(rows.degrees ? radians_per_degree : 1.0), settings_(rows.conversion),
+          stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
           conversion_(conversion_to(rows.to, rows.conversion)) {}
 
-    std::size_t run(const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
+    std::size_t run(const NumberRows& rows, bool flush, std::span<double> out, std::vector<Report>& reports) {
         answered_ = 0;
-        bool flush = rows.flush;
-        while (pushed_.size() < reports.size()) {
+        reports.clear();
+        while (pushed_.size() < rows.lines.size()) {
             const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
             const double interval = clock_.seconds_to(row[0], rows.kept.empty() ? nullptr : &rows.kept[pushed_.size()]);
             const Pushed pushed = propagator_.push(interval, velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
@@ -109,52 +103,59 @@ public:
 
 private:
     /// The answer is that of the first row that was not refused and has none.
-    void settle(const std::optional<Propagated>& answer, std::span<double> out, std::span<Report> reports) {
+    void settle(const std::optional<Propagated>& answer, std::span<double> out, std::vector<Report>& reports) {
         report_refused(reports);
         if (answer) {
             const std::size_t size = conversion_.to().size();
-            write(*answer, out.subspan(answered_ * size, size), reports[answered_]);
+            write(*answer, out.subspan(answered_ * size, size), reports);
             ++answered_;
             report_refused(reports);
         }
     }
 
-    void report_refused(std::span<Report> reports) {
+    void report_refused(std::vector<Report>& reports) {
         for (; answered_ < pushed_.size() && pushed_[answered_] != Error::none; ++answered_) {
-            reports[answered_] = failed(pushed_[answered_]);
+            reports.push_back({.row = answered_, .error = pushed_[answered_]});
         }
     }
 
-    void write(const Propagated& answer, std::span<double> out, Report& report) {
+    void write(const Propagated& answer, std::span<double> out, std::vector<Report>& reports) {
+        Report report{.row = answered_, .defect = answer.defect, .deviation = answer.step_error};
         if (ended_) {
-            report = failed(Error::ended);
+            reports.push_back({.row = answered_, .error = Error::ended});
             return;
         }
-        const bool drifted = answer.defect > tolerance_;
+        const bool drifted = answer.defect > settings_.tolerance;
         ended_ = drifted || answer.error != Error::none;
         if (ended_) {
-            report = failed(drifted ? Error::defect : answer.error);
-            report.defect = answer.defect;
+            report.error = drifted ? Error::defect : answer.error;
+            reports.push_back(report);
             return;
         }
         const Eigen::Quaterniond q = quaternion::from_rotation(answer.rotation);
         const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
-        conversion_.run(numbers, out, {&report, 1});
-        report.defect = answer.defect;
-        report.deviation = answer.step_error;
+        conversion_.run(numbers, out, converted_);
+        if (!converted_.empty()) {
+            report.diagnostics = converted_.front().diagnostics;
+            report.sensitivity = converted_.front().sensitivity;
+        }
         report.diagnostics |= {DiagnosticKind::normalized, answer.defect > reported_defect};
         report.diagnostics |= {DiagnosticKind::coarse_step, answer.step_error > reported_step_error};
+        if (settings_.sensitivity || !report.diagnostics.empty()) {
+            reports.push_back(report);
+        }
     }
 
     Clock clock_;
     double velocity_unit_;
-    double tolerance_;
+    Settings settings_;
     bool stop_at_error_;
     bool ended_ = false; ///< an answer has failed: the attitude is lost
     Propagator propagator_;
     Conversion conversion_;
-    std::vector<Error> pushed_; ///< why each row that is pushed and not answered was refused
-    std::size_t answered_ = 0;  ///< of the rows at hand
+    std::vector<Report> converted_; ///< of one row
+    std::vector<Error> pushed_;     ///< why each row that is pushed and not answered was refused
+    std::size_t answered_ = 0;      ///< of the rows at hand
 };
 
 /// What a conversion makes of its rows, whether rotconv's own or a method's.
@@ -164,9 +165,8 @@ template <class AnyConversion> RowOperation operation_of(const AnyConversion& co
             .from = conversion.from(),
             .names = column_names(conversion.to()),
             .attitude = conversion.to(),
-            .run = [conversion](const NumberRows& rows, std::span<double> out, std::span<Report> reports) {
+            .run = [conversion](const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) {
                 conversion.run(rows.numbers, out, reports);
-                return reports.size();
             }};
 }
 
@@ -176,43 +176,52 @@ RowOperation conversion_operation(const Conversion& conversion) { return operati
 
 RowOperation method_operation(const MethodConversion& conversion) { return operation_of(conversion); }
 
-RowOperation rates_operation(const Spec& spec, const RateSettings& settings) {
+RowOperation rates_operation(const Spec& spec, const RateSettings& settings, bool sensitivity) {
     const Rates rates(spec, settings);
     const bool has_lock = representation(spec.name).has_gimbal_lock;
     const std::vector<std::string> velocity{"wx", "wy", "wz"};
     auto input_names = column_names(spec);
     std::ranges::copy(settings.inverse ? rate_names(spec) : velocity, std::back_inserter(input_names));
-    return {
-        .inputs = rates.in_size(),
-        .input_names = std::move(input_names),
-        .from = spec,
-        .names = settings.inverse ? velocity : rate_names(spec),
-        .run = [rates, has_lock, found = std::vector<RateReport>()](const NumberRows& rows, std::span<double> out,
-                                                                    std::span<Report> reports) mutable {
-            found.resize(reports.size());
-            rates.run(rows.numbers, out, found);
-            std::ranges::transform(found, reports.begin(), [has_lock](const RateReport& rate) {
-                DiagnosticSet notes(DiagnosticKind::normalized, rate.defect > reported_defect);
-                notes |=
-                    {DiagnosticKind::near_gimbal_lock, has_lock && rate.sensitivity.condition > near_lock_condition};
-                return Report{
-                    .error = rate.error, .diagnostics = notes, .defect = rate.defect, .sensitivity = rate.sensitivity};
-            });
-            return reports.size();
-        }};
+    return {.inputs = rates.in_size(),
+            .input_names = std::move(input_names),
+            .from = spec,
+            .names = settings.inverse ? velocity : rate_names(spec),
+            .run = [rates, has_lock, sensitivity, found = std::vector<RateReport>()](
+                       const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) mutable {
+                found.resize(rows.lines.size());
+                rates.run(rows.numbers, out, found);
+                reports.clear();
+                for (std::size_t i = 0; i < found.size(); ++i) {
+                    const RateReport& rate = found[i];
+                    DiagnosticSet diagnostics(DiagnosticKind::normalized, rate.defect > reported_defect);
+                    diagnostics |= {DiagnosticKind::near_gimbal_lock,
+                                    has_lock && rate.sensitivity.condition > near_lock_condition};
+                    if (sensitivity || rate.error != Error::none || !diagnostics.empty()) {
+                        reports.push_back({.row = i,
+                                           .error = rate.error,
+                                           .diagnostics = diagnostics,
+                                           .defect = rate.defect,
+                                           .sensitivity = rate.sensitivity});
+                    }
+                }
+            }};
 }
 
 RowOperation propagation_operation(const PropagationRows& rows) {
-    return {.inputs = time_and_velocity,
-            .input_names = {"t", "wx", "wy", "wz"},
-            .kept = 1,
-            .names = column_names(rows.to),
-            .attitude = rows.to,
-            .in_order = true,
-            .run = [state = std::make_shared<Propagation>(rows)](const NumberRows& given, std::span<double> out,
-                                                                 std::span<Report> reports) {
-                return state->run(given, out, reports);
-            }};
+    const auto state = std::make_shared<Propagation>(rows);
+    RowOperation operation{.inputs = time_and_velocity,
+                           .input_names = {"t", "wx", "wy", "wz"},
+                           .kept = 1,
+                           .names = column_names(rows.to),
+                           .attitude = rows.to,
+                           .in_order = true,
+                           .run = [state](const NumberRows& given, std::span<double> out,
+                                          std::vector<Report>& reports) { state->run(given, true, out, reports); }};
+    if (rows.settings.interpolation == Interpolation::cubic) {
+        operation.run_ahead = [state](const NumberRows& given, bool flush, std::span<double> out,
+                                      std::vector<Report>& reports) { return state->run(given, flush, out, reports); };
+    }
+    return operation;
 }
 
 RowOperation reading_operation(const Spec& from, double tolerance,
@@ -225,15 +234,17 @@ RowOperation reading_operation(const Spec& from, double tolerance,
             .attitude = Spec{},
             .in_order = true,
             .run = [conversion, take = std::move(take)](const NumberRows& rows, std::span<double> out,
-                                                        std::span<Report> reports) {
+                                                        std::vector<Report>& reports) {
                 conversion.run(rows.numbers, out, reports);
-                for (std::size_t i = 0; i < reports.size(); ++i) {
-                    if (reports[i].error == Error::none) {
-                        const auto q = out.subspan(4 * i, 4);
-                        take(Rotation::from_components(q[0], q[1], q[2], q[3]), rows.lines[i]);
+                auto report = reports.begin();
+                for (std::size_t i = 0; i < rows.lines.size(); ++i) {
+                    const bool is_reported = report != reports.end() && report->row == i;
+                    if (is_reported && (report++)->error != Error::none) {
+                        continue;
                     }
+                    const auto q = out.subspan(4 * i, 4);
+                    take(Rotation::from_components(q[0], q[1], q[2], q[3]), rows.lines[i]);
                 }
-                return reports.size();
             }};
 }
 

@@ -20,7 +20,6 @@ namespace rotconv::stream {
 struct NumberRows {
     std::span<const double> numbers;    ///< of all of them, row by row
     std::span<const std::size_t> lines; ///< where they stand
-    bool flush = false;                 ///< all are to be answered, as at the end
     /// The texts of the numbers that are kept, row by row; empty where rows are doubles.
     std::span<const std::string_view> kept{};
 };
@@ -35,9 +34,14 @@ struct RowOperation {
     std::optional<Spec> attitude{};       ///< what the result is, where it is an attitude
     bool in_order = false; ///< all rows must come to it in their order; else each copy may answer any of them
 
-    /// Answers rows of `inputs` numbers with names.size() numbers and a report each.
-    /// @return how many of the rows are answered, all where none may wait; the others come first in the next call
-    std::function<std::size_t(const NumberRows& rows, std::span<double> out, std::span<Report> reports)> run;
+    /// Answers rows of `inputs` numbers with names.size() numbers each. `reports` become those of the rows of which
+    /// there is something to tell, in their order.
+    std::function<void(const NumberRows& rows, std::span<double> out, std::vector<Report>& reports)> run;
+    /// Where an answer depends on the rows after it, to be called in the place of `run`: answers as many of the first
+    /// rows as it can, or all with `flush`. The others come first in the next call.
+    /// @return how many are answered
+    std::function<std::size_t(const NumberRows& rows, bool flush, std::span<double> out, std::vector<Report>& reports)>
+        run_ahead{};
 };
 
 /// The conversion of attitudes.
@@ -45,8 +49,8 @@ struct RowOperation {
 [[nodiscard]] RowOperation method_operation(const MethodConversion& conversion);
 
 /// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are wx,
-/// wy and wz.
-[[nodiscard]] RowOperation rates_operation(const Spec& spec, const RateSettings& settings);
+/// wy and wz. `sensitivity`: a report of every row.
+[[nodiscard]] RowOperation rates_operation(const Spec& spec, const RateSettings& settings, bool sensitivity);
 
 /// What a propagation makes of rows t, wx, wy, wz.
 struct PropagationRows {

@@ -14,47 +14,23 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout)
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
     if (is_doubles_alone()) {
         transform_doubles(text, line, output);
-    } else if (waiting_.empty()) {
-        work_off(text, line, false, false, output);
-    } else {
-        const std::string joined = std::exchange(waiting_, {}).append(text);
-        work_off(joined, waiting_line_, true, false, output);
+        return;
+    }
+    if (function_.run_ahead) {
+        transform_ahead(text, line, false, output);
+        return;
+    }
+    while (!text.empty() && !output.stopped) {
+        gather(text, line, batch);
+        results_.resize(lines_.size() * function_.names.size());
+        function_.run({numbers_, lines_, kept_}, results_, reports_);
+        write(output);
     }
 }
 
 void RowTransformer::finish(Output& output) {
-    const std::string last = std::exchange(waiting_, {});
-    work_off(last, waiting_line_, true, true, output);
-}
-
-void RowTransformer::work_off(std::string_view text, std::size_t line, bool held_first, bool is_end, Output& output) {
-    const char* const end = text.data() + text.size();
-    std::size_t limit = batch;
-    while (!text.empty() && !output.stopped) {
-        const char* const begin = text.data();
-        gather(text, line, limit);
-        const bool is_whole = text.empty();
-        const bool waits_long = held_first && static_cast<std::size_t>(text.data() - begin) >= most_waiting;
-        const bool at_error = options_->on_error == OnError::stop && !errors_.empty();
-        reports_.resize(lines_.size());
-        results_.resize(lines_.size() * function_.names.size());
-        const std::size_t answered = function_.run(
-            {numbers_, lines_, at_error || waits_long || (is_end && is_whole), kept_}, results_, reports_);
-        const auto held = std::ranges::find_if(
-            rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
-        held_first = held != rows_.end();
-        if (held_first) {
-            line = held->number;
-            text = std::string_view(held->line.text.data(), end);
-            rows_.erase(held, rows_.end());
-        }
-        write(output);
-        if (is_whole) {
-            waiting_ = text;
-            waiting_line_ = line;
-            return;
-        }
-        limit = rows_.empty() ? 2 * limit : batch;
+    if (function_.run_ahead) {
+        transform_ahead({}, 0, true, output);
     }
 }
 
@@ -162,6 +138,7 @@ void RowTransformer::note_error(Row& row, RowError error) {
 }
 
 void RowTransformer::write(Output& output) {
+    next_report_ = 0;
     for (Row& row : rows_) {
         if (row.passed) {
             if (options_->format == Format::csv) {
@@ -182,35 +159,41 @@ void RowTransformer::write_row(Row& row, Output& output) {
         make_fields(row);
     }
     const std::size_t size = function_.names.size();
-    const Report* const report = row.has_numbers() ? &reports_[row.index] : nullptr;
-    const bool failed = report == nullptr || report->error != Error::none;
+    const Report& report = report_of(row);
+    const bool failed = !row.has_numbers() || report.error != Error::none;
     const ConvertedRow converted{.line = row.line,
                                  .number = row.number,
                                  .fields = std::span(fields_).subspan(row.first_field, row.field_count),
                                  .result = failed ? std::span<const double>(nans_)
                                                   : std::span(results_).subspan(row.index * size, size),
-                                 .report = report,
+                                 .report = &report,
                                  .failed = failed};
     if (!failed) {
         row_text_.write(output.bytes, converted);
-        for_each_diagnostic(*report, row.number,
+        for_each_diagnostic(report, row.number,
                             [&](const Diagnostic& diagnostic) { output.events.emplace_back(diagnostic); });
         return;
     }
-    if (report == nullptr) {
+    if (!row.has_numbers()) {
         output.events.emplace_back(errors_[row.error]);
     } else {
         output.events.emplace_back(RowError{.line = row.number,
                                             .what = RowError::What::attitude,
                                             .text = selected_text(row),
-                                            .error = report->error,
-                                            .defect = report->defect});
+                                            .error = report.error,
+                                            .defect = report.defect});
     }
     if (options_->on_error == OnError::stop) {
         output.stopped = true;
     } else if (options_->on_error == OnError::nan) {
         row_text_.write(output.bytes, converted);
     }
+}
+
+const Report& RowTransformer::report_of(const Row& row) noexcept {
+    static constexpr Report nothing{};
+    const bool is_next = row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == row.index;
+    return is_next ? reports_[next_report_++] : nothing;
 }
 
 std::string RowTransformer::selected_text(const Row& row) const {

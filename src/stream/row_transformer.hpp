@@ -19,8 +19,6 @@ public:
     RowTransformer(const Options& options, const Layout& layout);
 
     /// Adds what the rows of `text`, whole lines of which the first is line `line`, become.
-    /// Where the function holds rows back, they and what follows them wait for the next call, up to `most_waiting`
-    /// bytes.
     void transform(std::string_view text, std::size_t line, Output& output);
     /// To be called at the end: adds what still waits.
     void finish(Output& output);
@@ -36,7 +34,7 @@ private:
         bool passed = false;         ///< blank or comment: goes out as it is
         std::size_t first_field = 0; ///< in fields_
         std::size_t field_count = 0;
-        std::size_t index = 0;        ///< in reports_, of a row without error
+        std::size_t index = 0;        ///< among the rows with numbers, of a row without error
         std::size_t error = no_error; ///< in errors_
 
         [[nodiscard]] bool has_numbers() const noexcept { return !passed && error == no_error; }
@@ -46,8 +44,9 @@ private:
     [[nodiscard]] bool is_doubles_alone() const noexcept;
     /// Of those rows as many are written at once as there is nothing to tell of.
     void transform_doubles(std::string_view text, std::size_t line, Output& output);
-    /// `held_first`: the first row is one that was held back.
-    void work_off(std::string_view text, std::size_t line, bool held_first, bool is_end, Output& output);
+    /// Where answers depend on the rows after them: a row that has none yet, and what follows it, wait for the next
+    /// call, up to `most_waiting` bytes.
+    void transform_ahead(std::string_view next, std::size_t next_line, bool is_end, Output& output);
     /// Reads a batch of rows off the text, under `stop` none after a error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
@@ -57,6 +56,8 @@ private:
     void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
+    /// What is to be told of the row; to be asked of each in turn.
+    [[nodiscard]] const Report& report_of(const Row& row) noexcept;
     /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(const Row& row) const;
     void write(Output& output);
@@ -79,9 +80,10 @@ private:
     std::vector<std::size_t> lines_;     ///< of the rows with numbers
     std::vector<std::string_view> kept_; ///< texts of their numbers that are kept
     std::vector<double> results_;
-    std::vector<Report> reports_;
-    Buffer made_;              ///< the text of a binary row
-    std::vector<double> nans_; ///< the result of a row that failed
+    std::vector<Report> reports_; ///< of the remarkable rows...
+    std::size_t next_report_ = 0; ///< ...of which this is the first that is not yet written
+    Buffer made_;                 ///< the text of a binary row
+    std::vector<double> nans_;    ///< the result of a row that failed
 };
 
 } // namespace rotconv::stream

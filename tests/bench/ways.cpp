@@ -26,14 +26,13 @@ public:
         const std::size_t outputs = conversion_.to().size();
         for (std::size_t first = 0; first < rows; first += block) {
             const std::size_t some = std::min(block, rows - first);
-            conversion_.run({in + first * inputs, some * inputs}, {out + first * outputs, some * outputs},
-                            {reports_.data(), some});
+            conversion_.run({in + first * inputs, some * inputs}, {out + first * outputs, some * outputs}, reports_);
         }
     }
 
 private:
     Conversion conversion_;
-    std::array<Report, block> reports_{};
+    std::vector<Report> reports_;
 };
 
 } // namespace

@@ -78,8 +78,8 @@ Convert own(const Spec& from, const Spec& to) {
         from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .sensitivity = false});
     return [conversion](std::span<const double> row) {
         std::vector<double> result(conversion.to().size());
-        rotconv::Report report;
-        conversion.run(row, result, {&report, 1});
+        std::vector<rotconv::Report> reports;
+        conversion.run(row, result, reports);
         return result;
     };
 }

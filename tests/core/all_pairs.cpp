@@ -45,7 +45,7 @@ std::vector<double> quaternions() {
 std::vector<double> converted(const rotconv::Spec& from, const rotconv::Spec& to, const std::vector<double>& numbers) {
     const std::size_t rows = numbers.size() / from.size();
     std::vector<double> result(rows * to.size());
-    std::vector<rotconv::Report> reports(rows);
+    std::vector<rotconv::Report> reports;
     rotconv::Conversion(from, to, {.tolerance = 0.1}).run(numbers, result, reports);
     return result;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/SVD>
@@ -25,12 +27,16 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// That of a run of one row; the empty one where there is nothing to tell.
+Report only(const std::vector<Report>& reports) { return reports.empty() ? Report{} : reports.at(0); }
+
 Report report_of(const std::string& from, const std::string& to, const std::vector<double>& row,
                  rotconv::Settings settings = {}) {
     const rotconv::Conversion conversion(spec(from), spec(to), settings);
     std::vector<double> result(conversion.to().size());
-    Report report;
-    conversion.run(row, result, {&report, 1});
+    std::vector<Report> reports;
+    conversion.run(row, result, reports);
+    const Report report = only(reports);
     const bool all_nan = std::ranges::all_of(result, [](double v) { return std::isnan(v); });
     CHECK(all_nan == (report.error != Error::none));
     return report;
@@ -112,8 +118,9 @@ TEST_CASE("locked angles have a zero third and a middle at its limit") {
         for (const auto& attitude : strata::near_lock(sequence, 60).attitudes) {
             const auto row = oracle::numbers(spec("quat"), attitude);
             std::vector<double> angles(3);
-            Report report;
-            conversion.run(row, angles, {&report, 1});
+            std::vector<Report> reports;
+            conversion.run(row, angles, reports);
+            const Report report = only(reports);
             const double margin = report_of("quat", text, row, with_figures).sensitivity.margin;
             INFO(text << " margin " << margin);
             CHECK(report.diagnostics.has(DiagnosticKind::gimbal_lock) == (margin <= 1e-3));
@@ -133,8 +140,8 @@ TEST_CASE("locked angles have a zero third and a middle at its limit") {
 TEST_CASE("the third angle at exact lock is zero by default") {
     const rotconv::Conversion conversion(spec("euler:ZYX:deg"), spec("euler:ZYX:deg"));
     std::vector<double> angles(3);
-    Report report;
-    conversion.run(std::vector<double>{30, 90, 20}, angles, {&report, 1});
+    std::vector<Report> reports;
+    conversion.run(std::vector<double>{30, 90, 20}, angles, reports);
     CHECK(angles[0] == Approx(10).epsilon(1e-15));
     CHECK(angles[1] == 90.0);
     CHECK(angles[2] == 0.0);
@@ -316,4 +323,42 @@ TEST_CASE("nearly parallel columns keep their accuracy") {
     const auto far = accuracy::own(spec("5d"), spec("quat"))(std::vector<double>{1e200, 0, 0, 0.6, 0.8});
     CHECK(far[0] == Approx(std::sqrt(0.8)).epsilon(1e-15));
     CHECK(far[1] == Approx(std::sqrt(0.2)).epsilon(1e-15));
+}
+
+// Would catch: a report of another row, one that is left over from the run before, and one of a row without anything.
+TEST_CASE("reports are of the remarkable rows alone, in their order") {
+    std::vector<double> rows;
+    for (int i = 0; i < 400; ++i) {
+        rows.insert(rows.end(), {0.8, 0.0, 0.6, 0.0});
+    }
+    const auto set_w = [&rows](std::size_t row, double w) { rows[4 * row] = w; };
+    set_w(5, std::numeric_limits<double>::quiet_NaN());
+    set_w(127, 0.800001); // a defect of 0.8e-6
+    set_w(128, 0.80001);  // of 0.8e-5
+    set_w(300, 0.9);      // of 0.08
+    const rotconv::Conversion conversion(spec("quat"), spec("dcm"));
+    std::vector<double> out(400 * 9);
+    std::vector<Report> reports(7);
+    for (int again = 0; again < 2; ++again) {
+        conversion.run(rows, out, reports);
+        REQUIRE(reports.size() == 3);
+        CHECK(reports[0].row == 5);
+        CHECK(reports[0].error == Error::not_finite);
+        CHECK(reports[1].row == 128);
+        CHECK(kinds_of(reports[1]) == std::vector{DiagnosticKind::normalized});
+        CHECK(reports[1].defect == Approx(0.8e-5).epsilon(1e-4));
+        CHECK(reports[2].row == 300);
+        CHECK(reports[2].error == Error::defect);
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        CHECK(std::isnan(out[i]) == (i / 9 == 5 || i / 9 == 300));
+    }
+    rotconv::Conversion(spec("quat"), spec("dcm"), {.sensitivity = true}).run(rows, out, reports);
+    REQUIRE(reports.size() == 400);
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        CHECK(reports[i].row == i);
+    }
+    CHECK(reports[127].defect == Approx(0.8e-6).epsilon(1e-4));
+    conversion.run(std::span(rows).first(4), out, reports);
+    CHECK(reports.empty());
 }

@@ -18,8 +18,8 @@ std::vector<double> lock_threshold(Row q) {
     static const rotconv::Conversion conversion(spec("quat"), spec("euler:ZYX"),
                                                 {.tolerance = 1e300, .lock_margin = 1e-7, .sensitivity = false});
     std::vector<double> angles(3);
-    rotconv::Report report;
-    conversion.run(q, angles, {&report, 1});
+    std::vector<rotconv::Report> reports;
+    conversion.run(q, angles, reports);
     return angles;
 }
 

@@ -225,12 +225,12 @@ private:
     [[nodiscard]] Report report_at(double t, std::vector<double>* numbers = nullptr) const {
         const Eigen::Quaterniond q = a_.slerp(t, b_);
         std::vector<double> out(conversion_.to().size());
-        Report report;
-        conversion_.run(std::vector<double>{q.w(), q.x(), q.y(), q.z()}, out, {&report, 1});
+        std::vector<Report> reports;
+        conversion_.run(std::vector<double>{q.w(), q.x(), q.y(), q.z()}, out, reports);
         if (numbers != nullptr) {
             *numbers = out;
         }
-        return report;
+        return reports.at(0);
     }
 
     [[nodiscard]] double change(double from, double to) const {

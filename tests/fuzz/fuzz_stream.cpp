@@ -142,13 +142,24 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     Options options = given.function.in_order ? *options_of(words, survey) : given;
     options.threads = threads;
     std::atomic<std::size_t> converted = 0;
-    options.function.run = [run = options.function.run, &converted](const NumberRows& rows, std::span<double> out,
-                                                                    std::span<Report> reports) {
-        const std::size_t answered = run(rows, out, reports);
-        converted += static_cast<std::size_t>(std::ranges::count(reports.first(answered), Error::none,
-                                                                 [](const Report& report) { return report.error; }));
-        return answered;
+    const auto count = [&converted](std::size_t answered, const std::vector<Report>& reports) {
+        const auto failed = std::ranges::count_if(reports, [](const Report& r) { return r.error != Error::none; });
+        converted += answered - static_cast<std::size_t>(failed);
     };
+    options.function.run = [run = options.function.run, count](const NumberRows& rows, std::span<double> out,
+                                                               std::vector<Report>& reports) {
+        run(rows, out, reports);
+        count(rows.lines.size(), reports);
+    };
+    if (options.function.run_ahead) {
+        options.function.run_ahead = [run = options.function.run_ahead, count](const NumberRows& rows, bool flush,
+                                                                               std::span<double> out,
+                                                                               std::vector<Report>& reports) {
+            const std::size_t answered = run(rows, flush, out, reports);
+            count(answered, reports);
+            return answered;
+        };
+    }
     Pieces source(input.text, input.piece, input.times);
     Text sink;
     Result result;
@@ -238,8 +249,9 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         const std::vector<std::string_view> kept_texts(texts.begin(),
                                                        texts.begin() + static_cast<std::ptrdiff_t>(kept));
         const std::size_t line = 1;
-        Report report;
-        run({numbers, {&line, 1}, true, kept_texts}, answer.numbers, {&report, 1});
+        std::vector<Report> reports;
+        run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
+        const Report report = reports.empty() ? Report{} : reports.front();
         if (report.error != Error::none) {
             return std::nullopt;
         }

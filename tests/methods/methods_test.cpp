@@ -34,8 +34,8 @@ accuracy::Convert by(const Method& method, const rotconv::Spec& from, const rotc
     const rotconv::Conversion own(from, to, {.tolerance = inf, .lock_margin = 0.0});
     return [conversion = rotconv::MethodConversion(own, method)](std::span<const double> row) {
         std::vector<double> result(conversion.to().size());
-        rotconv::Report report;
-        conversion.run(row, result, {&report, 1});
+        std::vector<rotconv::Report> reports;
+        conversion.run(row, result, reports);
         return result;
     };
 }
@@ -230,9 +230,10 @@ TEST_CASE("a method's error is reported with its angle") {
         const Method* method = rotconv::find_method(from.name, to.name, name);
         REQUIRE(method != nullptr);
         std::vector<double> out(to.size());
-        rotconv::Report report;
-        rotconv::MethodConversion(rotconv::Conversion(from, to), *method).run(row, out, {&report, 1});
-        return report;
+        std::vector<rotconv::Report> reports;
+        const rotconv::Conversion own(from, to, {.sensitivity = true}); // a report of every row
+        rotconv::MethodConversion(own, *method).run(row, out, reports);
+        return reports.at(0);
     };
     const std::vector<double> half_turn{-1, 0, 0, 0, 1, 0, 0, 0, -1};
     const auto wrong = report_of("dcm", "quat", "baruh", half_turn);
