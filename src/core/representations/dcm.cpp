@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -48,6 +49,29 @@ struct PowerStep {
 
     double square;
     std::array<double, 4> q;
+};
+
+/// The matrix of q/|q|, times |q|^2. Only here: contracted, the differences would not cancel.
+struct ScaledMatrix {
+    ScaledMatrix(double w, double x, double y, double z) noexcept {
+        const double ww = w * w;
+        const double xx = x * x;
+        const double yy = y * y;
+        const double zz = z * z;
+        entries = {(ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
+                   2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x), //
+                   2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy)};
+        squared_norm = (ww + xx) + (yy + zz);
+    }
+
+    /// An entry is 1 or -1 only where one of these four vanishes; then a division keeps it. Elsewhere the inverse is as
+    /// accurate, and quicker.
+    [[nodiscard]] bool may_be_one() const noexcept {
+        return (entries[0] * entries[4]) * (entries[1] * entries[2]) == 0.0;
+    }
+
+    std::array<double, 9> entries; // NOLINT(*-member-init)
+    double squared_norm;
 };
 
 /// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
@@ -182,6 +206,30 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
     }
 }
 
+ROTCONV_TARGET_CLONES
+void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
+           DiagnosticSet* diagnostics) noexcept {
+    std::array<BatchColumn, 9> m;                      // NOLINT(*-member-init): as many rows as there are
+    std::array<std::uint64_t, batch_rows> by_division; // NOLINT(*-member-init)
+    for (std::size_t i = 0; i < rows; ++i) {
+        const ScaledMatrix scaled(rotations.w[i], rotations.x[i], rotations.y[i], rotations.z[i]);
+        const double inverse = 1.0 / scaled.squared_norm;
+        for (std::size_t k = 0; k < 9; ++k) {
+            m[k][i] = scaled.entries[k] * inverse;
+        }
+        by_division[i] = scaled.may_be_one() ? 1U : 0U;
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t k = 0; k < 9; ++k) {
+            numbers[9 * i + k] = m[k][i];
+        }
+        if (by_division[i] != 0) [[unlikely]] {
+            Eigen::Map<RowMajor>{numbers + 9 * i} = from_rotation(rotations.at(i));
+        }
+    }
+    std::fill_n(diagnostics, rows, DiagnosticSet{});
+}
+
 } // namespace
 
 Reading to_rotation(const Dcm& matrix) noexcept {
@@ -208,27 +256,13 @@ double defect(const Dcm& matrix) noexcept {
     return std::max(from_one(solver.eigenvalues()[0]), from_one(solver.eigenvalues()[2]));
 }
 
-// Out of line: contracted, the differences would not cancel.
 Dcm from_rotation(const Rotation& rotation) noexcept {
-    const double w = rotation.w();
-    const double x = rotation.x();
-    const double y = rotation.y();
-    const double z = rotation.z();
-    const double ww = w * w;
-    const double xx = x * x;
-    const double yy = y * y;
-    const double zz = z * z;
-    Dcm m;
-    m << (ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
-        2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x),  //
-        2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy);
-    const double squared_norm = (ww + xx) + (yy + zz);
-    // An entry is 1 or -1 only where one of these four vanishes; then a division keeps it. Elsewhere the inverse is as
-    // accurate, and quicker.
-    if ((m(0, 0) * m(1, 1)) * (m(0, 1) * m(0, 2)) == 0.0) {
-        return m / squared_norm;
+    const ScaledMatrix scaled(rotation.w(), rotation.x(), rotation.y(), rotation.z());
+    const Eigen::Map<const RowMajor> m(scaled.entries.data());
+    if (scaled.may_be_one()) {
+        return m / scaled.squared_norm;
     }
-    return m * (1.0 / squared_norm);
+    return m * (1.0 / scaled.squared_norm);
 }
 
 Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
@@ -266,7 +300,7 @@ constinit const Codec codecs::dcm{
                        .formula = "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"},
     .read = dcm::read,
     .exact_defect = defect_plain<RowMajor, dcm::defect>,
-    .write = write_plain<RowMajor, dcm::from_rotation>,
+    .write = dcm::write,
     .sensitivity = sensitivity_plain<dcm::sensitivity>,
     .rate = rate_plain<RowMajor, dcm::rate>,
     .angular_velocity = angular_velocity_plain<RowMajor, dcm::angular_velocity>};
