@@ -78,7 +78,8 @@ public:
                                (a.w() * b.z() + a.z() * b.w()) + (a.x() * b.y() - a.y() * b.x()));
     }
 
-    /// Turns a vector, v_ref = R_ref_body * v_body: v + 2 (w u x v + u x (u x v))/|q|^2 with u = (x, y, z).
+    /// Turns a vector, v_ref = R_ref_body * v_body, to 5 eps of its length: v + 2 (w u x v + u x (u x v))/|q|^2 with u
+    /// = (x, y, z).
     friend Eigen::Vector3d operator*(const Rotation& rotation, const Eigen::Vector3d& v) noexcept {
         const Eigen::Vector3d u{rotation.x(), rotation.y(), rotation.z()};
         const Eigen::Vector3d across = u.cross(v);
