@@ -16,3 +16,4 @@
 #include <rotconv/rotation_vector.hpp>
 #include <rotconv/survey.hpp>
 #include <rotconv/two_column.hpp>
+#include <rotconv/version.hpp>

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <rotconv/version.hpp>
 
 #include "../stream/file.hpp"
 #include "arguments.hpp"

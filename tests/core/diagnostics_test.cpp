@@ -209,7 +209,7 @@ TEST_CASE("the defect is the largest deviation of a singular value") {
 
 // Would catch: a test of clean columns that leaves out one length, or their angle.
 TEST_CASE("each way in which columns can be off is seen") {
-    for (const std::size_t entry : {0, 4, 3}) { // first length, second length, angle
+    for (const std::size_t entry : {0U, 4U, 3U}) { // first length, second length, angle
         std::vector<double> row{1, 0, 0, 0, 1, 0};
         row[entry] += 0.01;
         CHECK(report_of("6d", "quat", row, {}).error == Error::defect);

@@ -23,7 +23,12 @@ for library in $(sed -n 's/^find_package(\([A-Za-z]*\).*/\1/p' "$source/CMakeLis
         exit 1
     }
 done
-"$work/usr/bin/rotconv" --version | grep -q '^rotconv [0-9]'
+version=$("$work/usr/bin/rotconv" --version)
+grep -q "^set(PACKAGE_VERSION \"${version#rotconv }\")" "$work"/usr/lib*/cmake/rotconv/rotconvConfigVersion.cmake \
+    "$work"/usr/lib*/*/cmake/rotconv/rotconvConfigVersion.cmake 2> /dev/null || {
+    echo "FAILED: the package is not of the version of the program, $version"
+    exit 1
+}
 if ldd "$work/usr/bin/rotconv" | grep -vE 'linux-vdso|libstdc\+\+|libgcc_s|libm\.|libc\.|ld-linux'; then
     echo "FAILED: the program needs more than the C and C++ runtime"
     exit 1

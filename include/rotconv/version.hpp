@@ -1,0 +1,15 @@
+#pragma once
+
+/// The version of rotconv; the build reads it here.
+
+#define ROTCONV_VERSION_MAJOR 0
+#define ROTCONV_VERSION_MINOR 1
+#define ROTCONV_VERSION_PATCH 0
+
+/// As a text, "MAJOR.MINOR.PATCH".
+#define ROTCONV_VERSION                                                                                                \
+    ROTCONV_DETAIL_TEXT(ROTCONV_VERSION_MAJOR)                                                                         \
+    "." ROTCONV_DETAIL_TEXT(ROTCONV_VERSION_MINOR) "." ROTCONV_DETAIL_TEXT(ROTCONV_VERSION_PATCH)
+
+#define ROTCONV_DETAIL_TEXT(number) ROTCONV_DETAIL_QUOTE(number)
+#define ROTCONV_DETAIL_QUOTE(number) #number

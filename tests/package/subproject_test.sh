@@ -1,0 +1,75 @@
+#!/bin/sh
+# subproject_test.sh CMAKE SOURCE: the library alone needs Eigen alone, as a part of another project, which builds it into a
+# shared library, and by itself.
+set -eu
+cmake=$1
+source=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+fail() {
+    cat "$work/log"
+    echo "FAILED: $*"
+    exit 1
+}
+
+without_packages=
+for package in CLI11 dragonbox fmt Threads Catch2 Boost benchmark; do
+    without_packages="$without_packages -DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"
+done
+configure() {
+    # shellcheck disable=SC2086 # the words are options
+    "$cmake" $without_packages "$@" > "$work/log" 2>&1
+}
+
+# What is wanted of them needs the packages: so the test can fail.
+! configure -S "$source" -B "$work/program" || fail "the program is configured without its libraries"
+! configure -S "$source" -B "$work/tests" -DROTCONV_PROGRAM=OFF -DROTCONV_TESTS=ON || fail "tests are configured without the program"
+
+configure -S "$source" -B "$work/library" -DROTCONV_PROGRAM=OFF || fail "the library needs more than Eigen"
+"$cmake" --build "$work/library" --target help > "$work/log"
+grep -q rotconv_core "$work/log" && ! grep -qE 'rotconv_(stream|cli)' "$work/log" || fail "more than the library is built"
+
+cp -r "$source/examples/cpp" "$work/project"
+cat > "$work/project/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(outside LANGUAGES CXX)
+enable_testing()
+add_subdirectory("$source" rotconv)
+get_property(targets DIRECTORY "$source" PROPERTY BUILDSYSTEM_TARGETS)
+get_property(tests DIRECTORY "$source" PROPERTY TESTS)
+list(REMOVE_ITEM targets rotconv_options rotconv_core)
+if(targets OR tests OR CMAKE_BUILD_TYPE)
+  message(FATAL_ERROR "rotconv brings \${targets} \${tests} \${CMAKE_BUILD_TYPE}")
+endif()
+add_library(turns SHARED turns.cpp)
+target_link_libraries(turns PRIVATE rotconv::core)
+add_executable(outside main.cpp)
+target_link_libraries(outside PRIVATE turns)
+END
+cat > "$work/project/turns.cpp" <<'END'
+#include <rotconv/rotconv.hpp>
+
+static_assert(ROTCONV_VERSION_MAJOR >= 0 && ROTCONV_VERSION_MINOR >= 0 && ROTCONV_VERSION_PATCH >= 0);
+const char* version() { return ROTCONV_VERSION; }
+END
+# The example's program is a function of the shared library here.
+sed 's/int main()/void turn()/' "$source/examples/cpp/attitude.cpp" >> "$work/project/turns.cpp"
+cat > "$work/project/main.cpp" <<'END'
+#include <cstdio>
+
+const char* version();
+void turn();
+
+int main() {
+    std::puts(version());
+    turn();
+}
+END
+configure -S "$work/project" -B "$work/build" || fail "another project does not take the library in"
+"$cmake" --build "$work/build" --parallel 2 > "$work/log" 2>&1 || fail "a shared library does not take the library in"
+"$work/build/outside" > "$work/log"
+version=$(sed -n 's/^#define ROTCONV_VERSION_[A-Z]* //p' "$source/include/rotconv/version.hpp" | paste -sd .)
+[ "$(head -n 1 "$work/log")" = "$version" ] || fail "not version $version"
+grep -q '^roll -10 pitch 90 yaw 0$' "$work/log" || fail "the shared library does not turn"
+"$cmake" --install "$work/build" --prefix "$work/usr" > "$work/log"
+[ ! -e "$work/usr" ] || fail "rotconv is installed with the project that it is a part of"
