@@ -1,7 +1,8 @@
 #pragma once
 
-/// The version of rotconv; the build reads it here.
+/// The version of rotconv; the build reads it here. Macros, so that users can ask for it with #if.
 
+// NOLINTBEGIN(cppcoreguidelines-macro-usage)
 #define ROTCONV_VERSION_MAJOR 0
 #define ROTCONV_VERSION_MINOR 1
 #define ROTCONV_VERSION_PATCH 0
@@ -13,3 +14,4 @@
 
 #define ROTCONV_DETAIL_TEXT(number) ROTCONV_DETAIL_QUOTE(number)
 #define ROTCONV_DETAIL_QUOTE(number) #number
+// NOLINTEND(cppcoreguidelines-macro-usage)

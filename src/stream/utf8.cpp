@@ -38,6 +38,7 @@ std::size_t printable_length(std::string_view text) noexcept {
                                                        {"\x7F", "\x7F"},
                                                        {"\xC2\x80", "\xC2\x9F"},
                                                        {"\xE2\x80\x8B", "\xE2\x80\x8F"},
+                                                       // NOLINTNEXTLINE(misc-misleading-bidirectional): it is escaped
                                                        {"\xE2\x80\xA8", "\xE2\x80\xAE"},
                                                        {"\xE2\x81\xA0", "\xE2\x81\xAF"},
                                                        {"\xEF\xBB\xBF", "\xEF\xBB\xBF"}}};

@@ -548,7 +548,6 @@ TEST_CASE("samples too close for their differences are refused and change nothin
             PropagationSettings settings;
             settings.interpolation = interpolation;
             Propagator propagator(settings);
-            std::optional<Propagated> last;
             CHECK(propagator.push(0, {0, 0, 1}).refused == Error::none);
             CHECK(propagator.push(interval, {0, 0, 1.5}).refused == Error::time_order);
             for (int i = 0; i < 3; ++i) {
