@@ -13,7 +13,7 @@
 /// Runs the program as a user does: a real process with real pipes.
 namespace program {
 
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#ifdef ROTCONV_SANITIZED
 inline constexpr bool is_sanitized = true; // with memory of its own
 #else
 inline constexpr bool is_sanitized = false;
