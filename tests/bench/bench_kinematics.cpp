@@ -64,9 +64,9 @@ std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{
 
 /// One row of the file. `time`: how far the figures reach.
 void write(std::ostream& csv, const char* kind, const Motion& motion, const Way& way, double h, double time,
-           double error, double defect, double nanoseconds, Error error) {
+           double worst, double defect, double nanoseconds, Error error) {
     csv << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", kind, motion.name, way.set,
-                       entry_of(way.integrator).text, h, way.renormalised ? 1 : 0, field(time), field(error),
+                       entry_of(way.integrator).text, h, way.renormalised ? 1 : 0, field(time), field(worst),
                        field(nanoseconds / h), field(entry_of(way.integrator).evaluations / h), field(defect),
                        error == Error::none ? "ok" : "singular");
 }
@@ -108,14 +108,14 @@ void work(std::ostream& csv, const Motion& motion) {
             const double h = look / static_cast<double>(per_look);
             Stepper stepper = way.stepper();
             Error error = stepper.start(start);
-            double error = 0.0;
+            double worst = 0.0;
             double defect = 0.0;
             double until = 0.0;
             for (int i = 0; i < looks && error == Error::none; ++i) {
                 error = integrate(stepper, omega, i * look, h, per_look);
                 if (error == Error::none) {
                     const Reading reading = stepper.attitude();
-                    error = std::max(error, error_of(exact[static_cast<std::size_t>(i) + 1], *reading));
+                    worst = std::max(worst, error_of(exact[static_cast<std::size_t>(i) + 1], *reading));
                     defect = std::max(defect, reading.defect());
                     until = (i + 1) * look;
                 }
@@ -130,7 +130,7 @@ void work(std::ostream& csv, const Motion& motion) {
                     rates.push_back(motion.omega((static_cast<double>(i) + node) * h));
                 }
             }
-            write(csv, "work", motion, way, h, seconds, error, defect, time_of_step(way, start, h, rates), error);
+            write(csv, "work", motion, way, h, seconds, worst, defect, time_of_step(way, start, h, rates), error);
         }
     }
 }

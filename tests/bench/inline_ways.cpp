@@ -10,7 +10,9 @@
 
 #include <rotconv/cayley.hpp>
 #include <rotconv/dcm.hpp>
+#include <rotconv/euler.hpp>
 #include <rotconv/quaternion.hpp>
+#include <rotconv/rotation_vector.hpp>
 
 namespace bench {
 namespace {
@@ -96,15 +98,26 @@ void eigen_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t ro
 void typed_dcm_quat(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<9, 4>(in, rows, out, [](const double* m, double* to) {
         const Eigen::Quaterniond q = rotconv::quaternion::from_rotation(*rotconv::dcm::to_rotation(In{m}));
-        to[0] = q.w;
-        store({q.x, q.y, q.z}, to + 1);
+        to[0] = q.w();
+        store(q.vec(), to + 1);
     });
 }
 
 void typed_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<4, 9>(in, rows, out, [](const double* q, double* to) {
-        const Eigen::Quaterniond given{q[0], q[1], q[2], q[3]};
-        Out{to} = rotconv::dcm::from_rotation(*rotconv::quaternion::to_rotation(given));
+        Out{to} = rotconv::dcm::from_rotation(*rotconv::quaternion::to_rotation(quaternion(q)));
+    });
+}
+
+void typed_quat_euler(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
+    each<4, 3>(in, rows, out, [sequence](const double* q, double* to) {
+        store(rotconv::euler::from_rotation(*rotconv::quaternion::to_rotation(quaternion(q)), sequence).angles, to);
+    });
+}
+
+void typed_rotvec_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<3, 9>(in, rows, out, [](const double* r, double* to) {
+        Out{to} = rotconv::dcm::from_rotation(*rotconv::rotation_vector::to_rotation({vector(r)}));
     });
 }
 
@@ -114,10 +127,17 @@ void typed_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t ro
     });
 }
 
+using Ways = std::map<std::pair<RepresentationId, RepresentationId>, Run>;
+
+Run find(const Ways& ways, RepresentationId from, RepresentationId to) {
+    const auto found = ways.find({from, to});
+    return found == ways.end() ? nullptr : found->second;
+}
+
 } // namespace
 
 Run eigen_way(RepresentationId from, RepresentationId to) {
-    static const std::map<std::pair<RepresentationId, RepresentationId>, Run> ways{
+    static const Ways ways{
         {{RepresentationId::dcm, RepresentationId::quat}, eigen_dcm_quat},
         {{RepresentationId::dcm, RepresentationId::rotvec}, eigen_dcm_rotvec},
         {{RepresentationId::dcm, RepresentationId::cayley}, eigen_dcm_cayley},
@@ -127,18 +147,18 @@ Run eigen_way(RepresentationId from, RepresentationId to) {
         {{RepresentationId::rotvec, RepresentationId::dcm}, eigen_rotvec_dcm},
         {{RepresentationId::cayley, RepresentationId::dcm}, eigen_cayley_dcm},
     };
-    const auto found = ways.find({from, to});
-    return found == ways.end() ? nullptr : found->second;
+    return find(ways, from, to);
 }
 
 Run typed_way(RepresentationId from, RepresentationId to) {
-    if (from == RepresentationId::dcm && to == RepresentationId::quat) {
-        return typed_dcm_quat;
-    }
-    if (from == RepresentationId::cayley && to == RepresentationId::dcm) {
-        return typed_cayley_dcm;
-    }
-    return from == RepresentationId::quat && to == RepresentationId::dcm ? typed_quat_dcm : nullptr;
+    static const Ways ways{
+        {{RepresentationId::dcm, RepresentationId::quat}, typed_dcm_quat},
+        {{RepresentationId::quat, RepresentationId::dcm}, typed_quat_dcm},
+        {{RepresentationId::quat, RepresentationId::euler}, typed_quat_euler},
+        {{RepresentationId::rotvec, RepresentationId::dcm}, typed_rotvec_dcm},
+        {{RepresentationId::cayley, RepresentationId::dcm}, typed_cayley_dcm},
+    };
+    return find(ways, from, to);
 }
 
 } // namespace bench

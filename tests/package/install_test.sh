@@ -45,3 +45,19 @@ roll -10 pitch 90 yaw 0
 at gimbal lock: only the difference of roll and yaw is defined
 END
 "$work/project/build/attitude" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
+
+# A third of a turn about (1, 1, 1), ninety degrees about z, and a reflection.
+cat > "$work/expected" <<'END'
+0.5 0.5 0.5 0.5
+90 90 0
+ 0.000000  0.000000 -1.000000
+no rotation
+END
+"$work/project/build/conversions" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
+# What the README shows stands in a program that was built.
+sed -n '/^```cpp/,/^```/p' "$source/README.md" | grep -v '^```' | while read -r line; do
+    cat "$source"/examples/cpp/*.cpp | grep -qF "$line" || {
+        echo "FAILED: README.md has a line of C++ that no example has: $line"
+        exit 1
+    }
+done
