@@ -28,12 +28,12 @@ struct PropagationSettings {
 
 /// The attitude at one sample's time.
 struct Propagated {
-    Rotation rotation;   ///< the identity where `fault` is not none
-    double defect = 0.0; ///< how far the integrated numbers have drifted off their set
+    /// Its defect is how far the integrated numbers have drifted off their set; its errors singular and coarse_step say
+    /// that the chart was left, here and in all that follows.
+    Reading attitude;
     /// Radians: the greatest of the estimates of their own error by the steps from the sample before. Two half steps
     /// against the one; 0 where the steps are so short that it is far below `reported_step_error`.
     double step_error = 0.0;
-    Error error = Error::none; ///< singular, coarse_step: the chart was left, here and in all that follows
 };
 
 /// What came of one sample.
@@ -61,7 +61,7 @@ public:
 
     /// What is still owed of the samples so far, at the end or where nothing may wait: with cubic one answer, by the
     /// parabola through the last three samples.
-    std::optional<Propagated> settle() noexcept;
+    std::optional<Propagated> flush() noexcept;
 
 private:
     struct Sample {
@@ -78,7 +78,7 @@ private:
     double step_error_ = 0.0;         ///< of the latest advance
     std::array<Sample, 4> samples_{}; ///< the latest, in order of time
     std::size_t count_ = 0;           ///< how many of them there are
-    bool settled_ = false;            ///< the latest has its answer although it was to wait
+    bool flushed_ = false;            ///< the latest has its answer although it was to wait
 };
 
 } // namespace rotconv

@@ -88,14 +88,14 @@ public:
                 clock_.accept();
             }
             pushed_.push_back(pushed.refused);
-            settle(pushed.answer, out, reports);
+            take(pushed.answer, out, reports);
             if (stop_at_error_ && pushed.refused != Error::none) {
                 flush = true;
                 break;
             }
         }
         if (flush) {
-            settle(propagator_.settle(), out, reports);
+            take(propagator_.flush(), out, reports);
         }
         pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
         return answered_;
@@ -103,7 +103,7 @@ public:
 
 private:
     /// The answer is that of the first row that was not refused and has none.
-    void settle(const std::optional<Propagated>& answer, std::span<double> out, std::vector<Report>& reports) {
+    void take(const std::optional<Propagated>& answer, std::span<double> out, std::vector<Report>& reports) {
         report_refused(reports);
         if (answer) {
             const std::size_t size = conversion_.to().size();
@@ -120,26 +120,26 @@ private:
     }
 
     void write(const Propagated& answer, std::span<double> out, std::vector<Report>& reports) {
-        Report report{.row = answered_, .defect = answer.defect, .deviation = answer.step_error};
+        Report report{.row = answered_, .defect = answer.attitude.defect(), .deviation = answer.step_error};
         if (ended_) {
             reports.push_back({.row = answered_, .error = Error::ended});
             return;
         }
-        const bool drifted = answer.defect > settings_.tolerance;
-        ended_ = drifted || answer.error != Error::none;
+        const bool drifted = answer.attitude.defect() > settings_.tolerance;
+        ended_ = drifted || !answer.attitude;
         if (ended_) {
-            report.error = drifted ? Error::defect : answer.error;
+            report.error = drifted ? Error::defect : answer.attitude.error();
             reports.push_back(report);
             return;
         }
-        const Eigen::Quaterniond q = quaternion::from_rotation(answer.rotation);
+        const Eigen::Quaterniond q = quaternion::from_rotation(*answer.attitude);
         const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
         conversion_.run(numbers, out, converted_);
         if (!converted_.empty()) {
             report.diagnostics = converted_.front().diagnostics;
             report.sensitivity = converted_.front().sensitivity;
         }
-        report.diagnostics |= {DiagnosticKind::normalized, answer.defect > reported_defect};
+        report.diagnostics |= {DiagnosticKind::normalized, answer.attitude.defect() > reported_defect};
         report.diagnostics |= {DiagnosticKind::coarse_step, answer.step_error > reported_step_error};
         if (settings_.sensitivity || !report.diagnostics.empty()) {
             reports.push_back(report);

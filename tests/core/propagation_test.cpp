@@ -96,7 +96,7 @@ Rows propagated(const PropagationSettings& settings, const Motion& motion, doubl
             rows.push_back({*pushed.answer, static_cast<double>(rows.size()) / frequency});
         }
     }
-    if (const auto last = propagator.settle()) {
+    if (const auto last = propagator.flush()) {
         rows.push_back({*last, static_cast<double>(rows.size()) / frequency});
     }
     REQUIRE(rows.size() == static_cast<std::size_t>(count) + 1);
@@ -104,13 +104,15 @@ Rows propagated(const PropagationSettings& settings, const Motion& motion, doubl
 }
 
 /// Of a turn about z.
-double angle_of(const Propagated& row) { return 2.0 * std::atan2(row.rotation.z(), row.rotation.w()); }
+double angle_of(const Propagated& row) {
+    return 2.0 * std::atan2(row.attitude.rotation().z(), row.attitude.rotation().w());
+}
 
 double worst_error(const Rows& rows, const Motion& motion) {
     double worst = 0.0;
     for (std::size_t i = 0; i < rows.size(); i += std::max<std::size_t>(1, rows.size() / 200)) {
-        REQUIRE(rows[i].error == Error::none);
-        worst = std::max(worst, error_of(motion, rows[i].time, rows[i].rotation));
+        REQUIRE(rows[i].attitude.error() == Error::none);
+        worst = std::max(worst, error_of(motion, rows[i].time, rows[i].attitude.rotation()));
     }
     return worst;
 }
@@ -269,9 +271,9 @@ TEST_CASE("the greatest rate of a step counts wherever it is") {
                 Propagator propagator(settings);
                 propagator.push(0, {0, first, 0});
                 auto answer = propagator.push(1, {last, 0, 0}).answer;
-                answer = answer && settings.interpolation == Interpolation::linear ? answer : propagator.settle();
+                answer = answer && settings.interpolation == Interpolation::linear ? answer : propagator.flush();
                 REQUIRE(answer);
-                return answer->error;
+                return answer->attitude.error();
             };
             INFO(entry.text);
             CHECK(error(3.13, 0) == Error::none);
@@ -288,7 +290,7 @@ TEST_CASE("the greatest rate of a step counts wherever it is") {
     propagator.push(0, {0, 0, 0});
     propagator.push(1, {0, 0, 0.5});
     propagator.push(1, {0, 0, 3.15});
-    CHECK(propagator.settle()->error == Error::coarse_step);
+    CHECK(propagator.flush()->attitude.error() == Error::coarse_step);
 }
 
 namespace {
@@ -335,8 +337,8 @@ Step last_step(const Way& way, Interpolation interpolation, const Rotation& init
     const Propagated found = last(way, 1);
     const Propagated exact = last({"quat", Integrator::magnus6}, 16);
     const auto numbers = [](const Rotation& r) { return Eigen::Quaterniond(r.w(), r.x(), r.y(), r.z()); };
-    return {numbers(found.rotation).angularDistance(numbers(exact.rotation)), found.step_error,
-            found.defect > 1e-3 ? Error::defect : found.error};
+    return {numbers(found.attitude.rotation()).angularDistance(numbers(exact.attitude.rotation())), found.step_error,
+            found.attitude.defect() > 1e-3 ? Error::defect : found.attitude.error()};
 }
 
 } // namespace
@@ -448,14 +450,14 @@ TEST_CASE("a rate that is a polynomial is interpolated exactly") {
             if (row) {
                 const double angle = std::pow(times[answered++], degree + 1) / (degree + 1);
                 const Motion motion{"", {{0, angle}}};
-                worst = std::max(worst, error_of(motion, 0, row->rotation));
+                worst = std::max(worst, error_of(motion, 0, row->attitude.rotation()));
             }
         };
         double last = 0.0;
         for (const double t : times) {
             look(propagator.push(t - std::exchange(last, t), {std::pow(t, degree), 0, 0}).answer);
         }
-        look(propagator.settle());
+        look(propagator.flush());
         return worst;
     };
     for (int degree = 0; degree <= 2; ++degree) {
@@ -471,7 +473,7 @@ TEST_CASE("linear answers each sample at once, cubic one late") {
     Propagator linear(settings);
     settings.interpolation = Interpolation::cubic;
     Propagator cubic(settings);
-    CHECK_FALSE(Propagator(settings).settle());
+    CHECK_FALSE(Propagator(settings).flush());
     for (int i = 0; i < 6; ++i) {
         const double angle = 0.2 * i;
         const auto now = linear.push(1, {0, 0, 0.2}).answer;
@@ -483,14 +485,14 @@ TEST_CASE("linear answers each sample at once, cubic one late") {
             CHECK(angle_of(*late) == Approx(angle - 0.2));
         }
     }
-    CHECK_FALSE(linear.settle());
-    const auto last = cubic.settle();
+    CHECK_FALSE(linear.flush());
+    const auto last = cubic.flush();
     REQUIRE(last);
     CHECK(angle_of(*last) == Approx(1.0));
     // one sample alone
     Propagator one(settings);
     CHECK_FALSE(one.push(7, {1, 2, 3}).answer);
-    CHECK(angle_of(*one.settle()) == 0.0);
+    CHECK(angle_of(*one.flush()) == 0.0);
 }
 
 TEST_CASE("a sample that is settled early is not answered again, and the next ones follow") {
@@ -508,11 +510,11 @@ TEST_CASE("a sample that is settled early is not answered again, and the next on
         for (int i = 0; i < 8; ++i) {
             take(propagator.push(1, {0, 0, 0.1}).answer);
             if (i == early) {
-                take(propagator.settle());
-                CHECK_FALSE(propagator.settle());
+                take(propagator.flush());
+                CHECK_FALSE(propagator.flush());
             }
         }
-        take(propagator.settle());
+        take(propagator.flush());
         CHECK(answered == 8);
     }
 }
@@ -529,8 +531,8 @@ TEST_CASE("a sample that is not later, or not finite, is refused and changes not
             const auto found = disturbed.push(1, omega);
             REQUIRE(expected.answer.has_value() == found.answer.has_value());
             if (expected.answer) {
-                CHECK(expected.answer->rotation.w() == found.answer->rotation.w());
-                CHECK(expected.answer->rotation.z() == found.answer->rotation.z());
+                CHECK(expected.answer->attitude.rotation().w() == found.answer->attitude.rotation().w());
+                CHECK(expected.answer->attitude.rotation().z() == found.answer->attitude.rotation().z());
             }
             CHECK(disturbed.push(0, omega).refused == Error::time_order);
             CHECK(disturbed.push(-0.5, omega).refused == Error::time_order);
@@ -576,8 +578,8 @@ TEST_CASE("a propagator whose chart is left says so from there on") {
     settings.initial = rotation_of(motions::through_lock().attitude(0));
     const Rows rows = propagated(settings, motions::through_lock(), 100, 3);
     for (const Row& row : rows) {
-        CHECK((row.error == Error::singular) == (row.time > 1.565));
-        CHECK((row.error == Error::none) == (row.time < 1.565));
+        CHECK((row.attitude.error() == Error::singular) == (row.time > 1.565));
+        CHECK((row.attitude.error() == Error::none) == (row.time < 1.565));
     }
 }
 
@@ -626,10 +628,10 @@ TEST_CASE("substeps bring a coarse integrator to the interpolated motion") {
         settings.integrator = integrator;
         settings.substeps = substeps;
         const Rows rows = propagated(settings, motion, 10, 5);
-        const Rotation& p = reference.back().rotation;
+        const Rotation& p = reference.back().attitude.rotation();
         const oracle::Quaternion exact(p.w(), p.x(), p.y(), p.z());
-        oracle::Quaternion found(rows.back().rotation.w(), rows.back().rotation.x(), rows.back().rotation.y(),
-                                 rows.back().rotation.z());
+        oracle::Quaternion found(rows.back().attitude.rotation().w(), rows.back().attitude.rotation().x(),
+                                 rows.back().attitude.rotation().y(), rows.back().attitude.rotation().z());
         found.normalize();
         return oracle::eps * oracle::error_in_eps(exact.normalized(), found);
     };
@@ -647,9 +649,9 @@ TEST_CASE("rates by differences of the propagated attitudes are the ones that we
     const Rows rows = propagated(settings, motion, frequency, 3);
     double worst = 0.0;
     for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
-        const Eigen::Quaterniond before = quaternion::from_rotation(rows[i - 1].rotation);
-        const Eigen::Quaterniond here = quaternion::from_rotation(rows[i].rotation);
-        Eigen::Quaterniond after = quaternion::from_rotation(rows[i + 1].rotation);
+        const Eigen::Quaterniond before = quaternion::from_rotation(rows[i - 1].attitude.rotation());
+        const Eigen::Quaterniond here = quaternion::from_rotation(rows[i].attitude.rotation());
+        Eigen::Quaterniond after = quaternion::from_rotation(rows[i + 1].attitude.rotation());
         Eigen::Vector4d a(after.w(), after.x(), after.y(), after.z());
         Eigen::Vector4d b(before.w(), before.x(), before.y(), before.z());
         const Eigen::Vector4d q(here.w(), here.x(), here.y(), here.z());

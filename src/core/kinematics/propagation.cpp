@@ -76,7 +76,7 @@ Pushed Propagator::push(double interval, const Vector3d& omega) noexcept {
     }
     const std::size_t answered = count_ - 1 - late;
     std::optional<Propagated> answer;
-    if (!std::exchange(settled_, false)) {
+    if (!std::exchange(flushed_, false)) {
         if (answered > 0) {
             advance(answered - 1);
         }
@@ -88,11 +88,11 @@ Pushed Propagator::push(double interval, const Vector3d& omega) noexcept {
     return {.refused = Error::none, .answer = answer};
 }
 
-std::optional<Propagated> Propagator::settle() noexcept {
-    if (count_ == 0 || settled_ || settings_.interpolation == Interpolation::linear) {
+std::optional<Propagated> Propagator::flush() noexcept {
+    if (count_ == 0 || flushed_ || settings_.interpolation == Interpolation::linear) {
         return std::nullopt;
     }
-    settled_ = true;
+    flushed_ = true;
     if (count_ > 1) {
         advance(count_ - 2);
     }
@@ -126,12 +126,6 @@ void Propagator::advance(std::size_t from) noexcept {
     }
 }
 
-Propagated Propagator::answer() const noexcept {
-    const Reading reading = stepper_.attitude();
-    return {.rotation = reading ? *reading : Rotation(),
-            .defect = reading.defect(),
-            .step_error = step_error_,
-            .error = reading.error()};
-}
+Propagated Propagator::answer() const noexcept { return {.attitude = stepper_.attitude(), .step_error = step_error_}; }
 
 } // namespace rotconv
