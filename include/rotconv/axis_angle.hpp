@@ -18,7 +18,7 @@ struct AxisAngle {
 namespace axis_angle {
 
 /// q ~ (|n| cos(angle/2), n sin(angle/2)) for an angle of any size. The axis may be 0 where the angle is (after
-/// reduction, in degrees). Faults: not_finite, zero_axis.
+/// reduction, in degrees). Errors: not_finite, zero_axis.
 [[nodiscard]] Reading to_rotation(const AxisAngle& value) noexcept;
 
 /// n = v/|v|, angle = 2 atan2(|v|, w) in [0, pi]; axis (1, 0, 0) where v is exactly 0.

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const Spec& from() const noexcept { return from_; }
     [[nodiscard]] const Spec& to() const noexcept { return to_; }
 
-    /// Converts rows of from().size() numbers each into rows of to().size() numbers. The numbers of a row with a error
+    /// Converts rows of from().size() numbers each into rows of to().size() numbers. The numbers of a row with an error
     /// become nan. No number becomes -0.
     /// @param reports become those of the rows with an error or diagnostics, or with Settings::sensitivity of all rows,
     /// in their order. Most rows have none; a vector that is used again is not allocated again

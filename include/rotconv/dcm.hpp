@@ -16,14 +16,14 @@ namespace dcm {
 
 /// The rotation nearest to the matrix (its polar factor), for any matrix with a positive determinant.
 ///
-/// The quaternion is the eigenvector of Davenport's symmetric matrix K to its largest eigenvalue. The column of K + I
-/// with the largest diagonal element, which is Markley's choice (2008) and, with Baruh's Eqs (5)-(8) for the pivot, the
-/// symmetric mend of his method, starts power steps; each of them reduces what is left of the matrix's defect by that
-/// defect, so that one serves a matrix that is orthogonal to rounding. A matrix that is far off goes through the
-/// singular value decomposition.
+/// The quaternion is the eigenvector of Davenport's symmetric matrix K to its largest eigenvalue, found by power steps.
+/// They start from the column of K + I with the largest diagonal element: Markley's choice (2008), and that of Baruh's
+/// Eqs (5)-(8) made symmetric. Each step multiplies the error that the matrix's defect causes by that defect, so that
+/// one step serves a matrix with a defect of up to 2e-9. A matrix that is far off goes through the singular value
+/// decomposition.
 ///
 /// The defect is exact only above `reported_defect`; below, it is an upper bound. See defect().
-/// Faults: not_finite, not_proper. Error: see the table of limits in the README.
+/// Errors: not_finite, not_proper. Accuracy: the table in the README.
 [[nodiscard]] Reading to_rotation(const Dcm& matrix) noexcept;
 
 /// Largest singular value of M - (polar factor of M), that is max |s_i - 1| over the singular values of M.

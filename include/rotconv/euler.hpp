@@ -83,11 +83,11 @@ inline constexpr double default_lock_margin = 1e-15;
 /// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi].
 ///
 /// With a, b, c, d of Bernardes and Viollet (2022), where a + ib = C e^(i s) and c + id = S e^(i t) hold half the sum
-/// and difference s, t of the outer angles: these are the arguments of (a + ib)(c +- id), and the middle one twice that
-/// of (C, S), less pi/2 for three different axes. No threshold is needed; accuracy does not depend on the distance from
-/// lock. Where the margin is at most `lock_margin` the third angle is 0, the middle one at its limit, and the first
-/// takes up the rest: this gives up to `lock_margin` radians. With 0 only exact lock is special; from pi/2 on all is
-/// locked.
+/// and difference s, t of the outer angles: these are the angles atan2(imaginary, real) of (a + ib)(c +- id), and the
+/// middle one is twice atan2(S, C), less pi/2 for three different axes. Accuracy does not depend on the distance from
+/// lock, and needs no threshold. For readable angles there is one all the same: where the margin is at most
+/// `lock_margin` the third angle is 0, the middle one at its limit, and the first takes up the rest, which costs an
+/// error of up to `lock_margin` radians. With 0 only exact lock is special; from pi/2 on all is locked.
 [[nodiscard]] EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence,
                                         AngleUnit unit = AngleUnit::radians,
                                         double lock_margin = default_lock_margin) noexcept;

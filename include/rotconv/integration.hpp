@@ -61,14 +61,14 @@ public:
     [[nodiscard]] std::span<const double> nodes() const noexcept;
 
     /// Carries the numbers over `h` seconds. `rates`: the body's angular velocity in body axes, rad/s, at the nodes.
-    /// Faults: singular; coarse_step; not_finite where a number overflows.
+    /// Errors: singular; coarse_step; not_finite where a number overflows.
     Error step(double h, std::span<const Eigen::Vector3d> rates) noexcept;
 
-    /// How far the last step went: the angle that the body may have turned by, in radians, or in parts of the distance
-    /// to a singularity where that was less than a radian.
+    /// How far the last step went: the angle in radians that the body may have turned by, over the distance to a
+    /// singularity where that is less than one radian.
     [[nodiscard]] double stretch() const noexcept { return stretch_; }
 
-    /// The attitude of the numbers, and their exact defect: how far they have drifted off the set. A error where the
+    /// The attitude of the numbers, and their exact defect: how far they have drifted off the set. An error where the
     /// state is lost, or where drift has left no attitude.
     [[nodiscard]] Reading attitude() const noexcept;
 

@@ -15,7 +15,7 @@ namespace rotconv {
 /// the same attitude), linear kinematics, no singular attitude.
 namespace quaternion {
 
-/// The attitude q/|q|. Exact: nothing is rounded. Faults: not_finite, zero_quaternion. Defect: | |q| - 1 |, up to
+/// The attitude q/|q|. Exact: nothing is rounded. Errors: not_finite, zero_quaternion. Defect: | |q| - 1 |, up to
 /// `reported_defect` a bound on it.
 [[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q) noexcept;
 

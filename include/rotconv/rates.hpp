@@ -27,9 +27,10 @@ struct RateSettings {
 struct RateReport {
     Error error = Error::none; ///< singular or full_turn where the margin is at most `singular_margin`; overflow of the
                                ///< result; those of readings
-    double defect = 0.0;       ///< as in Report
-    Sensitivity sensitivity{}; ///< of the numbers (they differ from the attitude's for a rotation vector past a
-                               ///< half-turn); not known with any other error
+    DiagnosticSet diagnostics{}; ///< normalized; near_gimbal_lock of Euler angles
+    double defect = 0.0;         ///< as in Report
+    Sensitivity sensitivity{};   ///< of the numbers (they differ from the attitude's for a rotation vector past a
+                                 ///< half-turn); not known with any other error
 };
 
 /// The kinematic equation of a representation on rows of numbers written as its Spec says. Numbers that are angles have
@@ -47,7 +48,7 @@ public:
     /// n rates, in the order of the numbers; inverse: wx, wy, wz.
     [[nodiscard]] std::size_t out_size() const noexcept { return settings_.inverse ? 3 : spec_.size(); }
 
-    /// reports.size() rows. The results of a row with a error become nan. No number becomes -0.
+    /// reports.size() rows. The results of a row with an error become nan. No number becomes -0.
     /// @pre in.size() >= rows * in_size() and out.size() >= rows * out_size()
     void run(std::span<const double> in, std::span<double> out, std::span<RateReport> reports) const noexcept;
 

@@ -90,6 +90,7 @@ public:
 
 private:
     static constexpr unsigned bit(DiagnosticKind kind) noexcept { return 1U << static_cast<unsigned>(kind); }
+    static_assert(diagnostic_kind_count <= 8, "a kind is a bit");
     std::uint8_t bits_ = 0;
 };
 

@@ -56,7 +56,7 @@ struct Representation {
     std::span<const PresetMeaning> presets{};  ///< those that mean something, and what
     std::array<std::uint8_t, 9> other_order{}; ///< under col or xyzw: for each number as written, its own place
     bool takes_sequence = false;               ///< the text is followed by an Euler sequence
-    bool has_gimbal_lock = false;              ///< three angles, the outer ones in (-pi, pi]
+    bool has_gimbal_lock = false;              ///< Euler angles; the outer ones have the range (-pi, pi]
     std::string_view range;                    ///< of the numbers on output, for people
     std::string_view singular = "none";        ///< where it is singular, for people
     std::string_view singular_attitude{};      ///< the same as one attitude, such as "a half-turn"

@@ -16,7 +16,7 @@ using Columns = Eigen::Matrix<double, 3, 2>;
 namespace two_column {
 
 /// Gram-Schmidt that keeps the first column's direction: e1 = c1/|c1|, e2 along c2 - (e1.c2) e1, e3 = e1 x e2.
-/// Columns of any length. Faults: not_finite, rank_deficient. The defect is exact only above `reported_defect`; below,
+/// Columns of any length. Errors: not_finite, rank_deficient. The defect is exact only above `reported_defect`; below,
 /// it is an upper bound. See defect().
 [[nodiscard]] Reading to_rotation(const Columns& m) noexcept;
 

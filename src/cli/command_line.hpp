@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "../stream/layout.hpp"
+#include "../stream/options.hpp"
 #include "messages.hpp"
 
 namespace rotconv::cli {
@@ -14,8 +14,8 @@ enum class ShowDiagnostics { off, summary, rows, columns };
 /// A command that makes something of each row, checked: `rotconv -f FROM -t TO ...`, `rotconv rates ...` and
 /// `rotconv propagate ...`.
 struct RowsCommand {
-    RowsCommand(stream::RowOperation function, messages::Subject about)
-        : options(std::move(function)), subject(std::move(about)) {}
+    RowsCommand(stream::RowOperation operation, messages::Subject about)
+        : options(std::move(operation)), subject(std::move(about)) {}
 
     stream::Options options;
     messages::Subject subject; ///< what the rows are, for messages

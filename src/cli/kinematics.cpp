@@ -52,9 +52,9 @@ Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
     }
     std::array<double, 9> numbers{};
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        const auto number_fault = stream::read_number(fields[i], numbers.at(i));
-        if (number_fault != stream::NumberError::none) {
-            refuse(number_fault == stream::NumberError::too_large ? stream::RowError::What::too_large
+        const auto number_error = stream::read_number(fields[i], numbers.at(i));
+        if (number_error != stream::NumberError::none) {
+            refuse(number_error == stream::NumberError::too_large ? stream::RowError::What::too_large
                                                                   : stream::RowError::What::not_a_number);
         }
     }
@@ -128,11 +128,11 @@ RowsCommand rates_command(const RawOptions& texts, const Operands& operands) {
         .degrees = texts.degrees,
         .frame = choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}}),
         .tolerance = settings_of(texts).tolerance};
-    auto function = stream::rates_operation(spec, settings, settings_of(texts).sensitivity);
+    auto operation = stream::rates_operation(spec, settings, settings_of(texts).sensitivity);
     const std::string subject =
         fmt::format("{} with {}", representation(spec.name).text, settings.inverse ? "its rates" : "wx wy wz");
-    messages::Subject about{subject, function.inputs, spec.name, settings.tolerance};
-    return rows_command(texts, std::move(function), std::move(about), operands);
+    messages::Subject about{subject, operation.inputs, spec.name, settings.tolerance};
+    return rows_command(texts, std::move(operation), std::move(about), operands);
 }
 
 RowsCommand propagate_command(const RawOptions& texts, const Operands& operands) {
@@ -158,9 +158,9 @@ RowsCommand propagate_command(const RawOptions& texts, const Operands& operands)
     if (!texts.initial.empty()) {
         rows.settings.initial = initial_of(texts.initial, texts.degrees, settings.tolerance);
     }
-    auto function = stream::propagation_operation(rows);
-    messages::Subject about{"t wx wy wz", function.inputs, set.name, settings.tolerance};
-    RowsCommand command = rows_command(texts, std::move(function), std::move(about), operands);
+    auto operation = stream::propagation_operation(rows);
+    messages::Subject about{"t wx wy wz", operation.inputs, set.name, settings.tolerance};
+    RowsCommand command = rows_command(texts, std::move(operation), std::move(about), operands);
     command.progress = true;
     return command;
 }

@@ -11,7 +11,7 @@
 #include "../stream/column_list.hpp"
 #include "../stream/event.hpp"
 
-/// Every message of the program is worded here, and nowhere else.
+/// What is told of rows, files, columns, SPECs and diagnostics. A sentence about one option stands with that option.
 namespace rotconv::cli::messages {
 
 /// The words of modifiers, in the order of the table.

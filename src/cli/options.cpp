@@ -62,7 +62,7 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
 
 /// Canonical names in another order than the SPEC's would be a wrong attitude in silence.
 void refuse_other_order(const std::string& list, const stream::Options& options) {
-    const auto& from = options.function.from;
+    const auto& from = options.operation.from;
     if (!from) {
         return;
     }
@@ -81,7 +81,7 @@ std::size_t width_of(const RawOptions& texts, const stream::Options& options) {
     if (!choose<bool>("input format", texts.input_format, {{"csv", false}, {"f64", true}})) {
         return 0;
     }
-    const std::size_t needed = options.function.inputs;
+    const std::size_t needed = options.operation.inputs;
     const std::size_t width = given > 0 ? given : needed;
     if (options.columns.has_names()) {
         throw Usage("--columns selects by name, and f64 rows have none; use indices");
@@ -189,9 +189,9 @@ Settings settings_of(const RawOptions& texts) {
             .sensitivity = diagnostics_of(texts) == ShowDiagnostics::columns};
 }
 
-RowsCommand rows_command(const RawOptions& texts, stream::RowOperation function, messages::Subject subject,
+RowsCommand rows_command(const RawOptions& texts, stream::RowOperation operation, messages::Subject subject,
                          const Operands& operands) {
-    RowsCommand command(std::move(function), std::move(subject));
+    RowsCommand command(std::move(operation), std::move(subject));
     command.diagnostics = diagnostics_of(texts);
     command.strict = texts.strict;
     command.input = operands.files.empty() ? texts.input : operands.files[0];
@@ -224,7 +224,7 @@ RowsCommand rows_command(const RawOptions& texts, stream::RowOperation function,
         }
     }
     if (!texts.columns.empty()) {
-        auto parsed = stream::ColumnList::parse(texts.columns, options.function.inputs);
+        auto parsed = stream::ColumnList::parse(texts.columns, options.operation.inputs);
         if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
             throw Usage("--columns: " + messages::explain(*error, command.subject));
         }

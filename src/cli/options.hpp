@@ -67,7 +67,7 @@ class Usage : public std::runtime_error {
 void define_from(CLI::App& app, RawOptions& texts);
 void define_to(CLI::App& app, RawOptions& texts);
 void define_lock_margin(CLI::App& app, RawOptions& texts);
-/// Where rows come from and how they are read.
+/// Where rows come from, how they are read, and where the answer goes.
 void define_input(CLI::App& app, RawOptions& texts);
 /// How rows are written.
 void define_output(CLI::App& app, RawOptions& texts);
@@ -93,9 +93,9 @@ template <class Value> Value choose(std::string_view what, std::string_view text
 /// Tolerance, lock margin, and figures where they are to be shown.
 [[nodiscard]] Settings settings_of(const RawOptions& texts);
 
-/// The command of a row function.
+/// The command of a row operation.
 /// @throw Usage
-[[nodiscard]] RowsCommand rows_command(const RawOptions& texts, stream::RowOperation function,
+[[nodiscard]] RowsCommand rows_command(const RawOptions& texts, stream::RowOperation operation,
                                        messages::Subject subject, const Operands& operands);
 
 } // namespace rotconv::cli

@@ -9,7 +9,7 @@
 
 namespace rotconv::cli {
 
-/// What is printed of a run in the place of its rows; nothing where it has failed and told why.
+/// What is printed of a run in the place of its rows.
 using Conclusion = std::function<std::string()>;
 
 /// Runs the rows, tells on stderr what there is to tell, and returns the exit code. With a conclusion the rows are not

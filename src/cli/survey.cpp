@@ -49,7 +49,7 @@ std::string in_json(const Survey& survey, double limit) {
 ExitCode survey(const SurveyCommand& command) {
     Survey survey;
     RowsCommand rows = command.rows;
-    rows.options.function = stream::reading_operation(
+    rows.options.operation = stream::reading_operation(
         command.from, rows.subject.tolerance,
         [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
     bool none_serves = false;

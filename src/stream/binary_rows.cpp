@@ -16,13 +16,13 @@ void RowTransformer::gather_binary(std::string_view& text, std::size_t& line, st
         rows_.push_back({.line = {text.substr(i * row_size, row_size), {}}, .number = line, .index = i});
         lines_.push_back(line++);
     }
-    numbers_.resize(count * function_.inputs);
+    numbers_.resize(count * operation_.inputs);
     if (layout_->positions.empty()) {
         std::memcpy(numbers_.data(), text.data(), count * row_size);
     } else {
         for (std::size_t i = 0; i < numbers_.size(); ++i) {
-            const std::size_t row = i / function_.inputs;
-            const std::size_t position = layout_->positions[i % function_.inputs];
+            const std::size_t row = i / operation_.inputs;
+            const std::size_t position = layout_->positions[i % operation_.inputs];
             std::memcpy(&numbers_[i], text.data() + row * row_size + position * sizeof(double), sizeof(double));
         }
     }
@@ -63,15 +63,15 @@ bool RowTransformer::is_doubles_alone() const noexcept {
 
 void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output) {
     const std::size_t row_size = options_->width * sizeof(double);
-    const std::size_t width = function_.names.size();
+    const std::size_t width = operation_.names.size();
     while (!text.empty() && !output.stopped) {
         const std::size_t rows = std::min(batch, text.size() / row_size);
-        numbers_.resize(rows * function_.inputs);
+        numbers_.resize(rows * operation_.inputs);
         std::memcpy(numbers_.data(), text.data(), rows * row_size);
         lines_.resize(rows);
         std::iota(lines_.begin(), lines_.end(), line);
         results_.resize(rows * width);
-        function_.run({numbers_, lines_}, results_, reports_);
+        operation_.run({numbers_, lines_}, results_, reports_);
         next_report_ = 0;
         std::size_t next = 0;
         const auto write_clean = [&](std::size_t end) {

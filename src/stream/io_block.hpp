@@ -28,7 +28,7 @@ public:
         : source_(&source), row_size_(row_size), block_size_(block_size) {}
 
     /// Reads once.
-    /// @return false at the end or at a error: there is nothing more to read
+    /// @return false at the end or at an error: there is nothing more to read
     bool read(IoBlock& block);
     /// Whether read() would not have to wait.
     [[nodiscard]] bool is_ready() const { return finished_ || source_->is_ready(); }

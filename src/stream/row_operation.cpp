@@ -178,7 +178,6 @@ RowOperation method_operation(const MethodConversion& conversion) { return opera
 
 RowOperation rates_operation(const Spec& spec, const RateSettings& settings, bool sensitivity) {
     const Rates rates(spec, settings);
-    const bool has_lock = representation(spec.name).has_gimbal_lock;
     const std::vector<std::string> velocity{"wx", "wy", "wz"};
     auto input_names = column_names(spec);
     std::ranges::copy(settings.inverse ? rate_names(spec) : velocity, std::back_inserter(input_names));
@@ -186,20 +185,17 @@ RowOperation rates_operation(const Spec& spec, const RateSettings& settings, boo
             .input_names = std::move(input_names),
             .from = spec,
             .names = settings.inverse ? velocity : rate_names(spec),
-            .run = [rates, has_lock, sensitivity, found = std::vector<RateReport>()](
+            .run = [rates, sensitivity, found = std::vector<RateReport>()](
                        const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) mutable {
                 found.resize(rows.lines.size());
                 rates.run(rows.numbers, out, found);
                 reports.clear();
                 for (std::size_t i = 0; i < found.size(); ++i) {
                     const RateReport& rate = found[i];
-                    DiagnosticSet diagnostics(DiagnosticKind::normalized, rate.defect > reported_defect);
-                    diagnostics |= {DiagnosticKind::near_gimbal_lock,
-                                    has_lock && rate.sensitivity.condition > near_lock_condition};
-                    if (sensitivity || rate.error != Error::none || !diagnostics.empty()) {
+                    if (sensitivity || rate.error != Error::none || !rate.diagnostics.empty()) {
                         reports.push_back({.row = i,
                                            .error = rate.error,
-                                           .diagnostics = diagnostics,
+                                           .diagnostics = rate.diagnostics,
                                            .defect = rate.defect,
                                            .sensitivity = rate.sensitivity});
                     }

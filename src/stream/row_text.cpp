@@ -40,7 +40,7 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
 } // namespace
 
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
-    const auto& spec = options.function.attitude;
+    const auto& spec = options.operation.attitude;
     if (options.precision > 0 && spec && representation(spec->name).has_gimbal_lock) {
         const bool degrees = spec->unit == AngleUnit::degrees;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
@@ -141,7 +141,7 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
         write_number(to, value, column);
         append(to, quote);
     };
-    const auto& names = options_->function.names;
+    const auto& names = options_->operation.names;
     for (std::size_t i = 0; i < row.result.size(); ++i) {
         key(names[i]);
         number(row.result[i], i);
@@ -162,7 +162,7 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
 
 void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
     const auto out = std::back_inserter(to);
-    const auto& spec = options_->function.attitude;
+    const auto& spec = options_->operation.attitude;
     fmt::format_to(out, "line {}\n", row.number);
     const auto text_of = [&](std::size_t i) {
         Buffer text;
@@ -182,7 +182,7 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
                            width);
         }
     } else {
-        const auto& names = options_->function.names;
+        const auto& names = options_->operation.names;
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             fmt::format_to(out, "  {:<9}  {}\n", names[i], text_of(i));
         }

@@ -9,6 +9,7 @@
 #include "event.hpp"
 #include "io_block.hpp"
 #include "layout.hpp"
+#include "options.hpp"
 
 namespace rotconv::stream {
 

@@ -8,28 +8,28 @@
 namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout)
-    : options_(&options), layout_(&layout), function_(options.function), row_text_(options, layout),
-      nans_(options.function.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
+    : options_(&options), layout_(&layout), operation_(options.operation), row_text_(options, layout),
+      nans_(options.operation.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
     if (is_doubles_alone()) {
         transform_doubles(text, line, output);
         return;
     }
-    if (function_.run_ahead) {
+    if (operation_.run_ahead) {
         transform_ahead(text, line, false, output);
         return;
     }
     while (!text.empty() && !output.stopped) {
         gather(text, line, batch);
-        results_.resize(lines_.size() * function_.names.size());
-        function_.run({numbers_, lines_, kept_}, results_, reports_);
+        results_.resize(lines_.size() * operation_.names.size());
+        operation_.run({numbers_, lines_, kept_}, results_, reports_);
         write(output);
     }
 }
 
 void RowTransformer::finish(Output& output) {
-    if (function_.run_ahead) {
+    if (operation_.run_ahead) {
         transform_ahead({}, 0, true, output);
     }
 }
@@ -64,7 +64,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
 
 void RowTransformer::read_row(Row& row) {
     using What = RowError::What;
-    const std::size_t needed = function_.inputs;
+    const std::size_t needed = operation_.inputs;
     const std::size_t first_number = numbers_.size();
     row.index = lines_.size();
     if (!has_other_fields() && read_plain(row.line.text)) {
@@ -107,7 +107,7 @@ void RowTransformer::read_row(Row& row) {
             return;
         }
     }
-    for (std::size_t i = 0; i < function_.kept; ++i) {
+    for (std::size_t i = 0; i < operation_.kept; ++i) {
         const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
         kept_.push_back(layout_->delimiter.text_of(fields_[row.first_field + position]));
     }
@@ -116,7 +116,7 @@ void RowTransformer::read_row(Row& row) {
 
 bool RowTransformer::read_plain(std::string_view text) {
     const std::size_t first = numbers_.size();
-    numbers_.resize(first + function_.inputs);
+    numbers_.resize(first + operation_.inputs);
     const char* at = text.data();
     const char* const end = at + text.size();
     for (std::size_t i = first; i < numbers_.size(); ++i) {
@@ -158,7 +158,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (options_->width > 0 && has_other_fields()) {
         make_fields(row);
     }
-    const std::size_t size = function_.names.size();
+    const std::size_t size = operation_.names.size();
     const Report& report = report_of(row);
     const bool failed = !row.has_numbers() || report.error != Error::none;
     const ConvertedRow converted{.line = row.line,
@@ -205,7 +205,7 @@ std::string RowTransformer::selected_text(const Row& row) const {
         text += field;
     };
     if (options_->width > 0) {
-        for (const double number : std::span(numbers_).subspan(row.index * function_.inputs, function_.inputs)) {
+        for (const double number : std::span(numbers_).subspan(row.index * operation_.inputs, operation_.inputs)) {
             add(fmt::format("{}", number));
         }
         return text;

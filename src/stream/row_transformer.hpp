@@ -8,12 +8,13 @@
 #include "event.hpp"
 #include "io_block.hpp"
 #include "layout.hpp"
+#include "options.hpp"
 #include "row_text.hpp"
 
 namespace rotconv::stream {
 
 /// Turns blocks of rows into their output. What a block becomes depends on the block, the options and the layout alone
-/// (unless the function remembers rows), so that several transformers may work on the blocks of one stream.
+/// (unless the operation remembers rows), so that several transformers may work on the blocks of one stream.
 class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout);
@@ -47,7 +48,7 @@ private:
     /// Where answers depend on the rows after them: a row that has none yet, and what follows it, wait for the next
     /// call, up to `most_waiting` bytes.
     void transform_ahead(std::string_view next, std::size_t next_line, bool is_end, Output& output);
-    /// Reads a batch of rows off the text, under `stop` none after a error.
+    /// Reads a batch of rows off the text, under `stop` none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
     /// Reads a row of nothing but plain numbers, as most are, which needs no fields; false for any other.
@@ -68,7 +69,7 @@ private:
 
     const Options* options_;
     const Layout* layout_;
-    RowOperation function_; ///< a copy, for it may have room of its own to work in
+    RowOperation operation_; ///< a copy, for it may have room of its own to work in
     RowText row_text_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line

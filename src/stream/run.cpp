@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "header_reader.hpp"
 #include "io_block.hpp"
 #include "row_transformer.hpp"
 
@@ -28,7 +29,7 @@ constexpr std::size_t most_under_way = 2 * IoBlockReader::largest_block;
 constexpr std::size_t too_long = 32 * IoBlockReader::largest_block;
 
 std::size_t thread_limit(const Options& options) {
-    return options.function.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
+    return options.operation.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
 }
 
 /// Bytes of a block: the more threads, the smaller, but for doubles that remain doubles.
@@ -202,7 +203,9 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     convert(job, transformer);
     lock.lock();
     job.done = true;
-    reading_ = reading_ && shared; // a small block was not worth waking another to read on
+    if (!shared) {
+        reading_ = false; // kept until now: a small block was not worth waking another thread to read on
+    }
 }
 
 bool Run::read(Job& job) {

@@ -5,13 +5,13 @@
 
 #include "event.hpp"
 #include "file.hpp"
-#include "layout.hpp"
+#include "options.hpp"
 
 namespace rotconv::stream {
 
 /// How a run ended.
 struct RunResult {
-    bool reader_left = false; ///< the other end of the pipe was closed: not a error
+    bool reader_left = false; ///< the other end of the pipe was closed: not an error
     bool stopped = false;     ///< at a row error, which was reported
     std::optional<StreamError> error;
 };

@@ -35,11 +35,11 @@ struct Check {
 
     void operator()(const cli::RowsCommand& command) const {
         const stream::Options& options = command.options;
-        require(options.function.inputs > 0 && !options.function.names.empty() && options.threads > 0);
+        require(options.operation.inputs > 0 && !options.operation.names.empty() && options.threads > 0);
         require(options.precision >= 0 && options.precision <= 100);
-        require(options.width == 0 || options.width >= options.function.inputs);
+        require(options.width == 0 || options.width >= options.operation.inputs);
         const bool is_named = std::ranges::count(words, "rates") > 0;
-        reach.add(options.function.in_order ? "propagate" : is_named ? "rates" : "conversion");
+        reach.add(options.operation.in_order ? "propagate" : is_named ? "rates" : "conversion");
         if (command.has_values) {
             reach.add("VALUEs");
             NullSink nowhere;

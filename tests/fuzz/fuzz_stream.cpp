@@ -107,7 +107,7 @@ struct Result {
 std::optional<Options> options_of(const std::vector<std::string>& words, Survey& survey) {
     auto command = fuzz::command_of(words);
     if (auto* of_survey = std::get_if<cli::SurveyCommand>(&command)) {
-        of_survey->rows.options.function =
+        of_survey->rows.options.operation =
             reading_operation(of_survey->from, of_survey->rows.subject.tolerance,
                               [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
         return of_survey->rows.options;
@@ -146,15 +146,15 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         const auto failed = std::ranges::count_if(reports, [](const Report& r) { return r.error != Error::none; });
         converted += answered - static_cast<std::size_t>(failed);
     };
-    options.function.run = [run = options.function.run, count](const NumberRows& rows, std::span<double> out,
-                                                               std::vector<Report>& reports) {
+    options.operation.run = [run = options.operation.run, count](const NumberRows& rows, std::span<double> out,
+                                                                 std::vector<Report>& reports) {
         run(rows, out, reports);
         count(rows.lines.size(), reports);
     };
-    if (options.function.run_ahead) {
-        options.function.run_ahead = [run = options.function.run_ahead, count](const NumberRows& rows, bool flush,
-                                                                               std::span<double> out,
-                                                                               std::vector<Report>& reports) {
+    if (options.operation.run_ahead) {
+        options.operation.run_ahead = [run = options.operation.run_ahead, count](const NumberRows& rows, bool flush,
+                                                                                 std::span<double> out,
+                                                                                 std::vector<Report>& reports) {
             const std::size_t answered = run(rows, flush, out, reports);
             count(answered, reports);
             return answered;
@@ -227,9 +227,9 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         argument_of(words, "--interpolation") == "cubic" || (rules.precision > 0 && is_euler)) {
         return std::nullopt; // pretty and f64, rows that wait, and -pi that rounds
     }
-    rules.inputs = options.function.inputs;
-    rules.kept = options.function.kept;
-    rules.names = options.function.names;
+    rules.inputs = options.operation.inputs;
+    rules.kept = options.operation.kept;
+    rules.names = options.operation.names;
     rules.columns = argument_of(words, "--columns");
     rules.delimiter = argument_of(words, "--delimiter");
     rules.header = argument_of(words, "--header", "auto");
@@ -240,11 +240,11 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     if (rules.diagnostic_columns) {
         rules.names.insert(rules.names.end(), {"margin", "condition", "defect", "notes"});
     }
-    rules.input_names = options.function.input_names;
+    rules.input_names = options.operation.input_names;
     rules.calculate =
-        [run = options.function.run, kept = rules.kept, columns = rules.diagnostic_columns,
-         size = options.function.names.size()](const std::vector<double>& numbers,
-                                               const std::vector<std::string>& texts) -> std::optional<fuzz::Answer> {
+        [run = options.operation.run, kept = rules.kept, columns = rules.diagnostic_columns,
+         size = options.operation.names.size()](const std::vector<double>& numbers,
+                                                const std::vector<std::string>& texts) -> std::optional<fuzz::Answer> {
         fuzz::Answer answer{std::vector<double>(size), ""};
         const std::vector<std::string_view> kept_texts(texts.begin(),
                                                        texts.begin() + static_cast<std::ptrdiff_t>(kept));
@@ -284,7 +284,7 @@ void require_same(std::string_view what, const Result& a, const Result& b) {
 void compare_with_model(std::string_view text, const std::vector<std::string>& words, const Options& options,
                         const Result& result) {
     Survey survey;
-    const auto rules = rules_of(words, options.function.in_order ? *options_of(words, survey) : options);
+    const auto rules = rules_of(words, options.operation.in_order ? *options_of(words, survey) : options);
     const auto outcome = rules ? fuzz::model(text, *rules) : std::nullopt;
     if (!outcome) {
         return;

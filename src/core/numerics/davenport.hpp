@@ -11,7 +11,8 @@ namespace rotconv {
 /// A matrix as nine numbers, row by row.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// A squared distance up to which one power step serves, and a bound on the defect there.
+/// The sum of the squares of what a matrix lacks of being orthonormal, up to which it counts as clean: one power step
+/// serves. And a bound on its defect.
 inline constexpr double clean_square = 0x1p-58;
 inline constexpr double clean_defect = 0x1p-27;
 

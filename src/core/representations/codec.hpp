@@ -37,10 +37,10 @@ struct Codec {
     Sensitivity (*sensitivity_of_numbers)(const Spec& spec, const double* numbers,
                                           const Rotation& rotation) noexcept = nullptr;
 
-    /// No attitude is further (radians) from a singular one; infinite where there is none. Of sets that are singular at
-    /// a full turn, from where they change their chart.
+    /// The greatest value of distance(), in radians: pi/2 for Euler angles, pi for cayley, and for mrp and rotvec,
+    /// which are singular at a full turn and switch their chart at a half-turn; infinite where nothing is singular.
     double greatest_distance = std::numeric_limits<double>::infinity();
-    /// From the attitude of the numbers; null: always the greatest distance.
+    /// From the attitude of the numbers to the nearest singular one, in radians; null: always the greatest distance.
     double (*distance_to_singularity)(const Spec& spec, const double* numbers) noexcept = nullptr;
     /// Other numbers of the same attitude, where these are about to leave the range of output; null where they cannot.
     void (*switch_chart)(double* numbers) noexcept = nullptr;

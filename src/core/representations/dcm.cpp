@@ -40,7 +40,7 @@ double squared_distance(const std::array<double, 9>& m) noexcept {
            ((first * first + second * second) + both * both);
 }
 
-/// All that a clean matrix needs.
+/// All that a clean matrix needs; see clean_square.
 struct PowerStep {
     explicit PowerStep(const std::array<double, 9>& m) noexcept : square(squared_distance(m)) {
         const Davenport k(m.data());
@@ -51,7 +51,8 @@ struct PowerStep {
     std::array<double, 4> q;
 };
 
-/// The matrix of q/|q|, times |q|^2. Only here: contracted, the differences would not cancel.
+/// The matrix of q/|q|, times |q|^2. It stays in this file, which is compiled without contraction: with fused products
+/// the differences that are 0 at quarter turns would not be.
 struct ScaledMatrix {
     ScaledMatrix(double w, double x, double y, double z) noexcept {
         const double ww = w * w;

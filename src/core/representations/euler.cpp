@@ -52,8 +52,8 @@ struct FixedAxes {
 };
 
 /// a + ib = C e^(is), c + id = S e^(it), where s + t and s - t are the outer angles, and C, S are cosine and sine of
-/// half the middle angle (of half the middle angle plus pi/4 for Tait-Bryan angles), times a common factor. Only the
-/// ratios a : b and c : d matter, so that these are brought to lengths between 1/2 and 1.
+/// m/2, m the middle angle (of m/2 + pi/4 for Tait-Bryan angles), times a common factor. Beside C and S only the ratios
+/// a : b and c : d matter, so that these are brought to lengths between 1/2 and 1.
 struct Halves {
     Halves(const Rotation& q, const FixedAxes& axes, bool proper) noexcept {
         const double qi = q.along(axes.i);
@@ -79,7 +79,7 @@ struct Halves {
         return std::min(cosine, sine) / std::sqrt(cosine * cosine + sine * sine);
     }
 
-    /// Margin at most that whose half has the tangent `lock_tangent`.
+    /// Margin <= lock margin, as tan(margin/2) = min(C, S)/max(C, S) <= tan(lock margin/2).
     [[nodiscard]] bool locked(double lock_tangent) const noexcept {
         const double smaller = std::min(cosine, sine);
         return smaller == 0.0 || smaller <= lock_tangent * std::max(cosine, sine);
@@ -89,7 +89,7 @@ struct Halves {
     double cosine, sine;
 
 private:
-    /// hypot(u, v), of which u and v are freed.
+    /// hypot(u, v); divides u and v by the power of two next to it.
     static double take_length(double& u, double& v) noexcept {
         const double square = u * u + v * v;
         const double length = square > 1e-280 ? std::sqrt(square) : std::hypot(u, v);

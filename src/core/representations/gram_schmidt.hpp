@@ -10,7 +10,7 @@
 
 namespace rotconv {
 
-/// The rotation of two nonzero directions, or a error; columns of any finite length.
+/// The rotation of two nonzero directions, or an error; columns of any finite length.
 [[nodiscard]] Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept;
 
 /// Two columns of each row, the first above the second.

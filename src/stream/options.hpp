@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "column_list.hpp"
+#include "delimiter.hpp"
+#include "event.hpp"
+#include "row_operation.hpp"
+
+namespace rotconv::stream {
+
+enum class HeaderMode : std::uint8_t { automatic, yes, no, add };
+enum class Format : std::uint8_t { csv, json, pretty, f64 };
+enum class OnError : std::uint8_t { stop, nan, skip };
+
+/// What a run does with its rows.
+struct Options {
+    explicit Options(RowOperation given) : operation(std::move(given)) {}
+    explicit Options(const Conversion& conversion) : Options(conversion_operation(conversion)) {}
+
+    RowOperation operation;
+    ColumnList columns;                 ///< empty: a row is its numbers and nothing else
+    std::optional<Delimiter> delimiter; ///< nothing: that of the first data row
+    std::size_t width = 0;              ///< doubles of a row of binary input; 0: the input is text
+    HeaderMode header = HeaderMode::automatic;
+    Format format = Format::csv;
+    OnError on_error = OnError::stop;
+    int precision = 0;                                    ///< significant digits; 0: the shortest text
+    bool append = false;                                  ///< keep the row and add the result at its end
+    bool diagnostic_columns = false;                      ///< margin, condition, defect and notes after the result
+    bool show_diagnostics = true;                         ///< in words, under Format::pretty
+    std::size_t threads = 1;                              ///< at most
+    std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
+};
+
+inline constexpr std::array<std::string_view, 4> diagnostic_names{"margin", "condition", "defect", "notes"};
+
+} // namespace rotconv::stream
