@@ -6,9 +6,19 @@
 
 /// The table of representations, in the order in which they are listed: a line each, `line(identifier)`. All that is
 /// known of one stands in the codec at the end of its source.
-#define ROTCONV_REPRESENTATIONS(line)                                                                                  \
-    line(dcm) line(two_column) line(five_d) line(quat) line(axis_angle) line(rotvec) line(euler) line(rpy)             \
-        line(cayley) line(mrp)
+// clang-format off
+#define ROTCONV_REPRESENTATIONS(line) \
+    line(dcm) \
+    line(two_column) \
+    line(five_d) \
+    line(quat) \
+    line(axis_angle) \
+    line(rotvec) \
+    line(euler) \
+    line(rpy) \
+    line(cayley) \
+    line(mrp)
+// clang-format on
 
 namespace rotconv {
 
