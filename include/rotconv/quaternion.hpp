@@ -9,11 +9,9 @@
 #include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
-namespace rotconv {
-
 /// Euler-Rodrigues parameters, the unit quaternion (Stuelpnagel 1964, section 5; Baruh 1999). Two-to-one (q and -q are
 /// the same attitude), linear kinematics, no singular attitude.
-namespace quaternion {
+namespace rotconv::quaternion {
 
 /// The attitude q/|q|. Exact: nothing is rounded. Errors: not_finite, zero_quaternion. Defect: | |q| - 1 |, up to
 /// `reported_defect` a bound on it.
@@ -64,5 +62,4 @@ inline Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept {
     return {q.w() / divisor, q.x() / divisor, q.y() / divisor, q.z() / divisor};
 }
 
-} // namespace quaternion
-} // namespace rotconv
+} // namespace rotconv::quaternion

@@ -68,8 +68,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr PresetMeaning own_presets[]{
-    {"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}, {"stuelpnagel", {Modifier::passive}}};
+constexpr auto own_presets = std::to_array<PresetMeaning>(
+    {{"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}, {"stuelpnagel", {Modifier::passive}}});
 
 double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
     return 2.0 * std::atan2(1.0, Eigen::Map<const Vector3d>(c).norm());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -16,16 +17,16 @@ namespace rotconv {
 /// All that is known of a representation. Functions take numbers in the representation's own order and the attitude not
 /// yet inverted: of a Spec's conventions the sequence and the unit are left to them.
 struct Codec {
-    Representation representation;
+    Representation representation{};
 
     /// Reads a batch of rows, at most `batch_rows` of them.
-    void (*read)(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept;
+    void (*read)(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept = nullptr;
     /// The defect in full, where `read` returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;
     /// Writes a batch of rows and finds what there is to remark on each.
     void (*write)(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows, double* numbers,
-                  DiagnosticSet* diagnostics) noexcept;
-    Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept;
+                  DiagnosticSet* diagnostics) noexcept = nullptr;
+    Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
 
     /// The kinematic equation, both ways; null where there is none.
     void (*rate)(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame,
@@ -89,11 +90,12 @@ template <class Numbers, auto to_rotation> Reading read_plain(const Spec& /*spec
     return to_rotation(Eigen::Map<const Numbers>(numbers));
 }
 
+// NOLINTBEGIN(readability-non-const-parameter): the maps write through them
 template <class Numbers, auto from_rotation> void write_plain(const Spec& /*spec*/, double /*lock_margin*/,
                                                               const Rotations& rotations, std::size_t rows,
                                                               double* numbers, DiagnosticSet* diagnostics) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
-        Eigen::Map<Numbers>{numbers + Numbers::SizeAtCompileTime* i} = from_rotation(rotations.at(i));
+        Eigen::Map<Numbers>{numbers + i* Numbers::SizeAtCompileTime} = from_rotation(rotations.at(i));
         diagnostics[i] = {};
     }
 }
@@ -110,6 +112,7 @@ template <class Numbers, auto rate> void rate_plain(const Spec& /*spec*/, const 
                                                     const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
     Eigen::Map<Numbers>{rates} = rate(Eigen::Map<const Numbers>(numbers), w, frame);
 }
+// NOLINTEND(readability-non-const-parameter)
 
 template <class Numbers, auto angular_velocity> Eigen::Vector3d
 angular_velocity_plain(const Spec& /*spec*/, const double* numbers, const double* rates, Frame frame) noexcept {
@@ -118,11 +121,15 @@ angular_velocity_plain(const Spec& /*spec*/, const double* numbers, const double
 
 // What presets mean for matrices and for vectors along the axis.
 
-inline constexpr PresetMeaning presets_of_matrices[]{
-    {"matlab", {Modifier::passive}},     {"basilisk", {Modifier::passive}}, {"spice", {Modifier::passive}},
-    {"bunge", {Modifier::passive}},      {"baruh", {Modifier::passive}},    {"trawny", {Modifier::passive}},
-    {"stuelpnagel", {Modifier::passive}}};
+inline constexpr auto presets_of_matrices = std::to_array<PresetMeaning>({{"matlab", {Modifier::passive}},
+                                                                          {"basilisk", {Modifier::passive}},
+                                                                          {"spice", {Modifier::passive}},
+                                                                          {"bunge", {Modifier::passive}},
+                                                                          {"baruh", {Modifier::passive}},
+                                                                          {"trawny", {Modifier::passive}},
+                                                                          {"stuelpnagel", {Modifier::passive}}});
 
-inline constexpr PresetMeaning presets_of_vectors[]{{"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}};
+inline constexpr auto presets_of_vectors =
+    std::to_array<PresetMeaning>({{"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}});
 
 } // namespace rotconv

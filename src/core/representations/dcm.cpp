@@ -42,6 +42,7 @@ double squared_distance(const std::array<double, 9>& m) noexcept {
 
 /// All that a clean matrix needs; see clean_square.
 struct PowerStep {
+    // NOLINTNEXTLINE(*-member-init): all of them
     explicit PowerStep(const std::array<double, 9>& m) noexcept : square(squared_distance(m)) {
         const Davenport k(m.data());
         q = k.power_step(k.pivot_column());
@@ -54,6 +55,7 @@ struct PowerStep {
 /// The matrix of q/|q|, times |q|^2. It stays in this file, which is compiled without contraction: with fused products
 /// the differences that are 0 at quarter turns would not be.
 struct ScaledMatrix {
+    // NOLINTNEXTLINE(*-member-init): all of them
     ScaledMatrix(double w, double x, double y, double z) noexcept {
         const double ww = w * w;
         const double xx = x * x;
@@ -71,7 +73,7 @@ struct ScaledMatrix {
         return (entries[0] * entries[4]) * (entries[1] * entries[2]) == 0.0;
     }
 
-    std::array<double, 9> entries; // NOLINT(*-member-init)
+    std::array<double, 9> entries;
     double squared_norm;
 };
 

@@ -234,7 +234,7 @@ ROTCONV_TARGET_CLONES void write(const Spec& spec, double lock_margin, const Rot
 struct RateSystem {
     RateSystem(const EulerAngles& value, Frame frame) noexcept
         : near(value.sequence.intrinsic() == (frame == Frame::body) ? 2 : 0), far(2 - near),
-          n(value.sequence.axis(near)), m(value.sequence.axis(1)), k(3 - n - m) {
+          n(value.sequence.axis(static_cast<std::size_t>(near))), m(value.sequence.axis(1)), k(3 - n - m) {
         const double order = (m - n + 3) % 3 == 1 ? 1.0 : -1.0; // e_n x e_m = order e_k
         const double sense = frame == Frame::body ? -order : order;
         const Direction outer = direction_of(value.angles[near], value.unit);
@@ -245,7 +245,7 @@ struct RateSystem {
         far_across = value.sequence.proper() ? -sense * middle.sine : middle.cosine;
     }
 
-    std::size_t near, far;        // places of the outer turns
+    int near, far;                // places of the outer turns
     int n, m, k;                  // axes
     double cosine, sine;          // of R_n in the plane from m to k
     double far_along, far_across; // components of R_m e_f along n and k

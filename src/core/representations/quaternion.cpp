@@ -68,10 +68,14 @@ Eigen::Vector3d angular_velocity(const Eigen::Quaterniond& q, const Eigen::Quate
 namespace rotconv {
 namespace {
 
-constexpr PresetMeaning own_presets[]{{"scipy", {Modifier::xyzw}},    {"ros", {Modifier::xyzw}},
-                                      {"tum", {Modifier::xyzw}},      {"spice", {Modifier::passive}},
-                                      {"bunge", {Modifier::passive}}, {"baruh", {Modifier::xyzw}},
-                                      {"trawny", {Modifier::xyzw}},   {"stuelpnagel", {Modifier::passive}}};
+constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", {Modifier::xyzw}},
+                                                           {"ros", {Modifier::xyzw}},
+                                                           {"tum", {Modifier::xyzw}},
+                                                           {"spice", {Modifier::passive}},
+                                                           {"bunge", {Modifier::passive}},
+                                                           {"baruh", {Modifier::xyzw}},
+                                                           {"trawny", {Modifier::xyzw}},
+                                                           {"stuelpnagel", {Modifier::passive}}});
 
 Eigen::Quaterniond quaternion_of(const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
 
