@@ -139,7 +139,7 @@ struct Input {
 
 Result run_once(const Input& input, const std::vector<std::string>& words, const Options& given, std::size_t threads) {
     Survey survey;
-    Options options = given.function.in_order ? *options_of(words, survey) : given;
+    Options options = given.operation.in_order ? *options_of(words, survey) : given;
     options.threads = threads;
     std::atomic<std::size_t> converted = 0;
     const auto count = [&converted](std::size_t answered, const std::vector<Report>& reports) {
@@ -261,7 +261,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         }
         for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
             if (const auto kind = static_cast<DiagnosticKind>(i); report.diagnostics.has(kind)) {
-                answer.diagnostics += (answer.diagnostics.empty() ? "" : "+") + std::string(name_of(kind));
+                answer.notes += (answer.notes.empty() ? "" : "+") + std::string(name_of(kind));
             }
         }
         return answer;

@@ -557,7 +557,7 @@ private:
                                                   : fmt::format("{:.{}g}", shown, rules_.precision));
         }
         if (rules_.diagnostic_columns) {
-            texts.push_back(answer.diagnostics.empty() && delimiter_ == ' ' ? "-" : answer.diagnostics);
+            texts.push_back(answer.notes.empty() && delimiter_ == ' ' ? "-" : answer.notes);
         }
         return joined(texts, delimiter_);
     }
