@@ -46,7 +46,7 @@ fuzz::Reach reach{
         "rows converted under --diagnostics=columns", "rows converted under --precision",
         "runs of which many threads had a part",
         "row compared", "failed row under stop", "failed row under nan", "failed row under skip", "header", "added header",
-        "blank row", "comment", "byte order mark", "CRLF", "last row without newline", "missing field", "quoted number",
+        "blank row", "comment", "row before the header", "byte order mark", "CRLF", "last row without newline", "missing field", "quoted number",
         "detected delimiter comma", "detected delimiter tab", "detected delimiter semicolon", "detected delimiter blank",
         "given delimiter comma", "given delimiter tab", "given delimiter semicolon", "given delimiter blank",
         "given delimiter character",
