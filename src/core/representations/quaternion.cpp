@@ -83,6 +83,7 @@ Reading read(const Spec& /*spec*/, const double* v) noexcept { return quaternion
 
 } // namespace
 
+// NOLINTNEXTLINE(cert-err58-cpp): a constant, nothing runs
 constinit const Codec codecs::quat{
     .representation = {.name = RepresentationId::quat,
                        .text = "quat",
