@@ -123,12 +123,13 @@ void define_survey(CLI::App& app, RawOptions& texts) {
 RowsCommand rates_command(const RawOptions& texts, const Operands& operands) {
     const Spec spec = spec_of("--from", texts.from, texts.degrees);
     require_rates("--from", spec);
+    const Settings shared = settings_of(texts);
     const RateSettings settings{
         .inverse = texts.inverse,
         .degrees = texts.degrees,
         .frame = choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}}),
-        .tolerance = settings_of(texts).tolerance};
-    auto operation = stream::rates_operation(spec, settings, settings_of(texts).sensitivity);
+        .tolerance = shared.tolerance};
+    auto operation = stream::rates_operation(spec, settings, shared.sensitivity);
     const std::string subject =
         fmt::format("{} with {}", representation(spec.name).text, settings.inverse ? "its rates" : "wx wy wz");
     messages::Subject about{subject, operation.inputs, spec.name, settings.tolerance};

@@ -10,8 +10,6 @@
 namespace rotconv {
 namespace {
 
-constexpr std::size_t widest = 9;
-
 /// The order where it is not 0, 1, 2, ...
 bool reordered(const Spec& spec) noexcept {
     const auto order = spec.order();
@@ -83,7 +81,7 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
 
 void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
                            std::vector<Report>& reports) const {
-    std::array<double, batch_rows * widest> own_order; // NOLINT(*-member-init): written before it is read
+    std::array<double, batch_rows * most_numbers> own_order; // NOLINT(*-member-init): written before it is read
     if (reordered(from_)) {
         to_own_order(from_, in, rows, own_order.data());
         in = own_order.data();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -12,17 +11,16 @@
 #include <rotconv/angle.hpp>
 
 #include "../core/representations/codec.hpp"
+#include "../core/representations/half_turn.hpp"
 #include "formulas.hpp"
 
 namespace rotconv {
 namespace {
 
-constexpr std::size_t widest = 9;
-
 /// The numbers of the inverse rotation, of a representation that methods start from.
 void invert(RepresentationId name, double* numbers) noexcept {
     if (name == RepresentationId::dcm) {
-        Eigen::Map<formula::RowMajor>{numbers}.transposeInPlace();
+        Eigen::Map<RowMajor>{numbers}.transposeInPlace();
         return;
     }
     const std::size_t first = name == RepresentationId::quat ? 1 : 0; // of the vector
@@ -35,15 +33,6 @@ void make_sign_canonical(double* q) noexcept {
     if (leader != q + 4 && *leader < 0.0) {
         std::transform(q, q + 4, q, std::negate<>());
     }
-}
-
-/// The angle between two attitudes, in radians.
-double angle_between(const Rotation& p, const Rotation& q) noexcept {
-    const double w = (p.w() * q.w() + p.x() * q.x()) + (p.y() * q.y() + p.z() * q.z());
-    const double x = (p.w() * q.x() - p.x() * q.w()) - (p.y() * q.z() - p.z() * q.y());
-    const double y = (p.w() * q.y() - p.y() * q.w()) - (p.z() * q.x() - p.x() * q.z());
-    const double z = (p.w() * q.z() - p.z() * q.w()) - (p.x() * q.y() - p.y() * q.x());
-    return 2.0 * std::atan2(std::sqrt((x * x + y * y) + z * z), std::fabs(w));
 }
 
 } // namespace
@@ -77,7 +66,7 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
     const bool inverse = from().passive != to().passive;
 
     // What the methods do not know of is done to the numbers: order, the inverse, and degrees.
-    std::array<double, batch_rows * widest> numbers; // NOLINT(*-member-init): written before it is read
+    std::array<double, batch_rows * most_numbers> numbers; // NOLINT(*-member-init): written before it is read
     const auto in_order = from().order();
     for (std::size_t i = 0; i < rows * in_size; i += in_size) {
         for (std::size_t k = 0; k < in_size; ++k) {
@@ -95,7 +84,7 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
         std::for_each_n(numbers.begin(), rows * in_size, [](double& v) { v *= radians_per_degree; });
     }
 
-    std::array<double, batch_rows * widest> answers; // NOLINT(*-member-init): written before it is read
+    std::array<double, batch_rows * most_numbers> answers; // NOLINT(*-member-init): written before it is read
     method_->run(to().sequence, numbers.data(), rows, answers.data());
     if (to().unit == AngleUnit::degrees) {
         std::for_each_n(answers.begin(), rows * out_size, [](double& v) { v *= degrees_per_radian; });
@@ -117,7 +106,7 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
         }
         if (!report.diagnostics.has(DiagnosticKind::infinite)) { // else no finite number is nearer
             const Rotation attitude = inverse ? attitudes.at(i).inverse() : attitudes.at(i);
-            report.deviation = answered.error[i] == Error::none ? angle_between(answered.at(i), attitude)
+            report.deviation = answered.error[i] == Error::none ? angle_of(attitude.inverse() * answered.at(i))
                                                                 : std::numeric_limits<double>::quiet_NaN();
             report.diagnostics |= {DiagnosticKind::method_error, !(report.deviation <= reported_method_error)};
         }

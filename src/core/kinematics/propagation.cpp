@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Geometry>
+#include "../representations/half_turn.hpp"
 
 namespace rotconv {
 namespace {
@@ -25,8 +25,7 @@ double angle_between(const Stepper& a, const Stepper& b) noexcept {
     if (!p || !q) {
         return std::numbers::pi;
     }
-    const auto quaternion = [](const Rotation& r) { return Eigen::Quaterniond(r.w(), r.x(), r.y(), r.z()); };
-    return quaternion(p.rotation()).angularDistance(quaternion(q.rotation()));
+    return angle_of(p->inverse() * *q);
 }
 
 /// The polynomial through up to four points, in Newton's form.

@@ -87,8 +87,8 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
         return report;
     }
     report.diagnostics = {DiagnosticKind::normalized, report.defect > reported_defect};
-    report.diagnostics |= {DiagnosticKind::near_gimbal_lock, representation(spec_.name).has_gimbal_lock &&
-                                                                 report.sensitivity.condition > near_lock_condition};
+    report.diagnostics |= {DiagnosticKind::near_gimbal_lock,
+                           codec.representation.has_gimbal_lock && report.sensitivity.condition > near_lock_condition};
 
     const Frame frame = spec_.passive ? inverse_of(settings_.frame) : settings_.frame;
     const double sign = spec_.passive ? -1.0 : 1.0;

@@ -73,6 +73,9 @@ ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 
 [[nodiscard]] const Codec& codec_of(RepresentationId name) noexcept;
 
+/// No representation has more.
+inline constexpr std::size_t most_numbers = 9;
+
 /// Where neither sequence nor unit counts.
 inline constexpr Spec plain_spec{};
 
