@@ -1,5 +1,5 @@
 #!/bin/sh
-# man_test.sh PROGRAM PAGE: the manual page is clean, and it and the program name the same things.
+# man_test.sh PROGRAM PAGE: the manual page is clean, and it and the program name the same options and commands.
 set -eu
 program=$1
 page=$2
@@ -35,28 +35,4 @@ for command in $commands; do
     done
 done
 
-# Names, aliases, modifiers and presets: each that the program lists stands in the page.
-names=$("$program" list | sed -n '2,/^$/p' | cut -c1-28 | tr ' ' '\n' | sed 's/:SEQ//' | grep . | sort -u)
-[ "$(printf '%s\n' "$names" | wc -l)" -ge 18 ] || fail "too few names: $names"
-words=$(for name in $names; do "$program" list "$name"; done |
-    sed -n -e 's/^  modifiers//p' -e 's/^  presets *\([a-z]*\).*/\1/p' -e 's/^ \{13\}\([a-z]*\)  .*/\1/p' | tr ' ' '\n' | grep . | sort -u)
-[ "$(printf '%s\n' "$words" | wc -l)" -ge 14 ] || fail "too few modifiers and presets: $words"
-for word in $names $words; do
-    printf '%s\n' "$text" | grep -qw -- "$word" || fail "the page does not name $word"
-done
-
-# Kinds of diagnostic, each made to appear.
-kinds=$({
-    "$program" -f quat -t euler:ZYX --tolerance 1 1 0 1.1 0
-    "$program" -f euler:ZXZ -t euler:ZXZ 1 1e-8 1
-    "$program" -f quat -t mrp 0 0 1 0
-    "$program" -f quat -t cayley 0 0 1 0
-    "$program" -f quat -t axis-angle 1 0 0 0
-    "$program" -f euler:ZYX:deg -t rpy 10 90 20
-    "$program" -f dcm -t quat --method baruh -1 0 0 0 1 0 0 0 -1
-} 2>&1 > /dev/null | sed -n 's/^rotconv: argument: \([a-z-]*\): .*/\1/p' | sort -u)
-[ "$(printf '%s\n' "$kinds" | wc -l)" -eq 7 ] || fail "not all kinds were seen: $kinds"
-for kind in $kinds; do
-    printf '%s\n' "$text" | grep -qE "^ {5}$kind\$" || fail "the page does not explain $kind"
-done
 exit "$failed"

@@ -1,0 +1,125 @@
+// The manual and the README against the tables of names.
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <rotconv/spec.hpp>
+
+#include "catch.hpp"
+
+using namespace rotconv;
+
+namespace {
+
+std::string text_of(const char* path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// Words are letters, digits and hyphens.
+std::set<std::string> words_of(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::isalnum(c) == 0 && c != '-'; }, ' ');
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+/// What is explained in one place: its names, and the words that explain them.
+struct Item {
+    std::set<std::string> names;
+    std::set<std::string> words;
+};
+
+/// The items of the manual's lists.
+std::vector<Item> items_of_manual() {
+    std::vector<Item> items;
+    std::string text = text_of(ROTCONV_MANUAL);
+    const std::string begin = "\n.It Cm ";
+    for (auto at = text.find(begin); at != std::string::npos;) {
+        const auto line_end = text.find('\n', at + 1);
+        const auto next = text.find("\n.It ", at + 1);
+        const auto end = std::min(next, text.find("\n.El", at + 1));
+        items.push_back({words_of(text.substr(at + begin.size(), line_end - at - begin.size())),
+                         words_of(text.substr(line_end, end - line_end))});
+        at = text.find(begin, at + 1);
+    }
+    return items;
+}
+
+/// The rows of the README's tables: their first column, and all of it.
+std::vector<Item> rows_of_readme() {
+    std::vector<Item> rows;
+    std::ifstream file(ROTCONV_README);
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("| ")) {
+            rows.push_back({words_of(line.substr(0, line.find('|', 1))), words_of(line)});
+        }
+    }
+    return rows;
+}
+
+/// Whether one item has all of the names, and explains them by all of the words.
+bool explained(const std::vector<Item>& items, const std::vector<std::string_view>& names,
+               const std::vector<std::string_view>& words = {}) {
+    return std::ranges::any_of(items, [&](const Item& item) {
+        return std::ranges::all_of(names, [&](auto name) { return item.names.contains(std::string(name)); }) &&
+               std::ranges::all_of(words, [&](auto word) { return item.words.contains(std::string(word)); });
+    });
+}
+
+std::vector<std::string_view> names_of(const Representation& entry) {
+    std::vector<std::string_view> names{entry.text};
+    std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
+    return names;
+}
+
+} // namespace
+
+// Catches a representation, an alias or a column that was added, or renamed, in the code alone.
+TEST_CASE("the manual explains every representation with its aliases and columns") {
+    const auto items = items_of_manual();
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
+        INFO(entry.text);
+        CHECK(explained(items, names_of(entry),
+                        {entry.columns.begin(), entry.columns.begin() + static_cast<std::ptrdiff_t>(entry.size)}));
+    }
+}
+
+// Catches a table in the README that leaves one out.
+TEST_CASE("the README shows every representation with its aliases") {
+    const auto rows = rows_of_readme();
+    for (const RepresentationId id : all_representations) {
+        INFO(representation(id).text);
+        CHECK(explained(rows, names_of(representation(id))));
+    }
+}
+
+// Catches a modifier or a preset that was added, or renamed, in the code alone.
+TEST_CASE("the manual explains every modifier and preset, and the README names them") {
+    const auto items = items_of_manual();
+    const auto readme = words_of(text_of(ROTCONV_README));
+    std::vector<std::string> names;
+    std::ranges::transform(all_modifiers, std::back_inserter(names), [](auto m) { return std::string(name_of(m)); });
+    std::ranges::transform(presets(), std::back_inserter(names), [](auto& p) { return std::string(p.text); });
+    for (const std::string& name : names) {
+        INFO(name);
+        CHECK(explained(items, {name}));
+        CHECK(readme.contains(name));
+    }
+}
+
+// Catches a kind of diagnostic that was added, or renamed, in the code alone.
+TEST_CASE("the manual explains every kind of diagnostic") {
+    const auto items = items_of_manual();
+    for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
+        INFO(name_of(static_cast<DiagnosticKind>(i)));
+        CHECK(explained(items, {name_of(static_cast<DiagnosticKind>(i))}));
+    }
+}
