@@ -95,6 +95,21 @@ void eigen_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t ro
     });
 }
 
+void eigen_euler_dcm(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
+    using Turn = Eigen::AngleAxisd;
+    if (sequence.proper()) {
+        each<3, 9>(in, rows, out, [](const double* e, double* to) {
+            Out{to} = (Turn(e[0], Vector::UnitZ()) * Turn(e[1], Vector::UnitX()) * Turn(e[2], Vector::UnitZ()))
+                          .toRotationMatrix();
+        });
+    } else {
+        each<3, 9>(in, rows, out, [](const double* e, double* to) {
+            Out{to} = (Turn(e[0], Vector::UnitZ()) * Turn(e[1], Vector::UnitY()) * Turn(e[2], Vector::UnitX()))
+                          .toRotationMatrix();
+        });
+    }
+}
+
 void typed_dcm_quat(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<9, 4>(in, rows, out, [](const double* m, double* to) {
         const Eigen::Quaterniond q = rotconv::quaternion::from_rotation(*rotconv::dcm::to_rotation(In{m}));
@@ -127,6 +142,12 @@ void typed_cayley_dcm(EulerSequence /*unused*/, const double* in, std::size_t ro
     });
 }
 
+void typed_euler_dcm(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
+    each<3, 9>(in, rows, out, [sequence](const double* e, double* to) {
+        Out{to} = rotconv::dcm::from_rotation(*rotconv::euler::to_rotation({vector(e), sequence}));
+    });
+}
+
 using Ways = std::map<std::pair<RepresentationId, RepresentationId>, Run>;
 
 Run find(const Ways& ways, RepresentationId from, RepresentationId to) {
@@ -146,6 +167,7 @@ Run eigen_way(RepresentationId from, RepresentationId to) {
         {{RepresentationId::quat, RepresentationId::euler}, eigen_quat_euler},
         {{RepresentationId::rotvec, RepresentationId::dcm}, eigen_rotvec_dcm},
         {{RepresentationId::cayley, RepresentationId::dcm}, eigen_cayley_dcm},
+        {{RepresentationId::euler, RepresentationId::dcm}, eigen_euler_dcm},
     };
     return find(ways, from, to);
 }
@@ -157,6 +179,7 @@ Run typed_way(RepresentationId from, RepresentationId to) {
         {{RepresentationId::quat, RepresentationId::euler}, typed_quat_euler},
         {{RepresentationId::rotvec, RepresentationId::dcm}, typed_rotvec_dcm},
         {{RepresentationId::cayley, RepresentationId::dcm}, typed_cayley_dcm},
+        {{RepresentationId::euler, RepresentationId::dcm}, typed_euler_dcm},
     };
     return find(ways, from, to);
 }

@@ -63,8 +63,21 @@ std::vector<Sweep> kinds_of(RepresentationId from, RepresentationId to) {
     return to == RepresentationId::euler ? std::vector{Sweep::lock} : std::vector<Sweep>{};
 }
 
+/// Angles have strata of their own; those of many turns are hostile.
+std::vector<strata::Rows> rows_of_angles(const Spec& from) {
+    auto clean = strata::euler_angles(from, 2000);
+    std::erase_if(
+        clean, [](const auto& row) { return std::ranges::any_of(row, [](double v) { return std::fabs(v) > 100; }); });
+    strata::Rows hostile{"angles", true, clean};
+    strata::Source source(12);
+    for (auto& row : hostile.rows) {
+        strata::make_hostile(from, row, source);
+    }
+    return {{"angles", false, clean}, hostile};
+}
+
 void add_strata(const Spec& from, const Spec& to, std::vector<Sample>& samples) {
-    for (auto& stratum : strata::rows_of(from, to, 400)) {
+    for (auto& stratum : from.name == RepresentationId::euler ? rows_of_angles(from) : strata::rows_of(from, to, 400)) {
         Sample sample{.from = from,
                       .to = to,
                       .stratum = stratum.name,
@@ -89,8 +102,8 @@ void Sample::add(std::vector<double> row) {
 std::vector<Sample> strata_of(const Pair& pair) {
     std::vector<Sample> samples;
     add_strata(pair.source(), pair.target(), samples);
-    if (pair.to == RepresentationId::euler) {
-        add_strata(pair.source(), pair.target("ZXZ"), samples);
+    if (pair.from == RepresentationId::euler || pair.to == RepresentationId::euler) {
+        add_strata(pair.source("ZXZ"), pair.target("ZXZ"), samples);
     }
     return samples;
 }

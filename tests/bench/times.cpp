@@ -41,6 +41,7 @@ std::vector<double> timed_rows(const Spec& spec, bool hostile) {
             break;
         }
         case RepresentationId::cayley: vector = q.vec() / q.w(); break;
+        case RepresentationId::euler: vector = q.toRotationMatrix().eulerAngles(2, 1, 0); break;
         default: Eigen::Map<Eigen::Vector4d>{row} << q.w(), q.vec(); break;
         }
         if (hostile) {
@@ -107,8 +108,8 @@ Times::Times(const std::vector<Pair>& pairs) {
     initialize();
     Least least(times_);
     std::vector<double> out(million * 9);
-    for (const RepresentationId from :
-         {RepresentationId::dcm, RepresentationId::quat, RepresentationId::rotvec, RepresentationId::cayley}) {
+    for (const RepresentationId from : {RepresentationId::dcm, RepresentationId::quat, RepresentationId::rotvec,
+                                        RepresentationId::cayley, RepresentationId::euler}) {
         benchmark::ClearRegisteredBenchmarks();
         std::deque<std::vector<double>> kept; // the benchmarks refer to them
         for (const Pair& pair : pairs) {

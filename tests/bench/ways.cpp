@@ -13,7 +13,22 @@ using namespace rotconv;
 
 namespace {
 
-Spec parse(const std::string& text) { return std::get<Spec>(parse_spec(text)); }
+Spec spec_of(RepresentationId name, const char* sequence) {
+    return std::get<Spec>(
+        parse_spec(text_of(name) + (name == RepresentationId::euler ? ':' + std::string(sequence) : "")));
+}
+
+/// Without any way yet but Eigen's and the typed call.
+Pair pair_of(RepresentationId from, RepresentationId to) {
+    Pair pair{from, to, {}};
+    if (const Run run = eigen_way(from, to)) {
+        pair.ways.push_back({"Eigen", run});
+    }
+    if (const Run run = typed_way(from, to)) {
+        pair.ways.push_back({"typed", run});
+    }
+    return pair;
+}
 
 /// rotconv's own way, in blocks as a stream has them.
 class Own {
@@ -39,35 +54,28 @@ private:
 
 Convert Way::between(const Spec& from, const Spec& to) const {
     if (run != nullptr) {
-        return [run = run, sequence = to.sequence](const double* in, std::size_t rows, double* out) {
-            run(sequence, in, rows, out);
-        };
+        const EulerSequence sequence = from.name == RepresentationId::euler ? from.sequence : to.sequence;
+        return [run = run, sequence](const double* in, std::size_t rows, double* out) { run(sequence, in, rows, out); };
     }
     return [own = std::make_shared<Own>(from, to)](const double* in, std::size_t rows, double* out) {
         own->run(in, rows, out);
     };
 }
 
-Spec Pair::source() const { return parse(text_of(from)); }
-
-Spec Pair::target(const char* sequence) const {
-    return parse(to == RepresentationId::euler ? std::string("euler:") + sequence : text_of(to));
-}
+Spec Pair::source(const char* sequence) const { return spec_of(from, sequence); }
+Spec Pair::target(const char* sequence) const { return spec_of(to, sequence); }
 
 std::vector<Pair> pairs() {
     std::vector<Pair> found;
     for (const Method& method : methods()) {
         if (found.empty() || found.back().from != method.from || found.back().to != method.to) {
-            auto& ways = found.emplace_back(Pair{method.from, method.to, {}}).ways;
-            if (const Run run = eigen_way(method.from, method.to)) {
-                ways.push_back({"Eigen", run});
-            }
-            if (const Run run = typed_way(method.from, method.to)) {
-                ways.push_back({"typed", run});
-            }
+            found.push_back(pair_of(method.from, method.to));
         }
         found.back().ways.push_back({std::string(method.name), method.run});
     }
+    // common, and no published method of ours
+    found.push_back(pair_of(RepresentationId::euler, RepresentationId::dcm));
+    found.back().ways.push_back({"default", nullptr});
     return found;
 }
 

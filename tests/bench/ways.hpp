@@ -37,8 +37,8 @@ struct Pair {
     rotconv::RepresentationId to;
     std::vector<Way> ways;
 
-    [[nodiscard]] rotconv::Spec source() const;
     /// Euler angles are those of `sequence`.
+    [[nodiscard]] rotconv::Spec source(const char* sequence = "ZYX") const;
     [[nodiscard]] rotconv::Spec target(const char* sequence = "ZYX") const;
 };
 

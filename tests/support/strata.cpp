@@ -141,6 +141,8 @@ bool make_hostile(const rotconv::Spec& spec, std::span<double> row, Source& sour
         return true;
     }
     case RepresentationId::rotvec: scale(row, ten_to(0, 14.4)); return true;
+    case RepresentationId::euler:
+    case RepresentationId::rpy: scale(row, ten_to(0, 15)); return true;
     case RepresentationId::cayley: scale(row, ten_to(-150, 150)); return true;
     case RepresentationId::mrp: {
         const double square = row[0] * row[0] + row[1] * row[1] + row[2] * row[2];
