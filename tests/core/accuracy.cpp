@@ -27,6 +27,12 @@ std::string text_of(const Spec& spec) {
     return text + (spec.unit == rotconv::AngleUnit::degrees ? ":deg" : "");
 }
 
+/// As the table calls it: all Euler angles are one.
+std::string name_in_table(RepresentationId name) {
+    const auto& entry = rotconv::representation(name);
+    return entry.has_gimbal_lock ? "euler" : std::string(entry.text);
+}
+
 std::vector<Spec> all_of(const std::string& name, rotconv::AngleUnit unit) {
     std::vector<Spec> specs;
     if (name == "euler") {
@@ -59,17 +65,33 @@ const std::vector<Way>& ways() {
     return table;
 }
 
+std::vector<std::string> all_specs() {
+    std::vector<std::string> specs;
+    for (const RepresentationId id : rotconv::all_representations) {
+        const auto& entry = rotconv::representation(id);
+        const std::string text(entry.text);
+        for (const std::string& plain :
+             entry.takes_sequence ? std::vector{text + ":ZYX", text + ":zxz"} : std::vector{text}) {
+            specs.push_back(plain);
+            for (const auto modifier : rotconv::all_modifiers) {
+                if (entry.modifiers.has(modifier)) {
+                    specs.push_back(plain + ':' + std::string(rotconv::name_of(modifier)));
+                }
+            }
+        }
+    }
+    return specs;
+}
+
+bool has_limits(RepresentationId name) { return std::ranges::count(ways(), name_in_table(name), &Way::to) != 0; }
+
 double limit_from(const Spec& from) {
-    const bool euler = from.name == RepresentationId::euler || from.name == RepresentationId::rpy;
-    const std::string name = euler ? "euler" : std::string(rotconv::representation(from.name).text);
-    return from.name == RepresentationId::quat
-               ? 0.0
-               : std::ranges::find_if(ways(), [&](const Way& way) { return way.from == name; })->limit;
+    return from.name == RepresentationId::quat ? 0.0
+                                               : std::ranges::find(ways(), name_in_table(from.name), &Way::from)->limit;
 }
 
 double limit_to(const Spec& to) {
-    const bool euler = to.name == RepresentationId::euler || to.name == RepresentationId::rpy;
-    const std::string name = euler ? "euler" : std::string(rotconv::representation(to.name).text);
+    const std::string name = name_in_table(to.name);
     return std::ranges::find_if(ways(), [&](const Way& way) { return way.from == "quat" && way.to == name; })->limit;
 }
 

@@ -21,7 +21,15 @@ struct Way {
 /// The table. `euler` stands for all 24 sequences.
 const std::vector<Way>& ways();
 
+/// SPECs of every representation, as it is and with each of its modifiers; of one that takes a sequence, with a
+/// sequence of each kind.
+std::vector<std::string> all_specs();
+
+/// Whether the table has ways from and to the representation. The oracle then knows its definition.
+bool has_limits(rotconv::RepresentationId name);
+
 /// The limit of the way from or to `spec` and the quaternion.
+/// @pre has_limits(spec.name)
 double limit_from(const rotconv::Spec& spec);
 double limit_to(const rotconv::Spec& spec);
 

@@ -97,7 +97,12 @@ TEST_CASE("survey speaks JSON") {
     const auto result = run("survey -f quat --format json", "1 0 0 0\n1 0 0 0\n");
     CHECK(result.exit_code == 0);
     CHECK(result.err == "");
-    CHECK(count_rows(result.out) == 21);
+    auto lines = fields_of(result.out, '\n');
+    lines.pop_back(); // the answer
+    CHECK(lines.size() >= 20);
+    for (const auto& line : lines) {
+        CHECK((line.starts_with("{\"set\": ") && line.ends_with("}")));
+    }
     CHECK(last_line(result.out) == R"({"rows": 2, "smallest": "mrp"})");
     CHECK(
         missing(result.out, {R"({"set": "quat", "parameters": 4, "margin": "inf", "margin_line": 1, "condition": 0.5, )"

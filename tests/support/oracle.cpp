@@ -1,5 +1,7 @@
 #include "oracle.hpp"
 
+#include <stdexcept>
+
 #include <Eigen/LU>
 #include <boost/math/constants/constants.hpp>
 
@@ -169,6 +171,7 @@ Quaternion attitude(const Spec& spec, std::span<const Real> written) {
         q = unit(root * root);
         break;
     }
+    default: throw std::logic_error("the oracle has no definition of this representation");
     }
     return spec.passive ? q.conjugate() : q;
 }
@@ -207,8 +210,7 @@ std::vector<Real> exact_numbers(const Spec& spec, const Quaternion& given) {
         break;
     case RepresentationId::cayley: own = {v.x() / w, v.y() / w, v.z() / w}; break;
     case RepresentationId::mrp: own = {v.x() / (1 + w), v.y() / (1 + w), v.z() / (1 + w)}; break;
-    case RepresentationId::euler:
-    case RepresentationId::rpy: break;
+    default: throw std::logic_error("the oracle has no numbers of this representation");
     }
     const auto order = spec.order();
     std::vector<Real> written;
