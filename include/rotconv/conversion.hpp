@@ -20,6 +20,7 @@ struct Settings {
 struct Report {
     std::size_t row = 0; ///< its index among the rows of the run
     Error error = Error::none;
+    bool of_reference = false; ///< where rows hold two attitudes: the error is that of the second
     DiagnosticSet diagnostics{};
     double defect = 0.0;       ///< below `reported_defect` and without Settings::sensitivity only an upper bound
     Sensitivity sensitivity{}; ///< of a row without error
@@ -48,13 +49,10 @@ private:
     /// At most `batch_rows` rows, of which the first is row `first` of the run.
     void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
                    std::vector<Report>& reports) const;
-    [[nodiscard]] Report report(const Reading& reading, DiagnosticSet diagnostics,
-                                const double* numbers) const noexcept;
 
     Spec from_;
     Spec to_;
     Settings settings_;
-    const Codec* in_codec_;
     const Codec* out_codec_;
 };
 

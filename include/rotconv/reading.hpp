@@ -67,9 +67,10 @@ enum class DiagnosticKind : std::uint8_t {
     infinite,
     identity_axis,
     method_error,
-    coarse_step
+    coarse_step,
+    beyond
 };
-inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::coarse_step) + 1;
+inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::beyond) + 1;
 
 /// The kind's name as it stands in the `notes` column, such as "gimbal-lock".
 [[nodiscard]] std::string_view name_of(DiagnosticKind kind) noexcept;
@@ -79,19 +80,19 @@ class DiagnosticSet {
 public:
     constexpr DiagnosticSet() noexcept = default;
     constexpr DiagnosticSet(DiagnosticKind kind, bool present) noexcept
-        : bits_(static_cast<std::uint8_t>(present ? bit(kind) : 0U)) {}
+        : bits_(static_cast<std::uint16_t>(present ? bit(kind) : 0U)) {}
 
     [[nodiscard]] constexpr bool has(DiagnosticKind kind) const noexcept { return (bits_ & bit(kind)) != 0U; }
     [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0U; }
     constexpr DiagnosticSet& operator|=(DiagnosticSet other) noexcept {
-        bits_ = static_cast<std::uint8_t>(bits_ | other.bits_);
+        bits_ = static_cast<std::uint16_t>(bits_ | other.bits_);
         return *this;
     }
 
 private:
     static constexpr unsigned bit(DiagnosticKind kind) noexcept { return 1U << static_cast<unsigned>(kind); }
-    static_assert(diagnostic_kind_count <= 8, "a kind is a bit");
-    std::uint8_t bits_ = 0;
+    static_assert(diagnostic_kind_count <= 16, "a kind is a bit");
+    std::uint16_t bits_ = 0;
 };
 
 /// How close an attitude is to where a set of parameters is singular.

@@ -95,6 +95,18 @@ std::vector<std::string> sequence_list() {
     return list;
 }
 
+/// What the figure of such a diagnostic is.
+std::string_view figure_name(DiagnosticKind kind) {
+    switch (kind) {
+    case DiagnosticKind::normalized: return "defect";
+    case DiagnosticKind::near_gimbal_lock: return "condition";
+    case DiagnosticKind::method_error:
+    case DiagnosticKind::beyond: return "angle";
+    case DiagnosticKind::coarse_step: return "estimate";
+    default: return "margin";
+    }
+}
+
 /// The texts in quotes, or "none".
 std::string quoted_list(const std::vector<std::string>& texts) {
     std::string list;
@@ -285,17 +297,13 @@ std::string_view meaning(DiagnosticKind kind) {
     case DiagnosticKind::method_error: return "the method's answer is off the attitude by more than 1e-6 rad";
     case DiagnosticKind::coarse_step:
         return "a step may be off by more than 1e-3 rad; --substeps or a finer sampling helps";
+    case DiagnosticKind::beyond: return "the attitudes differ by more than --within";
     }
     return {};
 }
 
 std::string describe(const stream::Diagnostic& diagnostic) {
-    const std::string_view figure = diagnostic.kind == DiagnosticKind::normalized         ? "defect"
-                                    : diagnostic.kind == DiagnosticKind::near_gimbal_lock ? "condition"
-                                    : diagnostic.kind == DiagnosticKind::method_error     ? "angle"
-                                    : diagnostic.kind == DiagnosticKind::coarse_step      ? "estimate"
-                                                                                          : "margin";
-    return fmt::format("{}: {} {:.3g}; {}", name_of(diagnostic.kind), figure, diagnostic.figure,
+    return fmt::format("{}: {} {:.3g}; {}", name_of(diagnostic.kind), figure_name(diagnostic.kind), diagnostic.figure,
                        meaning(diagnostic.kind));
 }
 

@@ -23,6 +23,7 @@ std::string_view name_of(DiagnosticKind kind) noexcept {
         {DiagnosticKind::identity_axis, "identity-axis"},
         {DiagnosticKind::method_error, "method-error"},
         {DiagnosticKind::coarse_step, "coarse-step"},
+        {DiagnosticKind::beyond, "beyond"},
     });
     static_assert(is_indexed(names, diagnostic_kind_count, &Line::kind));
     return names[static_cast<std::size_t>(kind)].text;

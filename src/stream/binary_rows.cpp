@@ -11,32 +11,23 @@ namespace rotconv::stream {
 void RowTransformer::gather_binary(std::string_view& text, std::size_t& line, std::size_t limit) {
     const std::size_t row_size = options_->width * sizeof(double);
     const std::size_t count = std::min(limit, text.size() / row_size);
-    rows_.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-        rows_.push_back({.line = {text.substr(i * row_size, row_size), {}}, .number = line, .index = i});
+        const std::string_view row = text.substr(i * row_size, row_size);
+        rows_.push_back({.line = {row, {}}, .number = line, .index = i});
         lines_.push_back(line++);
-    }
-    numbers_.resize(count * operation_.inputs);
-    if (layout_->positions.empty()) {
-        std::memcpy(numbers_.data(), text.data(), count * row_size);
-    } else {
-        for (std::size_t i = 0; i < numbers_.size(); ++i) {
-            const std::size_t row = i / operation_.inputs;
-            const std::size_t position = layout_->positions[i % operation_.inputs];
-            std::memcpy(&numbers_[i], text.data() + row * row_size + position * sizeof(double), sizeof(double));
-        }
+        reader_.read_binary(row.data(), parts_);
     }
     text.remove_prefix(count * row_size);
 }
 
 void RowTransformer::make_fields(Row& row) {
     const std::string_view bytes = row.line.text;
-    fields_.clear();
+    parts_.fields.clear();
     row.first_field = 0;
     row.field_count = options_->width;
     if (options_->format == Format::f64) {
         for (std::size_t i = 0; i < options_->width; ++i) {
-            fields_.push_back(bytes.substr(i * sizeof(double), sizeof(double)));
+            parts_.fields.push_back(bytes.substr(i * sizeof(double), sizeof(double)));
         }
         return;
     }
@@ -51,13 +42,13 @@ void RowTransformer::make_fields(Row& row) {
         std::memcpy(&number, bytes.data() + i * sizeof(double), sizeof(double));
         const std::size_t begin = made_.size();
         append_number(made_, number, 0);
-        fields_.emplace_back(made_.data() + begin, made_.size() - begin);
+        parts_.fields.emplace_back(made_.data() + begin, made_.size() - begin);
     }
     row.line.text = {made_.data(), made_.size()};
 }
 
 bool RowTransformer::is_doubles_alone() const noexcept {
-    return options_->width > 0 && options_->format == Format::f64 && !has_other_fields() &&
+    return options_->width > 0 && options_->format == Format::f64 && !reader_.needs_fields() &&
            !options_->diagnostic_columns;
 }
 
@@ -66,12 +57,12 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
     const std::size_t width = operation_.names.size();
     while (!text.empty() && !output.stopped) {
         const std::size_t rows = std::min(batch, text.size() / row_size);
-        numbers_.resize(rows * operation_.inputs);
-        std::memcpy(numbers_.data(), text.data(), rows * row_size);
+        parts_.numbers.resize(rows * operation_.inputs);
+        std::memcpy(parts_.numbers.data(), text.data(), rows * row_size);
         lines_.resize(rows);
         std::iota(lines_.begin(), lines_.end(), line);
         results_.resize(rows * width);
-        operation_.run({numbers_, lines_}, results_, reports_);
+        operation_.run({parts_.numbers, lines_}, results_, reports_);
         next_report_ = 0;
         std::size_t next = 0;
         const auto write_clean = [&](std::size_t end) {

@@ -45,6 +45,18 @@ private:
     double half_a_digit_ = 0.0;                                  ///< the last that is printed of it
 };
 
+/// What a diagnostic of the row says beside its kind.
+[[nodiscard]] inline double figure_of(const Report& report, DiagnosticKind kind) noexcept {
+    switch (kind) {
+    case DiagnosticKind::normalized: return report.defect;
+    case DiagnosticKind::near_gimbal_lock: return report.sensitivity.condition;
+    case DiagnosticKind::method_error:
+    case DiagnosticKind::coarse_step:
+    case DiagnosticKind::beyond: return report.deviation;
+    default: return report.sensitivity.margin;
+    }
+}
+
 /// The diagnostics of a row, in order of kind, with their figures.
 template <class Visit> void for_each_diagnostic(const Report& report, std::size_t line, const Visit& visit) {
     if (report.diagnostics.empty()) {
@@ -53,12 +65,7 @@ template <class Visit> void for_each_diagnostic(const Report& report, std::size_
     for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
         const auto kind = static_cast<DiagnosticKind>(i);
         if (report.diagnostics.has(kind)) {
-            const double figure = kind == DiagnosticKind::normalized         ? report.defect
-                                  : kind == DiagnosticKind::near_gimbal_lock ? report.sensitivity.condition
-                                  : kind == DiagnosticKind::method_error     ? report.deviation
-                                  : kind == DiagnosticKind::coarse_step      ? report.deviation
-                                                                             : report.sensitivity.margin;
-            visit(Diagnostic{line, kind, figure});
+            visit(Diagnostic{line, kind, figure_of(report, kind)});
         }
     }
 }

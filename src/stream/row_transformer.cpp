@@ -1,15 +1,14 @@
 #include "row_transformer.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <utility>
 
 namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout)
-    : options_(&options), layout_(&layout), operation_(options.operation), row_text_(options, layout),
-      nans_(options.operation.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
+    : options_(&options), layout_(&layout), operation_(options.operation), reader_(options, layout),
+      row_text_(options, layout), nans_(options.operation.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
     if (is_doubles_alone()) {
@@ -23,7 +22,7 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
     while (!text.empty() && !output.stopped) {
         gather(text, line, batch);
         results_.resize(lines_.size() * operation_.names.size());
-        operation_.run({numbers_, lines_, kept_}, results_, reports_);
+        operation_.run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
         write(output);
     }
 }
@@ -36,11 +35,9 @@ void RowTransformer::finish(Output& output) {
 
 void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t limit) {
     rows_.clear();
-    fields_.clear();
+    parts_.clear();
     errors_.clear();
-    numbers_.clear();
     lines_.clear();
-    kept_.clear();
     if (options_->width > 0) {
         gather_binary(text, line, limit);
         return;
@@ -51,7 +48,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
         Row row{.line = current,
                 .number = line++,
                 .passed = is_blank(current.text) || is_comment(current.text),
-                .first_field = fields_.size()};
+                .first_field = parts_.fields.size()};
         if (!row.passed) {
             read_row(row);
         }
@@ -63,72 +60,13 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
 }
 
 void RowTransformer::read_row(Row& row) {
-    using What = RowError::What;
-    const std::size_t needed = operation_.inputs;
-    const std::size_t first_number = numbers_.size();
     row.index = lines_.size();
-    if (!has_other_fields() && read_plain(row.line.text)) {
+    if (reader_.read(row.line.text, parts_)) {
         lines_.push_back(row.number);
-        return;
+    } else {
+        note_error(row, std::move(parts_.error));
     }
-    const bool closed = layout_->delimiter.split(row.line.text, fields_);
-    row.field_count = fields_.size() - row.first_field;
-    if (!closed) {
-        note_error(row, {.what = What::open_quote, .text = std::string(row.line.text)});
-        return;
-    }
-    if (layout_->positions.empty() && row.field_count != needed) {
-        note_error(row, {.what = What::wrong_count,
-                         .text = std::string(row.line.text),
-                         .found = row.field_count,
-                         .expected = needed});
-        return;
-    }
-    if (!layout_->positions.empty() && layout_->in_row_order.back() >= row.field_count) {
-        const auto missing = std::ranges::lower_bound(layout_->in_row_order, row.field_count);
-        note_error(row, {.what = What::missing_column,
-                         .text = std::string(row.line.text),
-                         .found = row.field_count,
-                         .expected = *missing + 1});
-        return;
-    }
-    for (std::size_t i = 0; i < needed; ++i) {
-        const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
-        const std::string_view field = fields_[row.first_field + position];
-        double& number = numbers_.emplace_back();
-        NumberError error = read_number(field, number);
-        if (error == NumberError::not_a_number) { // or quoted
-            error = read_number(layout_->delimiter.text_of(field), number);
-        }
-        if (error != NumberError::none) {
-            note_error(row, {.what = error == NumberError::too_large ? What::too_large : What::not_a_number,
-                             .text = std::string(field)});
-            numbers_.resize(first_number);
-            return;
-        }
-    }
-    for (std::size_t i = 0; i < operation_.kept; ++i) {
-        const std::size_t position = layout_->positions.empty() ? i : layout_->positions[i];
-        kept_.push_back(layout_->delimiter.text_of(fields_[row.first_field + position]));
-    }
-    lines_.push_back(row.number);
-}
-
-bool RowTransformer::read_plain(std::string_view text) {
-    const std::size_t first = numbers_.size();
-    numbers_.resize(first + operation_.inputs);
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (std::size_t i = first; i < numbers_.size(); ++i) {
-        const auto [stop, error] = std::from_chars(at, end, numbers_[i]);
-        const bool is_last = i + 1 == numbers_.size();
-        if (error != std::errc{} || (stop == end) != is_last || (!is_last && *stop != layout_->delimiter.text())) {
-            numbers_.resize(first);
-            return false;
-        }
-        at = is_last ? end : stop + 1;
-    }
-    return true;
+    row.field_count = parts_.fields.size() - row.first_field;
 }
 
 void RowTransformer::note_error(Row& row, RowError error) {
@@ -155,15 +93,16 @@ void RowTransformer::write(Output& output) {
 }
 
 void RowTransformer::write_row(Row& row, Output& output) {
-    if (options_->width > 0 && has_other_fields()) {
-        make_fields(row);
+    const std::string_view given = row.line.text;
+    if (options_->width > 0 && reader_.needs_fields()) {
+        make_fields(row); // and other text
     }
     const std::size_t size = operation_.names.size();
     const Report& report = report_of(row);
     const bool failed = !row.has_numbers() || report.error != Error::none;
     const ConvertedRow converted{.line = row.line,
                                  .number = row.number,
-                                 .fields = std::span(fields_).subspan(row.first_field, row.field_count),
+                                 .fields = std::span(parts_.fields).subspan(row.first_field, row.field_count),
                                  .result = failed ? std::span<const double>(nans_)
                                                   : std::span(results_).subspan(row.index * size, size),
                                  .report = &report,
@@ -179,7 +118,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     } else {
         output.events.emplace_back(RowError{.line = row.number,
                                             .what = RowError::What::attitude,
-                                            .text = selected_text(row),
+                                            .text = reader_.selected_text(given),
                                             .error = report.error,
                                             .defect = report.defect});
     }
@@ -194,29 +133,6 @@ const Report& RowTransformer::report_of(const Row& row) noexcept {
     static constexpr Report nothing{};
     const bool is_next = row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == row.index;
     return is_next ? reports_[next_report_++] : nothing;
-}
-
-std::string RowTransformer::selected_text(const Row& row) const {
-    std::string text;
-    const auto add = [&](std::string_view field) {
-        if (!text.empty()) {
-            text += layout_->delimiter.text();
-        }
-        text += field;
-    };
-    if (options_->width > 0) {
-        for (const double number : std::span(numbers_).subspan(row.index * operation_.inputs, operation_.inputs)) {
-            add(fmt::format("{}", number));
-        }
-        return text;
-    }
-    if (layout_->positions.empty()) {
-        return std::string(row.line.text);
-    }
-    for (const std::size_t position : layout_->positions) {
-        add(fields_[row.first_field + position]);
-    }
-    return text;
 }
 
 } // namespace rotconv::stream

@@ -9,6 +9,7 @@
 #include "io_block.hpp"
 #include "layout.hpp"
 #include "options.hpp"
+#include "row_reader.hpp"
 #include "row_text.hpp"
 
 namespace rotconv::stream {
@@ -33,7 +34,7 @@ private:
         Line line;
         std::size_t number = 0;      ///< of the line
         bool passed = false;         ///< blank or comment: goes out as it is
-        std::size_t first_field = 0; ///< in fields_
+        std::size_t first_field = 0; ///< in parts_
         std::size_t field_count = 0;
         std::size_t index = 0;        ///< among the rows with numbers, of a row without error
         std::size_t error = no_error; ///< in errors_
@@ -51,35 +52,28 @@ private:
     /// Reads a batch of rows off the text, under `stop` none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
-    /// Reads a row of nothing but plain numbers, as most are, which needs no fields; false for any other.
-    bool read_plain(std::string_view text);
     /// Likewise a batch of binary rows.
     void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
     /// What is to be told of the row; to be asked of each in turn.
     [[nodiscard]] const Report& report_of(const Row& row) noexcept;
-    /// The fields that hold the numbers, parted by the delimiter.
-    [[nodiscard]] std::string selected_text(const Row& row) const;
     void write(Output& output);
-    /// The output has fields of the input beside the result.
-    [[nodiscard]] bool has_other_fields() const noexcept { return options_->append || !layout_->replaced.empty(); }
     void write_row(Row& row, Output& output);
     void note_error(Row& row, RowError error);
 
     const Options* options_;
     const Layout* layout_;
     RowOperation operation_; ///< a copy, for it may have room of its own to work in
+    RowReader reader_;
     RowText row_text_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
     // One batch, reused: nothing is allocated per row once they have grown.
     std::vector<Row> rows_;
-    std::vector<std::string_view> fields_;
+    RowParts parts_;
     std::vector<RowError> errors_;
-    std::vector<double> numbers_;
-    std::vector<std::size_t> lines_;     ///< of the rows with numbers
-    std::vector<std::string_view> kept_; ///< texts of their numbers that are kept
+    std::vector<std::size_t> lines_; ///< of the rows with numbers
     std::vector<double> results_;
     std::vector<Report> reports_; ///< of the remarkable rows...
     std::size_t next_report_ = 0; ///< ...of which this is the first that is not yet written

@@ -18,7 +18,7 @@ void RowTransformer::transform_ahead(std::string_view next, std::size_t next_lin
         const bool is_whole = text.empty();
         const bool at_error = options_->on_error == OnError::stop && !errors_.empty();
         results_.resize(lines_.size() * operation_.names.size());
-        const NumberRows rows{numbers_, lines_, kept_};
+        const NumberRows rows{parts_.numbers, lines_, parts_.kept};
         std::size_t answered = operation_.run_ahead(rows, at_error || (is_end && is_whole), results_, reports_);
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
             answered = operation_.run_ahead(rows, true, results_, reports_);

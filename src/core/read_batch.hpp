@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include <rotconv/conversion.hpp>
+
+#include "representations/codec.hpp"
+
+namespace rotconv {
+
+/// A batch of rows of a SPEC, read: its attitudes, not yet inverted where the SPEC is passive.
+class ReadBatch : public Readings {
+public:
+    /// @param in as written, at most `batch_rows` rows, which must outlive this
+    // NOLINTNEXTLINE(*-member-init): written before they are read
+    ReadBatch(const Spec& spec, const double* in, std::size_t rows) noexcept
+        : codec_(&codec_of(spec.name)), own_(in), size_(spec.size()) {
+        const auto order = spec.order();
+        if (!std::ranges::is_sorted(order)) {
+            for (std::size_t i = 0; i < rows * size_; i += size_) {
+                for (std::size_t k = 0; k < size_; ++k) {
+                    own_order_[i + order[k]] = in[i + k];
+                }
+            }
+            own_ = own_order_.data();
+        }
+        codec_->read(spec, own_, rows, *this);
+    }
+
+    /// The inverses.
+    void invert(std::size_t rows) noexcept {
+        for (std::size_t i = 0; i < rows; ++i) {
+            w[i] = -w[i];
+        }
+    }
+
+    /// The row's error, or its defect and whether that is to be told.
+    [[nodiscard]] Report report(std::size_t row, const Settings& settings) const noexcept {
+        const Reading read = reading(row);
+        Report report{.error = read.error(), .defect = read.defect()};
+        if (!read) {
+            return report;
+        }
+        if (codec_->exact_defect != nullptr && (settings.sensitivity || settings.tolerance < report.defect)) {
+            report.defect = codec_->exact_defect(own_ + row * size_);
+        }
+        if (report.defect > settings.tolerance) {
+            report.error = Error::defect;
+        } else {
+            report.diagnostics = {DiagnosticKind::normalized, report.defect > reported_defect};
+        }
+        return report;
+    }
+
+private:
+    const Codec* codec_;
+    const double* own_; ///< the numbers in the representation's own order
+    std::size_t size_;
+    std::array<double, batch_rows * most_numbers> own_order_;
+};
+
+} // namespace rotconv
