@@ -12,6 +12,7 @@
 
 #include "../stream/file.hpp"
 #include "arguments.hpp"
+#include "compare.hpp"
 #include "kinematics.hpp"
 #include "list.hpp"
 #include "messages.hpp"
@@ -33,9 +34,10 @@ struct Entry {
     const char* usage;
     void (*define)(CLI::App& app, RawOptions& texts);
     Command (*command)(const RawOptions& texts, const Operands& operands);
+    std::size_t most_files = 1;
 };
 
-constexpr std::array<Entry, 4> commands{
+constexpr std::array<Entry, 5> commands{
     {{"list", "List the representations, or explain one; list methods: the methods", "Usage: rotconv list [NAME]\n",
       define_list,
       [](const RawOptions& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
@@ -49,7 +51,14 @@ constexpr std::array<Entry, 4> commands{
       [](const RawOptions& texts, const Operands& operands) -> Command { return propagate_command(texts, operands); }},
      {"survey", "Which sets serve a motion, and the smallest", "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n",
       define_survey,
-      [](const RawOptions& texts, const Operands& operands) -> Command { return survey_command(texts, operands); }}}};
+      [](const RawOptions& texts, const Operands& operands) -> Command { return survey_command(texts, operands); }},
+     {"compare", "Angles between attitudes and others: a check",
+      "Usage: rotconv compare -f SPEC [-t SPEC] [OPTION]... FILE REFERENCE\n"
+      "       rotconv compare -f SPEC [-t SPEC] [OPTION]... [FILE]\n"
+      "       rotconv compare -f SPEC [-t SPEC] [OPTION]... VALUE...\n",
+      define_compare,
+      [](const RawOptions& texts, const Operands& operands) -> Command { return compare_command(texts, operands); },
+      2}}};
 
 /// The command of that name, or null.
 const Entry* find_command(std::string_view name) {
@@ -127,8 +136,7 @@ RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     return rows_command(texts,
                         method == nullptr ? stream::conversion_operation(own)
                                           : stream::method_operation(MethodConversion(own, *method)),
-                        {std::string(representation(from.name).text), from.size(), from.name, settings.tolerance},
-                        operands);
+                        messages::subject_of(from, settings.tolerance), operands);
 }
 
 /// A word that CLI11 did not know, with the nearest option of the command that it was given to.
@@ -149,7 +157,7 @@ std::string unexpected(const CLI::App& app) {
 }
 
 /// Refuses operands that exclude each other, and FILEs that are none.
-void check(const Operands& operands, bool has_input) {
+void check(const Operands& operands, bool has_input, std::size_t most_files) {
     for (const std::string& file : operands.files) {
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
             std::vector<std::string_view> names;
@@ -158,9 +166,12 @@ void check(const Operands& operands, bool has_input) {
         }
     }
     const std::string file = operands.files.empty() ? std::string() : messages::quoted(operands.files[0]);
-    if (operands.files.size() > 1) {
+    if (operands.files.size() > 1 && most_files == 1) {
         throw Usage(fmt::format("{} and {} are two FILEs, and one is read; cat joins them: cat A B | rotconv ...", file,
                                 messages::quoted(operands.files[1])));
+    }
+    if (operands.files.size() > most_files) {
+        throw Usage(fmt::format("{} is one FILE too many", messages::quoted(operands.files[most_files])));
     }
     if (!operands.values.empty() && !operands.files.empty()) {
         throw Usage(fmt::format("VALUEs and the FILE {} exclude each other", file));
@@ -205,8 +216,8 @@ Command read_command_line(int argc, const char* const* argv) {
         const CLI::App& command = arguments.command.empty() ? app : *app.get_subcommand(arguments.command);
         const CLI::Option* input = command.get_option_no_throw("--input");
         const Operands operands{arguments.values, arguments.files};
-        check(operands, input != nullptr && input->count() > 0);
         const Entry* entry = find_command(arguments.command);
+        check(operands, input != nullptr && input->count() > 0, entry == nullptr ? 1 : entry->most_files);
         return entry == nullptr ? convert_command(texts, operands) : entry->command(texts, operands);
     } catch (const CLI::CallForHelp&) {
         return PrintCommand{help(app, texts)};

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
+
+#include <rotconv/survey.hpp>
 
 #include "../stream/options.hpp"
 #include "messages.hpp"
@@ -26,14 +30,26 @@ struct RowsCommand {
     bool has_values = false;
     std::string values;    ///< the VALUEs as one row
     bool progress = false; ///< where a terminal shows it
+
+    /// The stream that the rows are paired with; see stream::Pairing.
+    std::string reference;
+    messages::Subject reference_subject{}; ///< likewise of its rows
 };
 
 /// `rotconv survey ...`, checked.
 struct SurveyCommand {
-    RowsCommand rows; ///< the input, its attitudes not yet taken by anybody
-    Spec from;
-    double condition = 0.0; ///< the greatest that serves
+    RowsCommand rows;
+    std::shared_ptr<Survey> survey; ///< that takes their attitudes
+    double condition = 0.0;         ///< the greatest that serves
     bool json = false;
+};
+
+/// `rotconv compare ...`, checked.
+struct CompareCommand {
+    enum class Format { pretty, json, csv };
+    RowsCommand rows;
+    std::optional<double> within;
+    Format format = Format::pretty;
 };
 
 /// `rotconv list [NAME]`.
@@ -51,7 +67,7 @@ struct UsageError {
     std::string message;
 };
 
-using Command = std::variant<RowsCommand, SurveyCommand, ListCommand, PrintCommand, UsageError>;
+using Command = std::variant<RowsCommand, SurveyCommand, CompareCommand, ListCommand, PrintCommand, UsageError>;
 
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
 

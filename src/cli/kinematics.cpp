@@ -41,8 +41,7 @@ Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
     error.text = row;
     const auto refuse = [&](stream::RowError::What what) {
         error.what = what;
-        throw Usage("--initial: " + messages::explain(error, {std::string(representation(spec.name).text), spec.size(),
-                                                              spec.name, tolerance}));
+        throw Usage("--initial: " + messages::explain(error, messages::subject_of(spec, tolerance)));
     };
     std::vector<std::string_view> fields;
     stream::Delimiter::of_row(row).split(row, fields);
@@ -172,15 +171,14 @@ SurveyCommand survey_command(const RawOptions& texts, const Operands& operands) 
     const double tolerance = settings_of(texts).tolerance;
     RawOptions input = texts;
     input.format.clear(); // that of the survey
-    SurveyCommand command{
-        .rows =
-            rows_command(input, stream::reading_operation(from, tolerance, [](const Rotation&, std::size_t) {}),
-                         {std::string(representation(from.name).text), from.size(), from.name, tolerance}, operands),
-        .from = from,
-        .condition = amount_of("--condition", texts.condition, default_condition, true),
-        .json = choose<bool>("format of survey", texts.format.empty() ? "pretty" : texts.format,
-                             {{"pretty", false}, {"json", true}})};
-    return command;
+    const auto survey = std::make_shared<Survey>();
+    auto operation = stream::reading_operation(
+        from, tolerance, [survey](const Rotation& rotation, std::size_t line) { survey->add(rotation, line); });
+    return {.rows = rows_command(input, std::move(operation), messages::subject_of(from, tolerance), operands),
+            .survey = survey,
+            .condition = amount_of("--condition", texts.condition, default_condition, true),
+            .json = choose<bool>("format of survey", texts.format.empty() ? "pretty" : texts.format,
+                                 {{"pretty", false}, {"json", true}})};
 }
 
 } // namespace rotconv::cli

@@ -6,6 +6,7 @@
 
 #include "../stream/file.hpp"
 #include "command_line.hpp"
+#include "compare.hpp"
 #include "exit_code.hpp"
 #include "list.hpp"
 #include "messages.hpp"
@@ -36,8 +37,9 @@ ExitCode usage(const std::string& message) {
 
 /// One overload for each command.
 struct Run {
-    ExitCode operator()(const RowsCommand& command) const { return run_rows(command); }
+    ExitCode operator()(const RowsCommand& command) const { return run_rows(command).code; }
     ExitCode operator()(const SurveyCommand& command) const { return survey(command); }
+    ExitCode operator()(const CompareCommand& command) const { return compare(command); }
     ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
     ExitCode operator()(const UsageError& error) const { return usage(error.message); }
     ExitCode operator()(const ListCommand& command) const {

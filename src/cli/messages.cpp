@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <system_error>
 
@@ -118,6 +119,10 @@ std::string quoted_list(const std::vector<std::string>& texts) {
 
 } // namespace
 
+Subject subject_of(const Spec& spec, double tolerance) {
+    return {std::string(representation(spec.name).text), spec.size(), spec.name, tolerance};
+}
+
 std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
     return fmt::format("{}", fmt::join(list_of(modifiers), separator));
 }
@@ -225,6 +230,7 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
                            error.expected, error.found > error.expected ? " (--columns selects)" : "", text);
     case What::missing_column:
         return fmt::format("no column {}, the row has {}: {}", error.expected, error.found, text);
+    case What::key_order: return fmt::format("the key does not increase: {}", text);
     case What::open_quote: return fmt::format("a quote is left open: {}", text);
     case What::attitude: break;
     }
@@ -283,6 +289,10 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
     case What::ambiguous: return fmt::format("more than one column is called {}", quoted(error.text));
     }
     return {};
+}
+
+std::string json_number(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : fmt::format("\"{}\"", value);
 }
 
 std::string_view meaning(DiagnosticKind kind) {

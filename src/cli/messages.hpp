@@ -38,6 +38,9 @@ struct Subject {
     double tolerance = 0.0;                        ///< see Settings
 };
 
+/// Rows of attitudes.
+[[nodiscard]] Subject subject_of(const Spec& spec, double tolerance);
+
 /// Why a row has no result, with the text at fault.
 [[nodiscard]] std::string explain(const stream::RowError& error, const Subject& subject);
 
@@ -45,6 +48,9 @@ struct Subject {
 [[nodiscard]] std::string explain(const stream::StreamError& error, const Subject& subject);
 
 [[nodiscard]] std::string explain(const stream::ColumnError& error, const Subject& subject);
+
+/// A number in JSON; a string where it is not finite.
+[[nodiscard]] std::string json_number(double value);
 
 /// A diagnostic in words, with its figure.
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);

@@ -67,6 +67,7 @@ void refuse_other_order(const std::string& list, const stream::Options& options)
         return;
     }
     auto names = options.columns.names();
+    names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(options.operation.kept)); // such as a key
     names.resize(std::min(names.size(), from->size()));
     const auto order = name_order(*from);
     if (names != order && std::ranges::is_permutation(names, order)) {

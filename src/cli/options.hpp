@@ -46,6 +46,12 @@ struct RawOptions {
     std::string interpolation = "linear";
     std::string time_unit = "s";
     std::string condition;
+    std::string within;
+    std::string reference_columns;
+    std::string key;
+    std::string reference_key;
+    std::string key_within;
+    std::string relative;
     bool degrees = false;
     bool append = false;
     bool strict = false;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <memory>
-#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,12 +21,14 @@ namespace {
 /// Words events as they come, counts them, and words the summary.
 class Reporter {
 public:
-    Reporter(const RowsCommand& command, std::string where) : command_(&command), where_(std::move(where)) {}
+    explicit Reporter(const RowsCommand& command)
+        : command_(&command), where_(command.has_values ? "argument" : messages::shown(command.input)),
+          reference_(messages::shown(command.reference)) {}
 
     void operator()(const stream::Event& event) {
         if (const auto* error = std::get_if<stream::RowError>(&event)) {
             ++errors_;
-            tell(error->line, messages::explain(*error, command_->subject));
+            tell(error->line, messages::explain(*error, subject_of(error->of_reference)), error->of_reference);
             return;
         }
         const auto& diagnostic = std::get<stream::Diagnostic>(event);
@@ -39,11 +41,14 @@ public:
         }
     }
 
-    void tell(std::size_t line, const std::string& message) const {
-        if (line == 0 || command_->has_values) {
-            print_error(fmt::format("{}: {}", where_, message));
-        } else {
-            print_error(fmt::format("{}:{}: {}", where_, line, message));
+    void operator()(const stream::StreamError& error) const {
+        tell(error.what == stream::StreamError::What::read ? 0 : error.line,
+             messages::explain(error, subject_of(error.of_reference)), error.of_reference);
+    }
+
+    void operator()(const stream::Unpaired& unpaired, bool of_reference) const {
+        if (unpaired.rows > 0) {
+            tell(0, fmt::format("unpaired: {}", rows_from(unpaired.rows, unpaired.first_line)), of_reference);
         }
     }
 
@@ -58,13 +63,15 @@ public:
             if (command_->has_values) {
                 tell(0, messages::describe(count.first));
             } else {
-                tell(0, fmt::format("{}: {} row{}, first at line {}; {}", name_of(count.first.kind), count.rows,
-                                    count.rows == 1 ? "" : "s", count.first.line, messages::meaning(count.first.kind)));
+                tell(0, fmt::format("{}: {}; {}", name_of(count.first.kind), rows_from(count.rows, count.first.line),
+                                    messages::meaning(count.first.kind)));
             }
         }
     }
 
-    [[nodiscard]] bool met_error() const noexcept { return errors_ > 0; }
+    [[nodiscard]] std::size_t errors() const noexcept { return errors_; }
+    [[nodiscard]] std::size_t rows(DiagnosticKind kind) const { return count_of(kind).rows; }
+    [[nodiscard]] std::size_t first_line(DiagnosticKind kind) const { return count_of(kind).first.line; }
     /// Any kind but normalized.
     [[nodiscard]] bool met_singularity() const noexcept {
         return std::ranges::any_of(counts_, [](const Count& count) {
@@ -77,83 +84,116 @@ private:
         std::size_t rows = 0;
         stream::Diagnostic first;
     };
+    [[nodiscard]] const Count& count_of(DiagnosticKind kind) const {
+        return counts_.at(static_cast<std::size_t>(kind));
+    }
+    [[nodiscard]] const messages::Subject& subject_of(bool of_reference) const noexcept {
+        return of_reference ? command_->reference_subject : command_->subject;
+    }
+    static std::string rows_from(std::size_t rows, std::size_t first_line) {
+        return fmt::format("{} row{}, first at line {}", rows, rows == 1 ? "" : "s", first_line);
+    }
+    void tell(std::size_t line, const std::string& message, bool of_reference = false) const {
+        const std::string& where = of_reference ? reference_ : where_;
+        if (line == 0 || command_->has_values) {
+            print_error(fmt::format("{}: {}", where, message));
+        } else {
+            print_error(fmt::format("{}:{}: {}", where, line, message));
+        }
+    }
+
     const RowsCommand* command_;
     std::string where_;
+    std::string reference_;
     std::array<Count, diagnostic_kind_count> counts_{};
     std::size_t errors_ = 0;
 };
 
-/// Where rows go that nobody wants.
-class NullSink final : public stream::Sink {
-public:
-    int write(std::string_view /*bytes*/) override { return 0; }
-};
-
-ExitCode failed(const std::string& message) {
+/// A message that ends the run.
+RowsResult failed(const std::string& message) {
     print_error(message);
-    return ExitCode::incomplete;
+    return {.code = ExitCode::incomplete};
 }
 
-std::string reason(int error) { return std::generic_category().message(error); }
+RowsResult failed(const std::string& file, stream::StreamError::What what, int error) {
+    return failed(fmt::format("{}: {}", messages::shown(file),
+                              messages::explain(stream::StreamError{.what = what, .error_number = error}, {})));
+}
+
+std::unique_ptr<stream::File> open(const std::string& path) {
+    return path == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
+                       : std::make_unique<stream::File>(path.c_str(), stream::File::Mode::read);
+}
 
 } // namespace
 
-ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion) {
-    const std::string input_name = messages::shown(command.input);
-    auto input = command.input == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
-                                      : std::make_unique<stream::File>(command.input.c_str(), stream::File::Mode::read);
-    if (!input->is_open()) {
-        return failed(fmt::format("{}: cannot be read: {}", input_name, reason(errno)));
-    }
+RowsResult run_rows(const RowsCommand& command, const std::optional<Conclusion>& conclusion) {
+    using What = stream::StreamError::What;
     stream::OutputFile output(command.output);
-    if (!command.has_values && output.is_same(*input)) {
-        return failed("the same file is input and output");
-    }
-    const auto unwritten = [&command](int error) {
-        return failed(fmt::format("{}: cannot be written: {}", messages::shown(command.output), reason(error)));
-    };
-    if (!command.has_values) {
-        input->widen();
+    std::vector<std::unique_ptr<stream::File>> inputs;
+    for (const std::string& path : {command.input, command.reference}) {
+        if (path.empty()) {
+            continue;
+        }
+        const auto& input = *inputs.emplace_back(open(path));
+        if (!input.is_open()) {
+            return failed(path, What::read, errno);
+        }
+        if (!command.has_values) {
+            if (output.is_same(input)) {
+                return failed("the same file is input and output");
+            }
+            input.widen();
+        }
     }
 
-    Reporter reporter(command, command.has_values ? "argument" : input_name);
+    Reporter reporter(command);
     stream::TextSource values(command.values);
     const bool on_screen = command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
-    const auto progress = std::make_unique<Progress>(*input, command.progress && !on_screen);
+    const auto progress = std::make_unique<Progress>(*inputs.front(), command.progress && !on_screen);
     stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
-    NullSink nowhere;
-    stream::Sink& sink = conclusion ? static_cast<stream::Sink&>(nowhere) : output;
-    const stream::RunResult ending =
-        stream::run(source, sink, command.options, [&reporter](const stream::Event& event) { reporter(event); });
+    stream::Sink& sink = conclusion ? conclusion->rows : output;
+    const auto report = [&reporter](const stream::Event& event) { reporter(event); };
+    const stream::RunResult ending = inputs.size() > 1
+                                         ? stream::run(source, *inputs.back(), sink, command.options, report)
+                                         : stream::run(source, sink, command.options, report);
     if (ending.reader_left) {
-        return ExitCode::done;
+        return {};
     }
     reporter.summarize();
     if (ending.error) {
-        if (ending.error->what == stream::StreamError::What::write) {
-            return unwritten(ending.error->error_number);
+        if (ending.error->what == What::write) {
+            return failed(command.output, What::write, ending.error->error_number);
         }
-        reporter.tell(ending.error->what == stream::StreamError::What::read ? 0 : ending.error->line,
-                      messages::explain(*ending.error, command.subject));
+        reporter(*ending.error);
     }
+    RowsResult result{.answered = ending.answered,
+                      .failed = reporter.errors(),
+                      .beyond = reporter.rows(DiagnosticKind::beyond),
+                      .first_beyond = reporter.first_line(DiagnosticKind::beyond),
+                      .unpaired = ending.unpaired};
     const bool is_whole = !ending.error && !ending.stopped;
+    if (is_whole) {
+        reporter(result.unpaired[0], false);
+        reporter(result.unpaired[1], true);
+    }
     if (conclusion && is_whole) {
-        const int error = output.write(conclusion());
+        const int error = output.write(conclusion->text(result));
         if (error == EPIPE) {
-            return ExitCode::done;
+            return {};
         }
         if (error != 0) {
-            return unwritten(error);
+            return failed(command.output, What::write, error);
         }
     }
     if (const int error = output.finish(is_whole); error != 0) {
-        return unwritten(error);
-    }
-    if (!is_whole) {
-        return ExitCode::incomplete;
+        return failed(command.output, What::write, error);
     }
     const bool strict = command.strict && reporter.met_singularity();
-    return reporter.met_error() || strict ? ExitCode::reservations : ExitCode::done;
+    result.code = !is_whole                         ? ExitCode::incomplete
+                  : reporter.errors() > 0 || strict ? ExitCode::reservations
+                                                    : ExitCode::done;
+    return result;
 }
 
 } // namespace rotconv::cli

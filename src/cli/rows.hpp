@@ -1,19 +1,36 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+
+#include "../stream/file.hpp"
+#include "../stream/job.hpp"
 
 #include "command_line.hpp"
 #include "exit_code.hpp"
 
 namespace rotconv::cli {
 
-/// What is printed of a run in the place of its rows.
-using Conclusion = std::function<std::string()>;
+/// What came of a run.
+struct RowsResult {
+    ExitCode code = ExitCode::done;
+    std::size_t answered = 0; ///< rows with a result
+    std::size_t failed = 0;
+    std::size_t beyond = 0;                     ///< rows with that diagnostic...
+    std::size_t first_beyond = 0;               ///< ...and the line of the first
+    std::array<stream::Unpaired, 2> unpaired{}; ///< of the input, and of the reference
+};
 
-/// Runs the rows, tells on stderr what there is to tell, and returns the exit code. With a conclusion the rows are not
-/// written; it is asked for at the end of a run that was not stopped.
-[[nodiscard]] ExitCode run_rows(const RowsCommand& command, const Conclusion& conclusion = {});
+/// What is made of a run in the place of rows on stdout.
+struct Conclusion {
+    stream::Sink& rows;                                        ///< where they go
+    std::function<std::string(const RowsResult& result)> text; ///< printed at the end of a run that was not stopped
+};
+
+/// Runs the rows, and tells on stderr what there is to tell.
+[[nodiscard]] RowsResult run_rows(const RowsCommand& command, const std::optional<Conclusion>& conclusion = {});
 
 } // namespace rotconv::cli

@@ -26,19 +26,14 @@ std::string in_table(const Survey& survey, double limit) {
     return text;
 }
 
-/// A number, or a string where it is not finite.
-std::string json_number(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : fmt::format("\"{}\"", value);
-}
-
 std::string in_json(const Survey& survey, double limit) {
     std::string text;
     for (const SetSurvey& set : survey.sets()) {
         text += fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
                             R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
                             "\n",
-                            messages::spec_text(set.set), set.set.size(), json_number(set.least_margin), set.margin_row,
-                            json_number(set.greatest_condition), set.condition_row, set.jumps,
+                            messages::spec_text(set.set), set.set.size(), messages::json_number(set.least_margin),
+                            set.margin_row, messages::json_number(set.greatest_condition), set.condition_row, set.jumps,
                             set.jumps == 0 ? "null" : std::to_string(set.jump_row), set.serves(limit));
     }
     return text;
@@ -47,15 +42,12 @@ std::string in_json(const Survey& survey, double limit) {
 } // namespace
 
 ExitCode survey(const SurveyCommand& command) {
-    Survey survey;
-    RowsCommand rows = command.rows;
-    rows.options.operation = stream::reading_operation(
-        command.from, rows.subject.tolerance,
-        [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
+    const Survey& survey = *command.survey;
     bool none_serves = false;
-    const ExitCode code = run_rows(rows, [&] {
+    stream::NullSink nowhere;
+    const auto conclude = [&](const RowsResult& /*result*/) {
         if (survey.rows() == 0) {
-            print_error(fmt::format("{}: there is no attitude in it", rows.input));
+            print_error(fmt::format("{}: there is no attitude in it", command.rows.input));
             none_serves = true;
             return std::string(command.json ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n");
         }
@@ -69,8 +61,9 @@ ExitCode survey(const SurveyCommand& command) {
                          "{}\n{} attitude{}; the smallest set that serves, with a condition of at most {}:\n{}\n",
                          in_table(survey, command.condition), survey.rows(), survey.rows() == 1 ? "" : "s",
                          command.condition, name);
-    });
-    return code == ExitCode::done && none_serves ? ExitCode::reservations : code;
+    };
+    const RowsResult result = run_rows(command.rows, Conclusion{nowhere, conclude});
+    return result.code == ExitCode::done && none_serves ? ExitCode::reservations : result.code;
 }
 
 } // namespace rotconv::cli

@@ -12,10 +12,8 @@ void RowTransformer::gather_binary(std::string_view& text, std::size_t& line, st
     const std::size_t row_size = options_->width * sizeof(double);
     const std::size_t count = std::min(limit, text.size() / row_size);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::string_view row = text.substr(i * row_size, row_size);
-        rows_.push_back({.line = {row, {}}, .number = line, .index = i});
-        lines_.push_back(line++);
-        reader_.read_binary(row.data(), parts_);
+        rows_.push_back({.line = {text.substr(i * row_size, row_size), {}}, .number = line++});
+        read_row(rows_.back());
     }
     text.remove_prefix(count * row_size);
 }
@@ -67,6 +65,7 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
         std::size_t next = 0;
         const auto write_clean = [&](std::size_t end) {
             append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
+            output.answered += end - next;
             next = end;
         };
         while (next_report_ < reports_.size() && !output.stopped) {

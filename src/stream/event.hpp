@@ -21,7 +21,8 @@ struct RowError {
         wrong_count,    ///< `found` fields where the representation has `expected`
         missing_column, ///< `found` fields, column `expected` is selected
         open_quote,
-        attitude, ///< the numbers describe none: see `error`, `defect`
+        key_order, ///< `text` is a key that does not increase
+        attitude,  ///< the numbers describe none: see `error`, `defect`
     };
     std::size_t line = 0;
     What what = What::attitude;
@@ -30,6 +31,7 @@ struct RowError {
     std::size_t expected = 0;
     Error error = Error::none;
     double defect = 0.0;
+    bool of_reference = false; ///< the line is one of the reference
 };
 
 /// One diagnostic of one row; the figure is the defect, the margin, the condition or an error, by kind.
@@ -45,11 +47,13 @@ using Event = std::variant<RowError, Diagnostic>;
 struct Output {
     Buffer bytes;
     std::vector<Event> events;
-    bool stopped = false; ///< a row error ended the run
+    std::size_t answered = 0; ///< rows that have a result
+    bool stopped = false;     ///< a row error ended the run
 
     void clear() noexcept {
         bytes.clear();
         events.clear();
+        answered = 0;
         stopped = false;
     }
 };
@@ -69,6 +73,7 @@ struct StreamError {
     int error_number = 0;
     ColumnError column{};
     std::size_t offset = 0;
+    bool of_reference = false; ///< it is the reference that cannot be read
 };
 
 } // namespace rotconv::stream

@@ -3,12 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "column_list.hpp"
+#include "decimal.hpp"
 #include "delimiter.hpp"
 #include "event.hpp"
 #include "row_operation.hpp"
@@ -16,8 +18,16 @@
 namespace rotconv::stream {
 
 enum class HeaderMode : std::uint8_t { automatic, yes, no, add };
-enum class Format : std::uint8_t { csv, json, pretty, f64 };
+enum class Format : std::uint8_t {
+    csv,
+    json,
+    pretty,
+    f64,
+    result ///< the result's doubles and nothing else, for a sink that sums them up
+};
 enum class OnError : std::uint8_t { stop, nan, skip };
+
+struct Pairing;
 
 /// What a run does with its rows.
 struct Options {
@@ -37,6 +47,14 @@ struct Options {
     bool show_diagnostics = true;                         ///< in words, under Format::pretty
     std::size_t threads = 1;                              ///< at most
     std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
+    std::shared_ptr<const Pairing> pairing;               ///< where the rows are paired with those of a reference
+};
+
+/// How the rows of two streams are paired. The operation gets the numbers of a row and then those of its partner.
+struct Pairing {
+    Options reference;   ///< how the other stream is read, of whose operation that is all that counts
+    bool by_key = false; ///< the first selected column of both, a number that increases; else by the rows' number
+    Decimal within{};    ///< the greatest difference of two keys
 };
 
 inline constexpr std::array<std::string_view, 4> diagnostic_names{"margin", "condition", "defect", "notes"};

@@ -28,6 +28,18 @@ std::vector<std::string> rate_names(const Spec& spec) {
     return names;
 }
 
+/// The numbers of an attitude, perhaps after a key.
+RowOperation input_of(const Spec& spec, bool with_key) {
+    RowOperation operation{
+        .inputs = spec.size(), .input_names = column_names(spec), .from = spec, .names = {}, .run = {}};
+    if (with_key) {
+        operation.inputs += 1;
+        operation.input_names.insert(operation.input_names.begin(), "key");
+        operation.kept = 1;
+    }
+    return operation;
+}
+
 /// A conversion from the unit quaternion, which is never refused.
 Conversion conversion_to(const Spec& to, Settings settings) {
     settings.tolerance = std::numeric_limits<double>::infinity();
@@ -218,6 +230,51 @@ RowOperation propagation_operation(const PropagationRows& rows) {
                                       std::vector<Report>& reports) { return state->run(given, flush, out, reports); };
     }
     return operation;
+}
+
+RowOperation comparison_operation(const Comparison& comparison, const ComparisonRows& rows) {
+    RowOperation operation = input_of(comparison.from(), rows.by_key);
+    if (!rows.paired) {
+        operation.inputs = comparison.inputs();
+        std::ranges::copy(column_names(comparison.reference()), std::back_inserter(operation.input_names));
+    }
+    operation.names = {"angle"};
+    operation.attitude = comparison.settings().relative;
+    if (rows.with_line) {
+        operation.names.emplace_back("line");
+    } else if (operation.attitude) {
+        std::ranges::copy(column_names(*operation.attitude), std::back_inserter(operation.names));
+    }
+    operation.run = [comparison, rows, without_keys = std::vector<double>(), angles = std::vector<double>()](
+                        const NumberRows& given, std::span<double> out, std::vector<Report>& reports) mutable {
+        std::span<const double> numbers = given.numbers;
+        if (rows.by_key) {
+            without_keys.clear();
+            for (auto at = numbers.begin(); at != numbers.end();) {
+                for (const std::size_t size : {comparison.from().size(), comparison.reference().size()}) {
+                    const auto end = at + 1 + static_cast<std::ptrdiff_t>(size);
+                    without_keys.insert(without_keys.end(), at + 1, end);
+                    at = end;
+                }
+            }
+            numbers = without_keys;
+        }
+        if (!rows.with_line) {
+            comparison.run(numbers, out, reports);
+            return;
+        }
+        angles.resize(given.lines.size());
+        comparison.run(numbers, angles, reports);
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            out[2 * i] = angles[i];
+            out[2 * i + 1] = static_cast<double>(given.lines[i]);
+        }
+    };
+    return operation;
+}
+
+RowOperation reference_operation(const Comparison& comparison, const ComparisonRows& rows) {
+    return input_of(comparison.reference(), rows.by_key);
 }
 
 RowOperation reading_operation(const Spec& from, double tolerance,

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rotconv/comparison.hpp>
 #include <rotconv/conversion.hpp>
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
@@ -62,6 +63,16 @@ struct PropagationRows {
     bool stop_at_error = true; ///< the first error is the end
 };
 [[nodiscard]] RowOperation propagation_operation(const PropagationRows& rows);
+
+/// What a comparison makes of rows that hold both attitudes.
+struct ComparisonRows {
+    bool paired = false;    ///< the second attitude comes from a reference...
+    bool by_key = false;    ///< ...and each of the two has its key before it
+    bool with_line = false; ///< the row's line after the angle, in the place of the relative attitude
+};
+[[nodiscard]] RowOperation comparison_operation(const Comparison& comparison, const ComparisonRows& rows);
+/// What is read of the reference.
+[[nodiscard]] RowOperation reference_operation(const Comparison& comparison, const ComparisonRows& rows);
 
 /// Hands the attitude of each row, as a unit quaternion, to `take`. The results are for nobody.
 [[nodiscard]] RowOperation reading_operation(const Spec& from, double tolerance,

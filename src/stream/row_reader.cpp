@@ -8,7 +8,15 @@
 
 namespace rotconv::stream {
 
-bool RowReader::read(std::string_view text, RowParts& to) const {
+bool RowReader::read(std::string_view row, RowParts& to) const {
+    if (options_->width == 0) {
+        return read_text(row, to);
+    }
+    read_binary(row, to);
+    return true;
+}
+
+bool RowReader::read_text(std::string_view text, RowParts& to) const {
     using What = RowError::What;
     if (!needs_fields() && read_plain(text, to.numbers)) {
         return true;
@@ -67,9 +75,9 @@ bool RowReader::read_plain(std::string_view text, std::vector<double>& numbers) 
     return true;
 }
 
-void RowReader::read_binary(const char* row, RowParts& to) const {
+void RowReader::read_binary(std::string_view row, RowParts& to) const {
     for (std::size_t i = 0; i < options_->operation.inputs; ++i) {
-        std::memcpy(&to.numbers.emplace_back(), row + position(i) * sizeof(double), sizeof(double));
+        std::memcpy(&to.numbers.emplace_back(), row.data() + position(i) * sizeof(double), sizeof(double));
     }
 }
 
@@ -81,7 +89,7 @@ std::string RowReader::selected_text(std::string_view row) const {
     const std::string_view delimiter(&character, 1);
     RowParts parts;
     if (options_->width > 0) {
-        read_binary(row.data(), parts);
+        read_binary(row, parts);
         return fmt::format("{}", fmt::join(parts.numbers, delimiter));
     }
     static_cast<void>(layout_->delimiter.split(row, parts.fields));

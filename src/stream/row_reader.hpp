@@ -33,15 +33,15 @@ public:
     /// The output has fields of the input beside the result, or not all of the input's are numbers.
     [[nodiscard]] bool needs_fields() const noexcept { return options_->append || !layout_->replaced.empty(); }
 
-    /// Adds what is read of a row of text.
+    /// Adds what is read of a row, of text or of doubles.
     /// @return false where `to.error` says why there is nothing; fields may be there
-    [[nodiscard]] bool read(std::string_view text, RowParts& to) const;
-    /// Adds the numbers of a row of doubles.
-    void read_binary(const char* row, RowParts& to) const;
+    [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
     /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(std::string_view row) const;
 
 private:
+    [[nodiscard]] bool read_text(std::string_view text, RowParts& to) const;
+    void read_binary(std::string_view row, RowParts& to) const;
     /// A row of nothing but plain numbers, as most are, which needs no fields; false for any other.
     [[nodiscard]] bool read_plain(std::string_view text, std::vector<double>& numbers) const;
     [[nodiscard]] std::size_t position(std::size_t number) const noexcept {

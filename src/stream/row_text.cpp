@@ -43,6 +43,7 @@ RowText::RowText(const Options& options, const Layout& layout) : options_(&optio
     const auto& spec = options.operation.attitude;
     if (options.precision > 0 && spec && representation(spec->name).has_gimbal_lock) {
         const bool degrees = spec->unit == AngleUnit::degrees;
+        middle_angle_ = options.operation.names.size() - 2;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
         half_a_digit_ = 0.5 * std::pow(10.0, (degrees ? 3 : 1) - options.precision);
     }
@@ -54,12 +55,13 @@ void RowText::write(Buffer& to, const ConvertedRow& row) const {
     case Format::json: write_json(to, row); break;
     case Format::pretty: write_pretty(to, row); break;
     case Format::f64: write_f64(to, row); break;
+    case Format::result: append_bytes(to, row.result); break;
     }
 }
 
 void RowText::write_number(Buffer& to, double value, std::size_t column) const {
     // The outer Euler angles have the range (-pi, pi]: what is -pi to the digits that are printed is pi.
-    const bool is_lower_end = column != 1 && value + half_turn_ <= half_a_digit_;
+    const bool is_lower_end = column != middle_angle_ && value + half_turn_ <= half_a_digit_;
     append_number(to, is_lower_end ? half_turn_ : value, options_->precision);
 }
 
@@ -150,7 +152,7 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
         const auto figures = figures_of(row);
         for (std::size_t i = 0; i < figures.size(); ++i) {
             key(diagnostic_names[i]);
-            number(figures[i], 1); // a figure is no outer angle
+            number(figures[i], middle_angle_); // a figure is no outer angle
         }
         key(diagnostic_names.back());
         to.push_back('"');

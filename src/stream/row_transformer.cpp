@@ -6,9 +6,13 @@
 
 namespace rotconv::stream {
 
-RowTransformer::RowTransformer(const Options& options, const Layout& layout)
+RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout), operation_(options.operation), reader_(options, layout),
-      row_text_(options, layout), nans_(options.operation.names.size(), std::numeric_limits<double>::quiet_NaN()) {}
+      row_text_(options, layout), nans_(options.operation.names.size(), std::numeric_limits<double>::quiet_NaN()) {
+    if (reference_layout != nullptr) {
+        reference_reader_.emplace(options.pairing->reference, *reference_layout);
+    }
+}
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
     if (is_doubles_alone()) {
@@ -21,10 +25,22 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
     }
     while (!text.empty() && !output.stopped) {
         gather(text, line, batch);
-        results_.resize(lines_.size() * operation_.names.size());
-        operation_.run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
-        write(output);
+        answer(output);
     }
+}
+
+void RowTransformer::transform(const PairBlock& pairs, Output& output) {
+    std::span<const PairedRow> rest = pairs.rows;
+    while (!rest.empty() && !output.stopped) {
+        gather_pairs(rest, pairs.errors);
+        answer(output);
+    }
+}
+
+void RowTransformer::answer(Output& output) {
+    results_.resize(lines_.size() * operation_.names.size());
+    operation_.run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
+    write(output);
 }
 
 void RowTransformer::finish(Output& output) {
@@ -33,11 +49,15 @@ void RowTransformer::finish(Output& output) {
     }
 }
 
-void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t limit) {
+void RowTransformer::clear() noexcept {
     rows_.clear();
     parts_.clear();
     errors_.clear();
     lines_.clear();
+}
+
+void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t limit) {
+    clear();
     if (options_->width > 0) {
         gather_binary(text, line, limit);
         return;
@@ -69,6 +89,40 @@ void RowTransformer::read_row(Row& row) {
     row.field_count = parts_.fields.size() - row.first_field;
 }
 
+void RowTransformer::gather_pairs(std::span<const PairedRow>& pairs, const std::vector<RowError>& errors) {
+    clear();
+    for (; !pairs.empty() && rows_.size() < batch; pairs = pairs.subspan(1)) {
+        const PairedRow& pair = pairs.front();
+        Row row{.line = pair.row,
+                .number = pair.number,
+                .passed = pair.passed,
+                .first_field = parts_.fields.size(),
+                .pair = &pair};
+        if (pair.error != PairedRow::no_error) {
+            row.error = errors_.size();
+            errors_.push_back(errors[pair.error]);
+        } else if (!row.passed) {
+            read_pair(row);
+        }
+        rows_.push_back(row);
+    }
+}
+
+void RowTransformer::read_pair(Row& row) {
+    read_row(row);
+    if (!row.has_numbers()) {
+        return;
+    }
+    const PairedRow& pair = *row.pair;
+    if (!reference_reader_->read(pair.reference.text, parts_)) {
+        parts_.numbers.resize(parts_.numbers.size() - operation_.inputs);
+        lines_.pop_back();
+        note_error(row, std::move(parts_.error));
+        errors_.back().line = pair.reference_number;
+        errors_.back().of_reference = true;
+    }
+}
+
 void RowTransformer::note_error(Row& row, RowError error) {
     error.line = row.number;
     row.error = errors_.size();
@@ -94,7 +148,7 @@ void RowTransformer::write(Output& output) {
 
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text;
-    if (options_->width > 0 && reader_.needs_fields()) {
+    if (options_->width > 0 && reader_.needs_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }
     const std::size_t size = operation_.names.size();
@@ -109,6 +163,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
                                  .failed = failed};
     if (!failed) {
         row_text_.write(output.bytes, converted);
+        ++output.answered;
         for_each_diagnostic(report, row.number,
                             [&](const Diagnostic& diagnostic) { output.events.emplace_back(diagnostic); });
         return;
@@ -116,15 +171,19 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (!row.has_numbers()) {
         output.events.emplace_back(errors_[row.error]);
     } else {
-        output.events.emplace_back(RowError{.line = row.number,
+        const bool of_reference = report.of_reference && row.pair != nullptr;
+        output.events.emplace_back(RowError{.line = of_reference ? row.pair->reference_number : row.number,
                                             .what = RowError::What::attitude,
-                                            .text = reader_.selected_text(given),
+                                            .text = of_reference
+                                                        ? reference_reader_->selected_text(row.pair->reference.text)
+                                                        : reader_.selected_text(given),
                                             .error = report.error,
-                                            .defect = report.defect});
+                                            .defect = report.defect,
+                                            .of_reference = of_reference});
     }
     if (options_->on_error == OnError::stop) {
         output.stopped = true;
-    } else if (options_->on_error == OnError::nan) {
+    } else if (options_->on_error == OnError::nan && row.number > 0) {
         row_text_.write(output.bytes, converted);
     }
 }

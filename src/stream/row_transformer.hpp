@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "event.hpp"
 #include "io_block.hpp"
+#include "job.hpp"
 #include "layout.hpp"
 #include "options.hpp"
 #include "row_reader.hpp"
@@ -18,10 +21,12 @@ namespace rotconv::stream {
 /// (unless the operation remembers rows), so that several transformers may work on the blocks of one stream.
 class RowTransformer {
 public:
-    RowTransformer(const Options& options, const Layout& layout);
+    RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
     /// Adds what the rows of `text`, whole lines of which the first is line `line`, become.
     void transform(std::string_view text, std::size_t line, Output& output);
+    /// The same of pairs of rows.
+    void transform(const PairBlock& pairs, Output& output);
     /// To be called at the end: adds what still waits.
     void finish(Output& output);
 
@@ -32,12 +37,13 @@ private:
 
     struct Row {
         Line line;
-        std::size_t number = 0;      ///< of the line
+        std::size_t number = 0;      ///< of the line; 0 where only a partner has one
         bool passed = false;         ///< blank or comment: goes out as it is
         std::size_t first_field = 0; ///< in parts_
         std::size_t field_count = 0;
-        std::size_t index = 0;        ///< among the rows with numbers, of a row without error
-        std::size_t error = no_error; ///< in errors_
+        std::size_t index = 0;           ///< among the rows with numbers, of a row without error
+        std::size_t error = no_error;    ///< in errors_
+        const PairedRow* pair = nullptr; ///< whose first row it is
 
         [[nodiscard]] bool has_numbers() const noexcept { return !passed && error == no_error; }
     };
@@ -49,15 +55,22 @@ private:
     /// Where answers depend on the rows after them: a row that has none yet, and what follows it, wait for the next
     /// call, up to `most_waiting` bytes.
     void transform_ahead(std::string_view next, std::size_t next_line, bool is_end, Output& output);
+    /// Forgets the batch.
+    void clear() noexcept;
     /// Reads a batch of rows off the text, under `stop` none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
+    /// Likewise a batch of pairs.
+    void gather_pairs(std::span<const PairedRow>& pairs, const std::vector<RowError>& errors);
+    void read_pair(Row& row);
     /// Likewise a batch of binary rows.
     void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
     /// What is to be told of the row; to be asked of each in turn.
     [[nodiscard]] const Report& report_of(const Row& row) noexcept;
+    /// Answers the rows and writes them.
+    void answer(Output& output);
     void write(Output& output);
     void write_row(Row& row, Output& output);
     void note_error(Row& row, RowError error);
@@ -66,6 +79,7 @@ private:
     const Layout* layout_;
     RowOperation operation_; ///< a copy, for it may have room of its own to work in
     RowReader reader_;
+    std::optional<RowReader> reference_reader_; ///< where rows are paired
     RowText row_text_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line

@@ -14,6 +14,8 @@
 
 #include "header_reader.hpp"
 #include "io_block.hpp"
+#include "job.hpp"
+#include "pair_reader.hpp"
 #include "row_transformer.hpp"
 
 namespace rotconv::stream {
@@ -40,13 +42,40 @@ std::size_t block_size(const Options& options) {
     return std::min(IoBlockReader::largest_block, most_under_way / (thread_limit(options) + spare_jobs));
 }
 
-/// A block on its way from the input to the output.
-struct Job {
-    IoBlock block;
-    std::string_view rest; ///< its data rows, not yet converted...
-    std::size_t line = 1;  ///< ...and the line of the first
-    Output output;
-    bool done = false;
+/// The jobs of one stream.
+class BlockReader final : public JobReader {
+public:
+    BlockReader(Source& source, const Options& options)
+        : blocks_(source, options.width * sizeof(double), block_size(options)), header_(options) {}
+
+    bool read(Job& job) override {
+        const bool goes_on = blocks_.read(job.block);
+        job.rest = job.block.text;
+        job.line = job.block.first_line;
+        if (!has_layout_ && !job.rest.empty()) {
+            has_layout_ = header_.read(job.rest, job.line, job.output);
+        }
+        if (header_.error()) {
+            job.rest = {};
+            return false;
+        }
+        return goes_on;
+    }
+    [[nodiscard]] bool is_ready() const override { return blocks_.is_ready(); }
+    void finish(Output& output) override {
+        if (!has_layout_) {
+            header_.finish(output, !error());
+        }
+    }
+    [[nodiscard]] std::optional<StreamError> error() const override {
+        return header_.error() ? header_.error() : blocks_.error();
+    }
+    [[nodiscard]] const Layout& layout() const noexcept { return header_.layout(); }
+
+private:
+    IoBlockReader blocks_;
+    HeaderReader header_; ///< the layout is settled before the first data row
+    bool has_layout_ = false;
 };
 
 /// A stream that is worked on by threads which are all alike: each writes the oldest block if that is converted, else
@@ -54,9 +83,10 @@ struct Job {
 /// they came. Nobody waits for input while blocks are under way, so that their end is the end of the run at once.
 class Run {
 public:
-    Run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
-        : sink_(&sink), options_(&options), report_(&report),
-          reader_(source, options.width * sizeof(double), block_size(options)), header_reader_(options),
+    /// `make_transformer`: asked by each thread once there is a data row.
+    Run(JobReader& reader, Sink& sink, const Options& options, const std::function<void(const Event&)>& report,
+        std::function<RowTransformer()> make_transformer)
+        : reader_(&reader), sink_(&sink), report_(&report), make_transformer_(std::move(make_transformer)),
           large_(block_size(options) / 2), most_(thread_limit(options)) {}
 
     RunResult operator()();
@@ -74,9 +104,6 @@ private:
     [[nodiscard]] bool can_read() const;
     void write_oldest(Lock& lock);
     void read_and_convert(Lock& lock, Transformer& transformer, bool is_first);
-    /// Reads a block, and takes off it what stands before the first data row.
-    /// @return false where nothing comes after it
-    bool read(Job& job);
     void convert(Job& job, Transformer& transformer) const;
     void end_run(std::exception_ptr exception);
     [[nodiscard]] std::unique_ptr<Job> idle_job();
@@ -84,12 +111,10 @@ private:
     bool hand_on(const Output& output);
     void finish(Transformer& transformer);
 
+    JobReader* reader_; ///< of the thread that reads
     Sink* sink_;
-    const Options* options_;
     const std::function<void(const Event&)>* report_;
-    IoBlockReader reader_;       ///< of the thread that reads
-    HeaderReader header_reader_; ///< likewise; the layout is settled before the first data row
-    bool has_layout_ = false;
+    std::function<RowTransformer()> make_transformer_;
     std::size_t large_; ///< bytes of a block that is worth another thread
     RunResult ending_;  ///< of the thread that writes
 
@@ -159,7 +184,7 @@ void Run::add_thread() {
 
 bool Run::can_read() const {
     return !reading_ && !all_read_ && jobs_.size() < most_ + spare_jobs && under_way_ < too_long &&
-           (jobs_.empty() || reader_.is_ready());
+           (jobs_.empty() || reader_->is_ready());
 }
 
 void Run::write_oldest(Lock& lock) {
@@ -170,7 +195,7 @@ void Run::write_oldest(Lock& lock) {
     lock.lock();
     writing_ = false;
     over_ = over_ || !goes_on;
-    under_way_ -= job.block.text.size();
+    under_way_ -= job.size();
     idle_.push_back(std::move(jobs_.front()));
     jobs_.pop_front();
     changed_.notify_one();
@@ -181,17 +206,17 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     auto made = idle_job();
     Job& job = *made;
     lock.unlock();
-    const bool goes_on = read(job);
+    const bool goes_on = reader_->read(job);
     lock.lock();
     all_read_ = !goes_on;
-    if (job.block.text.empty()) {
+    if (job.size() == 0 && job.output.bytes.size() == 0) {
         idle_.push_back(std::move(made));
         reading_ = false;
         return;
     }
     jobs_.push_back(std::move(made));
-    under_way_ += job.block.text.size();
-    const bool shared = job.block.text.size() >= large_;
+    under_way_ += job.size();
+    const bool shared = job.size() >= large_;
     if (shared) {
         reading_ = false;
         if (is_first) {
@@ -208,30 +233,18 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     }
 }
 
-bool Run::read(Job& job) {
-    const bool goes_on = reader_.read(job.block);
-    job.rest = job.block.text;
-    job.line = job.block.first_line;
-    job.output.clear();
-    job.done = false;
-    if (!has_layout_ && !job.rest.empty()) {
-        has_layout_ = header_reader_.read(job.rest, job.line, job.output);
-    }
-    if (header_reader_.error()) {
-        job.rest = {};
-        return false;
-    }
-    return goes_on;
-}
-
 void Run::convert(Job& job, Transformer& transformer) const {
-    if (job.rest.empty()) {
+    if (job.rest.empty() && job.pairs.rows.empty()) {
         return;
     }
     if (!transformer) {
-        transformer.emplace(*options_, header_reader_.layout());
+        transformer.emplace(make_transformer_());
     }
-    transformer->transform(job.rest, job.line, job.output);
+    if (job.pairs.rows.empty()) {
+        transformer->transform(job.rest, job.line, job.output);
+    } else {
+        transformer->transform(job.pairs, job.output);
+    }
 }
 
 void Run::end_run(std::exception_ptr exception) {
@@ -247,6 +260,10 @@ std::unique_ptr<Job> Run::idle_job() {
     }
     auto job = std::move(idle_.back());
     idle_.pop_back();
+    job->block.text = {};
+    job->pairs.clear();
+    job->output.clear();
+    job->done = false;
     return job;
 }
 
@@ -259,6 +276,7 @@ bool Run::hand_on(const Output& output) {
         return false;
     }
     std::ranges::for_each(output.events, *report_);
+    ending_.answered += output.answered;
     ending_.stopped = output.stopped;
     return !output.stopped;
 }
@@ -267,18 +285,28 @@ void Run::finish(Transformer& transformer) {
     Output output;
     if (transformer) {
         transformer->finish(output);
-    } else if (!has_layout_) {
-        header_reader_.finish(output, !header_reader_.error() && !reader_.error());
+    } else {
+        reader_->finish(output);
     }
     if (hand_on(output)) {
-        ending_.error = header_reader_.error() ? header_reader_.error() : reader_.error();
+        ending_.error = reader_->error();
     }
 }
 
 } // namespace
 
 RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report) {
-    return Run(source, sink, options, report)();
+    BlockReader reader(source, options);
+    return Run(reader, sink, options, report, [&] { return RowTransformer(options, reader.layout()); })();
+}
+
+RunResult run(Source& source, Source& reference, Sink& sink, const Options& options,
+              const std::function<void(const Event&)>& report) {
+    PairReader reader(source, reference, options, block_size(options));
+    RunResult result = Run(reader, sink, options, report,
+                           [&] { return RowTransformer(options, reader.layout(), &reader.reference_layout()); })();
+    result.unpaired = reader.unpaired();
+    return result;
 }
 
 } // namespace rotconv::stream

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 
 #include "event.hpp"
 #include "file.hpp"
+#include "job.hpp"
 #include "options.hpp"
 
 namespace rotconv::stream {
@@ -14,9 +17,16 @@ struct RunResult {
     bool reader_left = false; ///< the other end of the pipe was closed: not an error
     bool stopped = false;     ///< at a row error, which was reported
     std::optional<StreamError> error;
+    std::size_t answered = 0;           ///< rows that have a result
+    std::array<Unpaired, 2> unpaired{}; ///< of the stream, and of the reference
 };
 
 /// Converts a stream. Every row is written before anything is reported of it, and as soon as it has been read.
 RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report);
+
+/// The same of a stream whose rows are paired with those of a reference.
+/// @pre options.pairing
+RunResult run(Source& source, Source& reference, Sink& sink, const Options& options,
+              const std::function<void(const Event&)>& report);
 
 } // namespace rotconv::stream
