@@ -1,0 +1,194 @@
+// The angle between two attitudes of a row, against the oracle.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <rotconv/comparison.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
+
+using namespace rotconv;
+
+namespace {
+
+struct Compared {
+    std::vector<double> numbers;
+    std::vector<Report> reports;
+};
+
+Compared compare(const std::string& from, const std::string& reference, const std::vector<double>& row,
+                 ComparisonSettings settings = {}) {
+    settings.reading.tolerance = std::numeric_limits<double>::infinity();
+    const Comparison comparison(accuracy::spec(from), accuracy::spec(reference), settings);
+    Compared compared;
+    compared.numbers.resize(comparison.outputs());
+    comparison.run(row, compared.numbers, compared.reports);
+    return compared;
+}
+
+double angle(const std::string& from, const std::string& reference, const std::vector<double>& row) {
+    return compare(from, reference, row).numbers.front();
+}
+
+std::vector<double> joined(std::vector<double> row, const std::vector<double>& other) {
+    row.insert(row.end(), other.begin(), other.end());
+    return row;
+}
+
+double exact_angle(const oracle::Quaternion& a, const oracle::Quaternion& b) {
+    return oracle::error_in_eps(a, b) * oracle::eps;
+}
+
+const std::vector<std::string>& specs() {
+    static const std::vector<std::string> specs{"quat",       "quat:xyzw:passive", "dcm",        "dcm:col", "6d",
+                                                "5d:passive", "axis-angle",        "rotvec:deg", "cayley",  "mrp",
+                                                "euler:ZYX",  "euler:zxz:deg",     "rpy:passive"};
+    return specs;
+}
+
+} // namespace
+
+// Would catch: an arc cosine (wrong by 1e-8 near 0 and pi), a product in plain double, a convention of one side only.
+TEST_CASE("the angle between any two representations is right near 0, near pi and between") {
+    strata::Source source(41);
+    for (const auto& from : specs()) {
+        for (const auto& reference : specs()) {
+            double worst = 0.0;
+            for (int i = 0; i < 150; ++i) {
+                const oracle::Quaternion attitude = source.attitude();
+                const double apart = std::array{
+                    source.uniform(0, 3.14), std::pow(10, -source.uniform(0, 17)),
+                    3.14159265358979 - std::pow(10, -source.uniform(0, 17))}[static_cast<std::size_t>(i % 3)];
+                const auto numbers_of = [&](const std::string& text, const oracle::Quaternion& q) {
+                    const Spec spec = accuracy::spec(text);
+                    const bool chosen = spec.name == RepresentationId::euler || spec.name == RepresentationId::rpy;
+                    return chosen
+                               ? accuracy::own(accuracy::spec("quat"), spec)(oracle::numbers(accuracy::spec("quat"), q))
+                               : oracle::numbers(spec, q);
+                };
+                const auto a = numbers_of(from, attitude);
+                const auto b = numbers_of(reference, oracle::about(source.axis(), apart) * attitude);
+                if (!std::ranges::all_of(joined(a, b), [](double x) { return std::isfinite(x); })) {
+                    continue;
+                }
+                const double exact = exact_angle(oracle::attitude(accuracy::spec(from), a),
+                                                 oracle::attitude(accuracy::spec(reference), b));
+                worst = std::max(worst, std::fabs(angle(from, reference, joined(a, b)) - exact) / oracle::eps);
+            }
+            INFO(from << " and " << reference);
+            CHECK(worst <= 4.0);
+            CHECK(worst > 0.01);
+        }
+    }
+}
+
+// Would catch: quotients, norms or roots that are rounded for one of two equal attitudes.
+TEST_CASE("the same numbers, of either sign, are 0 apart") {
+    strata::Source source(42);
+    for (const auto& text : specs()) {
+        const Spec spec = accuracy::spec(text);
+        for (const auto& row : accuracy::inputs(accuracy::spec("quat"), spec, 20)) {
+            const auto numbers = accuracy::own(accuracy::spec("quat"), spec)(row);
+            if (std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); })) {
+                INFO(text << ' ' << row[0] << ' ' << row[1] << ' ' << row[2] << ' ' << row[3]);
+                CHECK(angle(text, text, joined(numbers, numbers)) == 0.0);
+            }
+        }
+    }
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<double> q;
+        for (int k = 0; k < 4; ++k) {
+            q.push_back(source.normal() * std::pow(2, source.integer(-1070, 1000)));
+        }
+        std::vector<double> minus = q;
+        std::ranges::for_each(minus, [](double& x) { x = -x; });
+        CHECK(angle("quat", "quat", joined(q, q)) == 0.0);
+        CHECK(angle("quat", "quat", joined(q, minus)) == 0.0);
+    }
+}
+
+// Would catch: a small angle that a square loses, or that a component near 1 swallows.
+TEST_CASE("quaternions near the identity give their angle in its own digits") {
+    for (const double tiny : {1e-8, 1e-17, 1e-100, 1e-150, 1e-160}) {
+        // 2 atan(|tiny - 3 tiny|), and across two axes
+        CHECK(angle("quat", "quat", {1, tiny, 0, 0, 1, 3 * tiny, 0, 0}) == Approx(4 * tiny).epsilon(1e-15).margin(0));
+        CHECK(angle("quat", "quat", {1, 3 * tiny, 0, 0, -1, 0, 0, 4 * tiny}) ==
+              Approx(10 * tiny).epsilon(1e-15).margin(0));
+        CHECK(angle("quat", "rotvec", {1, 0, 0, 0, 0, tiny, 0}) == Approx(tiny).epsilon(1e-15).margin(0));
+    }
+}
+
+// Would catch: two triples of one locked attitude that are told apart, a quaternion and its matrix.
+TEST_CASE("one attitude in other numbers is at most 4 eps apart") {
+    strata::Source source(43);
+    for (int i = 0; i < 500; ++i) {
+        const double first = source.uniform(-180, 180);
+        const double third = source.uniform(-180, 180);
+        const double given = std::round(first) - std::round(third);
+        CHECK(angle("euler:ZYX:deg", "euler:ZYX:deg", {std::round(first), 90, std::round(third), given, 90, 0}) <=
+              4 * oracle::eps);
+        const auto q = oracle::numbers(accuracy::spec("quat"), source.attitude());
+        const auto m = oracle::numbers(accuracy::spec("dcm"), oracle::attitude(accuracy::spec("quat"), q));
+        CHECK(angle("quat", "dcm", joined(q, m)) <= 4 * oracle::eps);
+    }
+}
+
+// Would catch: the inverse, the wrong side, a sign, -0, or the axes of the other frame.
+TEST_CASE("the relative attitude is that in the axes asked for") {
+    // R turns x to y and y to z, R_REF by 90 degrees about z: R_REF' R turns by 120 degrees less those.
+    const std::vector<double> row{0.5, 0.5, 0.5, 0.5, 1, 0, 0, 1};
+    const auto relative = [&](const std::string& as, Frame frame) {
+        auto numbers = compare("quat", "quat", row, {.relative = accuracy::spec(as), .frame = frame}).numbers;
+        numbers.erase(numbers.begin());
+        return numbers;
+    };
+    // conj(r) q = (1 - k)/sqrt(2) (1 + i + j + k)/2 = (1 + i)/sqrt(2); q conj(r) = (1 + j)/sqrt(2)
+    CHECK(relative("rotvec:deg", Frame::body) == std::vector<double>{90, 0, 0});
+    CHECK(relative("rotvec:deg", Frame::reference) == std::vector<double>{0, 90, 0});
+    CHECK(relative("rotvec:deg:passive", Frame::body) == std::vector<double>{-90, 0, 0});
+    CHECK(relative("dcm:col", Frame::body) == std::vector<double>{1, 0, 0, 0, 0, 1, 0, -1, 0});
+    CHECK(relative("quat:xyzw", Frame::reference)[1] == Approx(std::sqrt(0.5)).epsilon(1e-15));
+    strata::Source source(44);
+    for (int i = 0; i < 200; ++i) {
+        const auto quat = accuracy::spec("quat");
+        const auto a = oracle::numbers(quat, source.attitude());
+        const auto b = oracle::numbers(quat, source.attitude());
+        for (const Frame frame : {Frame::body, Frame::reference}) {
+            const auto got = compare("quat", "quat", joined(a, b), {.relative = quat, .frame = frame}).numbers;
+            const auto p = oracle::attitude(quat, a);
+            const auto r = oracle::attitude(quat, b);
+            const auto exact = frame == Frame::body ? r.conjugate() * p : p * r.conjugate();
+            CHECK(oracle::error_in_eps(oracle::attitude(quat, std::span(got).subspan(1)), exact) <= 3.0);
+        }
+    }
+}
+
+// Would catch: an angle at the limit that is told, one above that is not, an error of the wrong attitude.
+TEST_CASE("what there is to tell of a comparison") {
+    const auto within = [](double limit) {
+        return compare("rotvec", "rotvec", {0, 0, 0.25, 0, 0, 0}, {.within = limit}).reports;
+    };
+    CHECK(within(0.25).empty());
+    REQUIRE(within(0.2499).size() == 1);
+    CHECK(within(0.2499)[0].diagnostics.has(DiagnosticKind::beyond));
+    CHECK(within(0.2499)[0].deviation == 0.25);
+    const auto first = compare("quat", "dcm", {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+    REQUIRE(first.reports.size() == 1);
+    CHECK((first.reports[0].error == Error::zero_quaternion && !first.reports[0].of_reference));
+    const auto second = compare("quat", "dcm", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1});
+    REQUIRE(second.reports.size() == 1);
+    CHECK((second.reports[0].error == Error::not_proper && second.reports[0].of_reference));
+    CHECK(std::isnan(second.numbers[0]));
+    const Comparison strict(accuracy::spec("quat"), accuracy::spec("quat"));
+    std::vector<Report> reports;
+    std::array<double, 1> out{};
+    strict.run(std::vector<double>{1, 0, 0, 0, 1.0005, 0, 0, 0}, out, reports);
+    REQUIRE(reports.size() == 1);
+    CHECK(reports[0].diagnostics.has(DiagnosticKind::normalized));
+    CHECK(reports[0].defect == Approx(0.0005));
+}
