@@ -36,65 +36,34 @@ inline RowMajor cross_matrix(const double* v) noexcept {
     return cross;
 }
 
+// Types of functions: `Formula a, b;` declares two.
+using Formula = void(const double* in, double* out) noexcept;
+using EulerFormula = void(EulerSequence sequence, const double* in, double* out) noexcept;
+
 namespace dcm_to_quat {
-void trace(const double* m, double* q) noexcept;
-void baruh(const double* m, double* q) noexcept;
-void four_roots(const double* m, double* q) noexcept;
-void klumpp(const double* m, double* q) noexcept;
-void shepperd(const double* m, double* q) noexcept;
-void markley(const double* m, double* q) noexcept;
-void cayley(const double* m, double* q) noexcept;
-void sarabandi_thomas(const double* m, double* q) noexcept;
-void bar_itzhack(const double* m, double* q) noexcept;
-void svd(const double* m, double* q) noexcept;
-void polar(const double* m, double* q) noexcept;
-void compensated(const double* m, double* q) noexcept;
-} // namespace dcm_to_quat
-
+Formula trace, baruh, four_roots, klumpp, shepperd, markley, cayley, sarabandi_thomas, bar_itzhack, svd, polar,
+    compensated;
+}
 namespace dcm_to_rotvec {
-void acos(const double* m, double* r) noexcept;
-void atan2(const double* m, double* r) noexcept;
-void polynomial(const double* m, double* r) noexcept;
-void quaternion(const double* m, double* r) noexcept;
-void compensated(const double* m, double* r) noexcept;
-} // namespace dcm_to_rotvec
-
+Formula acos, atan2, polynomial, quaternion, compensated;
+}
 namespace dcm_to_cayley {
-void lu(const double* m, double* c) noexcept;
-void polynomial(const double* m, double* c) noexcept;
-void quaternion(const double* m, double* c) noexcept;
-} // namespace dcm_to_cayley
-
+Formula lu, polynomial, quaternion;
+}
 namespace quat_to_dcm {
-void unit(const double* q, double* m) noexcept;
-void two_over_norm(const double* q, double* m) noexcept;
-void homogeneous(const double* q, double* m) noexcept;
-void normalise_first(const double* q, double* m) noexcept;
-} // namespace quat_to_dcm
-
+Formula unit, two_over_norm, homogeneous, normalise_first;
+}
 namespace quat_to_rotvec {
-void acos(const double* q, double* r) noexcept;
-void atan2(const double* q, double* r) noexcept;
-void compensated(const double* q, double* r) noexcept;
-} // namespace quat_to_rotvec
-
+Formula acos, atan2, compensated;
+}
 namespace quat_to_euler {
-void classic(EulerSequence sequence, const double* q, double* angles) noexcept;
-void matrix_threshold(EulerSequence sequence, const double* q, double* angles) noexcept;
-void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) noexcept;
-void bernardes_atan2(EulerSequence sequence, const double* q, double* angles) noexcept;
-} // namespace quat_to_euler
-
+EulerFormula classic, matrix_threshold, bernardes_arccos, bernardes_atan2;
+}
 namespace rotvec_to_dcm {
-void rodrigues(const double* r, double* m) noexcept;
-void half_angle(const double* r, double* m) noexcept;
-void quaternion(const double* r, double* m) noexcept;
-void compensated(const double* r, double* m) noexcept;
-} // namespace rotvec_to_dcm
-
+Formula rodrigues, half_angle, quaternion, compensated;
+}
 namespace cayley_to_dcm {
-void inverse(const double* c, double* m) noexcept;
-void closed(const double* c, double* m) noexcept;
-} // namespace cayley_to_dcm
+Formula inverse, closed;
+}
 
 } // namespace rotconv::formula
