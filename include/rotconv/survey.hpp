@@ -1,11 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include <rotconv/rotation.hpp>
 #include <rotconv/spec.hpp>
 
 namespace rotconv {
@@ -54,13 +56,13 @@ public:
 private:
     /// One set at the latest row.
     struct State {
-        std::array<double, 9> numbers{};
+        Eigen::Matrix<double, 9, 1> numbers = Eigen::Matrix<double, 9, 1>::Zero();
         double condition = 0.0;
     };
 
     std::vector<SetSurvey> sets_;
     std::vector<State> states_;
-    Rotation latest_;
+    Eigen::Vector4d latest_ = Eigen::Vector4d::UnitX(); ///< w, x, y, z
     std::size_t rows_ = 0;
 };
 

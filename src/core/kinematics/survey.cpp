@@ -10,74 +10,51 @@
 namespace rotconv {
 namespace {
 
-using Numbers = std::array<double, 9>;
-
 /// A change of parameters that may be a jump: each one has at least the size 2 (a switch to the shadow, a new sign).
 constexpr double least_jump = 1.0;
 /// A greater condition explains no more: the arcs that it would need are rounding.
 constexpr double greatest_explanation = 1e15;
 
-Rotation unit(const Rotation& rotation) noexcept {
-    const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
-    return Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
-}
+using Numbers = Eigen::Matrix<double, 9, 1>;
+using Unit = Eigen::Vector4d; ///< a unit quaternion
 
-Numbers numbers_of(const Spec& set, const Rotation& rotation) noexcept {
-    Numbers numbers{};
-    codec_of(set.name).write_row(set, rotation, numbers.data());
+Rotation rotation_of(const Unit& q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
+
+Numbers numbers_of(const Spec& set, const Unit& q) noexcept {
+    Numbers numbers = Numbers::Zero();
+    codec_of(set.name).write_row(set, rotation_of(q), numbers.data());
     return numbers;
 }
 
-double distance(const Numbers& a, const Numbers& b) noexcept {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        sum += (a[i] - b[i]) * (a[i] - b[i]);
-    }
-    return std::sqrt(sum);
-}
+double length_of(const Unit& q) noexcept { return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); }
 
 /// The shortest rotation between two unit quaternions.
 struct Arc {
-    Rotation from;
-    Rotation to;
+    Unit from;
+    Unit to;
 
     /// Of both signs of the second quaternion the one that makes the arc short.
-    Arc(const Rotation& a, const Rotation& b) noexcept : from(a), to(b) {
-        if ((a.w() * b.w() + a.x() * b.x()) + (a.y() * b.y() + a.z() * b.z()) < 0.0) {
-            to = Rotation::near_unit(-b.w(), -b.x(), -b.y(), -b.z());
-        }
-    }
+    Arc(const Unit& a, const Unit& b) noexcept
+        : from(a), to((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]) < 0.0 ? Unit(-b) : b) {}
 
     /// The rotation angle, from the chord 2 sin(angle/4).
-    [[nodiscard]] double angle() const noexcept {
-        const double chord = std::hypot(std::hypot(to.w() - from.w(), to.x() - from.x()),
-                                        std::hypot(to.y() - from.y(), to.z() - from.z()));
-        return 4.0 * std::asin(std::min(chord / 2.0, 1.0));
-    }
-
-    [[nodiscard]] Rotation middle() const noexcept {
-        const double w = from.w() + to.w();
-        const double x = from.x() + to.x();
-        const double y = from.y() + to.y();
-        const double z = from.z() + to.z();
-        const double norm = std::hypot(std::hypot(w, x), std::hypot(y, z));
-        return Rotation::near_unit(w / norm, x / norm, y / norm, z / norm);
-    }
+    [[nodiscard]] double angle() const noexcept { return 4.0 * std::asin(std::min(0.5 * length_of(to - from), 1.0)); }
+    [[nodiscard]] Unit middle() const noexcept { return (from + to) / length_of(from + to); }
 };
 
 /// As Survey says: halves the arc, keeping the half with the larger step.
 bool has_jump(const Spec& set, Arc arc, Numbers from, Numbers to, double condition) noexcept {
     condition = std::min(condition, greatest_explanation);
     double angle = arc.angle();
-    double step = distance(from, to);
+    double step = (to - from).norm();
     while (step > least_jump) {
         if (step > 2.0 * condition * angle) {
             return true;
         }
-        const Rotation middle = arc.middle();
+        const Unit middle = arc.middle();
         const Numbers half = numbers_of(set, middle);
-        const double first = distance(from, half);
-        const double second = distance(half, to);
+        const double first = (half - from).norm();
+        const double second = (to - half).norm();
         if (first >= second) {
             arc = {arc.from, middle};
             to = half;
@@ -109,10 +86,11 @@ Survey::Survey() {
 }
 
 void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
-    const Rotation now = unit(rotation);
+    const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
+    const Unit now(q.w(), q.x(), q.y(), q.z());
     for (std::size_t i = 0; i < sets_.size(); ++i) {
         SetSurvey& survey = sets_[i];
-        const Sensitivity sensitivity = codec_of(survey.set.name).sensitivity(survey.set, now);
+        const Sensitivity sensitivity = codec_of(survey.set.name).sensitivity(survey.set, rotation_of(now));
         const State state{numbers_of(survey.set, now), sensitivity.condition};
         if (rows_ == 0 || sensitivity.margin < survey.least_margin) {
             survey.least_margin = sensitivity.margin;
