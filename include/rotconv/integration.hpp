@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -35,7 +34,6 @@ struct IntegratorEntry {
 
 [[nodiscard]] std::span<const IntegratorEntry> integrators() noexcept;
 [[nodiscard]] const IntegratorEntry& entry_of(Integrator integrator) noexcept;
-[[nodiscard]] std::optional<Integrator> find_integrator(std::string_view text) noexcept;
 /// rk4 goes with every set that has rates, exponential steps with the quaternion.
 [[nodiscard]] bool can_integrate(RepresentationId set, Integrator integrator) noexcept;
 
@@ -79,9 +77,7 @@ private:
     using Numbers = Eigen::Matrix<double, 9, 1>; // unused ones are 0
 
     void runge_kutta(double h, std::span<const Eigen::Vector3d> rates) noexcept;
-    template <int Size> void runge_kutta(double h, std::span<const Eigen::Vector3d> rates) noexcept;
     void turn_by(const Eigen::Vector3d& turn) noexcept;
-    [[nodiscard]] double distance_to_singularity() const noexcept;
     Error renormalise() noexcept;
 
     Spec set_;

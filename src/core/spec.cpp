@@ -1,9 +1,7 @@
 #include <rotconv/spec.hpp>
 
 #include <algorithm>
-#include <functional>
 
-#include "enum_table.hpp"
 #include "representations/codec.hpp"
 
 namespace rotconv {
@@ -22,21 +20,11 @@ constexpr auto preset_table = std::to_array<Preset>({
     {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
 });
 
-void apply(Modifier modifier, Spec& spec) noexcept {
-    switch (modifier) {
-    case Modifier::passive: spec.passive = true; break;
-    case Modifier::deg: spec.unit = AngleUnit::degrees; break;
-    case Modifier::col: spec.column_major = true; break;
-    case Modifier::xyzw: spec.scalar_last = true; break;
-    }
-}
-
 void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
-    for (const Modifier modifier : all_modifiers) {
-        if (modifiers.has(modifier)) {
-            apply(modifier, spec);
-        }
-    }
+    spec.passive = spec.passive || modifiers.has(Modifier::passive);
+    spec.unit = modifiers.has(Modifier::deg) ? AngleUnit::degrees : spec.unit;
+    spec.column_major = spec.column_major || modifiers.has(Modifier::col);
+    spec.scalar_last = spec.scalar_last || modifiers.has(Modifier::xyzw);
 }
 
 /// Cuts the text up to the next colon off `rest`.
@@ -70,7 +58,7 @@ ModifierSet modifiers_of(std::string_view preset, const Representation& entry) n
 
 std::string_view name_of(Modifier modifier) noexcept {
     static constexpr std::array<std::string_view, all_modifiers.size()> names{"passive", "deg", "col", "xyzw"};
-    static_assert(is_indexed(all_modifiers, names.size(), std::identity()) && !names.back().empty());
+    static_assert(!names.back().empty());
     return names[static_cast<std::size_t>(modifier)];
 }
 
@@ -138,7 +126,7 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
         if (!found->modifiers.has(*modifier)) {
             return SpecError{What::meaningless_modifier, std::string(part), found};
         }
-        apply(*modifier, spec);
+        apply({*modifier}, spec);
     }
     return spec;
 }

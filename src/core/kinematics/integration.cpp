@@ -9,7 +9,6 @@
 
 #include <rotconv/rates.hpp>
 
-#include "../enum_table.hpp"
 #include "../representations/codec.hpp"
 
 namespace rotconv {
@@ -26,7 +25,6 @@ constexpr std::array<IntegratorEntry, 3> table{{
     {Integrator::magnus4, "magnus4", 4, 2, 2, {0.5 - root3 / 6.0, 0.5 + root3 / 6.0, 0.0}, true},
     {Integrator::magnus6, "magnus6", 6, 3, 3, {0.5 - root15 / 10.0, 0.5, 0.5 + root15 / 10.0}, true},
 }};
-static_assert(is_indexed(table, static_cast<std::size_t>(Integrator::magnus6) + 1, &IntegratorEntry::integrator));
 
 /// The commutator of [a]_x and [b]_x as a vector, reversed: the published series are for Ydot = A Y, and here
 /// Rdot = R [w]_x.
@@ -68,11 +66,8 @@ double greatest_rate(Integrator integrator, std::span<const Vector3d> w) noexcep
 
 std::span<const IntegratorEntry> integrators() noexcept { return table; }
 
-const IntegratorEntry& entry_of(Integrator integrator) noexcept { return table[static_cast<std::size_t>(integrator)]; }
-
-std::optional<Integrator> find_integrator(std::string_view text) noexcept {
-    const auto* const found = std::ranges::find(table, text, &IntegratorEntry::text);
-    return found == table.end() ? std::nullopt : std::optional(found->integrator);
+const IntegratorEntry& entry_of(Integrator integrator) noexcept {
+    return *std::ranges::find(table, integrator, &IntegratorEntry::integrator);
 }
 
 bool can_integrate(RepresentationId set, Integrator integrator) noexcept {
@@ -104,11 +99,12 @@ Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     if (error_ != Error::none) {
         return error_;
     }
+    const Codec& codec = codec_of(set_.name);
     const double reach = std::fabs(h) * greatest_rate(integrator_, rates);
-    if (!(reach <= pi && reach < codec_of(set_.name).greatest_distance)) {
+    if (!(reach <= pi && reach < codec.greatest_distance)) {
         return error_ = Error::coarse_step;
     }
-    const double distance = distance_to_singularity();
+    const double distance = codec.distance(set_, numbers_.data());
     if (distance <= reach) {
         return error_ = Error::singular;
     }
@@ -118,44 +114,32 @@ Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     case Integrator::magnus4: turn_by(magnus4(h, rates)); break;
     case Integrator::magnus6: turn_by(magnus6(h, rates)); break;
     }
-    if (auto* const switch_chart = codec_of(set_.name).switch_chart; switch_chart != nullptr) {
-        switch_chart(numbers_.data());
+    if (codec.switch_chart != nullptr) {
+        codec.switch_chart(numbers_.data());
     }
     if (!numbers_.allFinite()) {
         return error_ = Error::not_finite;
     }
-    if (!(distance_to_singularity() > 0.0)) {
+    if (!(codec.distance(set_, numbers_.data()) > 0.0)) {
         return error_ = Error::singular;
     }
     return error_ = renormalised_ ? renormalise() : Error::none;
 }
 
 void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
-    switch (set_.size()) {
-    case 9: return runge_kutta<9>(h, rates);
-    case 6: return runge_kutta<6>(h, rates);
-    case 5: return runge_kutta<5>(h, rates);
-    case 4: return runge_kutta<4>(h, rates);
-    default: return runge_kutta<3>(h, rates);
-    }
-}
-
-template <int Size> void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
-    using State = Eigen::Matrix<double, Size, 1>;
     const auto equation = codec_of(set_.name).rate;
     const Frame frame = set_.passive ? Frame::reference : Frame::body;
     const double sign = set_.passive ? -1.0 : 1.0;
-    const auto rate = [&](const State& state, const Vector3d& w) {
-        State result;
-        equation(set_, state.data(), sign * w, frame, result.data());
+    const auto rate = [&](const Numbers& numbers, const Vector3d& w) {
+        Numbers result = Numbers::Zero();
+        equation(set_, numbers.data(), sign * w, frame, result.data());
         return result;
     };
-    const State start = numbers_.head<Size>();
-    const State first = rate(start, rates[0]);
-    const State second = rate(start + (0.5 * h) * first, rates[1]);
-    const State third = rate(start + (0.5 * h) * second, rates[1]);
-    const State fourth = rate(start + h * third, rates[2]);
-    numbers_.head<Size>() = start + (h / 6.0) * ((first + fourth) + 2.0 * (second + third));
+    const Numbers first = rate(numbers_, rates[0]);
+    const Numbers second = rate(numbers_ + (0.5 * h) * first, rates[1]);
+    const Numbers third = rate(numbers_ + (0.5 * h) * second, rates[1]);
+    const Numbers fourth = rate(numbers_ + h * third, rates[2]);
+    numbers_ += (h / 6.0) * ((first + fourth) + 2.0 * (second + third));
 }
 
 void Stepper::turn_by(const Vector3d& turn) noexcept {
@@ -167,8 +151,6 @@ void Stepper::turn_by(const Vector3d& turn) noexcept {
     numbers_[0] = kept_w * w - kept.dot(v);
     numbers_.segment<3>(1) = kept_w * v + w * kept + kept.cross(v);
 }
-
-double Stepper::distance_to_singularity() const noexcept { return codec_of(set_.name).distance(set_, numbers_.data()); }
 
 Error Stepper::renormalise() noexcept {
     const Codec& codec = codec_of(set_.name);
