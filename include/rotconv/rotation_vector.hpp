@@ -29,11 +29,6 @@ namespace rotation_vector {
 /// Margin pi - theta, condition (theta/2)/sin(theta/2), between 1 and pi/2.
 [[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
-/// Those of numbers that may be past a half-turn, and of the rotation that they were read as: there the margin is the
-/// distance to the nearest full turn, 0 where a length in radians (eps |r|) does not tell it from one, and the
-/// condition (theta/2)/|sin(theta/2)|.
-[[nodiscard]] Sensitivity sensitivity(const RotationVector& value, const Rotation& rotation) noexcept;
-
 /// The rate of the vector, in its unit a second: g w + r x w/2 + (1 - g) n (n.w), the cross product negative in
 /// reference axes, with g = (theta/2) cot(theta/2), n = r/theta. This is Stuelpnagel's equation of section 6 with the
 /// sign of its second term mended (in print it solves Xdot = X Omega), for the inverse; also Bortz (1971). Regular for

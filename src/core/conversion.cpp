@@ -10,18 +10,6 @@
 namespace rotconv {
 namespace {
 
-/// Takes rows of so many numbers to the order in which they are written, in place.
-template <std::size_t size> void to_written_order(const Spec& spec, double* numbers, std::size_t rows) noexcept {
-    const auto order = spec.order();
-    for (std::size_t row = 0; row < rows; ++row, numbers += size) {
-        std::array<double, size> own; // NOLINT(*-member-init)
-        std::copy_n(numbers, size, own.begin());
-        for (std::size_t i = 0; i < size; ++i) {
-            numbers[i] = own[order[i]];
-        }
-    }
-}
-
 /// Sets -0 to 0.
 ROTCONV_TARGET_CLONES
 void drop_minus_zero(double* numbers, std::size_t count) noexcept {
@@ -68,13 +56,15 @@ void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows
     if (from_.passive != to_.passive) {
         readings.invert(rows);
     }
-    std::array<DiagnosticSet, batch_rows> diagnostics; // NOLINT(*-member-init)
-    out_codec_->write(to_, settings_.lock_margin, readings, rows, out, diagnostics.data());
+    std::array<DiagnosticSet, batch_rows> diagnostics;
     const std::size_t width = to_.size();
-    drop_minus_zero(out, rows * width);
-    const auto order = to_.order();
-    if (!std::ranges::is_sorted(order)) {
-        (to_.size() == 4 ? to_written_order<4> : to_written_order<9>)(to_, out, rows); // a quaternion or a matrix
+    if (to_.is_reordered()) {
+        std::array<double, batch_rows * most_numbers> numbers; // NOLINT(*-member-init)
+        out_codec_->write(to_, settings_.lock_margin, readings, rows, numbers.data(), diagnostics.data());
+        to_written_order(to_, numbers.data(), rows, out);
+    } else {
+        out_codec_->write(to_, settings_.lock_margin, readings, rows, out, diagnostics.data());
+        drop_minus_zero(out, rows * width);
     }
     const double largest_defect = settings_.sensitivity ? -1.0 : std::min(settings_.tolerance, reported_defect);
     if (!any_remarkable(readings, diagnostics.data(), rows, largest_defect)) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -17,13 +16,8 @@ public:
     // NOLINTNEXTLINE(*-member-init): written before they are read
     ReadBatch(const Spec& spec, const double* in, std::size_t rows) noexcept
         : codec_(&codec_of(spec.name)), own_(in), size_(spec.size()) {
-        const auto order = spec.order();
-        if (!std::ranges::is_sorted(order)) {
-            for (std::size_t i = 0; i < rows * size_; i += size_) {
-                for (std::size_t k = 0; k < size_; ++k) {
-                    own_order_[i + order[k]] = in[i + k];
-                }
-            }
+        if (spec.is_reordered()) {
+            to_own_order(spec, in, rows, own_order_.data());
             own_ = own_order_.data();
         }
         codec_->read(spec, own_, rows, *this);

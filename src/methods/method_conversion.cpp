@@ -67,12 +67,7 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
 
     // What the methods do not know of is done to the numbers: order, the inverse, and degrees.
     std::array<double, batch_rows * most_numbers> numbers; // NOLINT(*-member-init): written before it is read
-    const auto in_order = from().order();
-    for (std::size_t i = 0; i < rows * in_size; i += in_size) {
-        for (std::size_t k = 0; k < in_size; ++k) {
-            numbers[i + in_order[k]] = in[i + k];
-        }
-    }
+    to_own_order(from(), in, rows, numbers.data());
     Readings attitudes; // NOLINT(*-member-init)
     codec_of(from().name).read(from(), numbers.data(), rows, attitudes);
     if (inverse) {
@@ -92,7 +87,6 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
     Readings answered; // NOLINT(*-member-init)
     codec_of(to().name).read(to(), answers.data(), rows, answered);
 
-    const auto out_order = to().order();
     for (std::size_t i = 0; i < rows; ++i) {
         Report report{.row = first + i};
         const bool reported = !own.empty() && own.front().row == report.row;
@@ -117,9 +111,7 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
         if (to().name == RepresentationId::quat) {
             make_sign_canonical(answer);
         }
-        for (std::size_t k = 0; k < out_size; ++k) {
-            out[i * out_size + k] = answer[out_order[k]] + 0.0; // -0 becomes 0
-        }
+        to_written_order(to(), answer, 1, out + i * out_size);
     }
 }
 

@@ -57,14 +57,10 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
     if (!all_finite(in, in_size())) {
         return {.error = Error::not_finite};
     }
-    const auto order = spec_.order();
-    const std::size_t size = spec_.size();
     Numbers numbers{};
     Numbers rates{};
-    for (std::size_t i = 0; i < size; ++i) {
-        numbers[order[i]] = in[i];
-        rates[order[i]] = settings_.inverse ? in[size + i] : 0.0;
-    }
+    to_own_order(spec_, in, 1, numbers.data());
+    const double* const given = in + spec_.size(); // rates, or an angular velocity
 
     const Codec& codec = codec_of(spec_.name);
     const Reading reading = codec.read_row(spec_, numbers.data());
@@ -95,17 +91,14 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
 
     const double radians = settings_.degrees ? radians_per_degree : 1.0;
     if (settings_.inverse) {
+        to_own_order(spec_, given, 1, rates.data());
         const Vector3d w = codec.angular_velocity(spec_, numbers.data(), rates.data(), frame);
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            out[i] = sign * w[i] / radians + 0.0; // -0 becomes 0
-        }
+        Eigen::Map<Eigen::Array3d>{out} = sign * w.array() / radians + 0.0; // -0 becomes 0
         return report;
     }
-    const Vector3d w = (sign * radians) * Vector3d(in[size], in[size + 1], in[size + 2]);
+    const Vector3d w = (sign * radians) * Vector3d(given);
     codec.rate(spec_, numbers.data(), w, frame, rates.data());
-    for (std::size_t i = 0; i < size; ++i) {
-        out[i] = rates[order[i]] + 0.0;
-    }
+    to_written_order(spec_, rates.data(), 1, out);
     return report;
 }
 

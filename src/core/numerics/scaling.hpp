@@ -21,22 +21,21 @@ public:
     static PowerOfTwo to_unit(double magnitude) noexcept {
         const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52U);
         if (biased > 0 && biased < 2045) { // the usual case: one normal factor
-            return {power(1022 - biased), 1.0, power(biased - 1022), 1.0, 1022 - biased};
+            return {power(1022 - biased), 1.0, power(biased - 1022), 1.0};
         }
         int exponent = 0;
         std::frexp(magnitude, &exponent);
         const int half = -exponent / 2;
         const int other = -exponent - half;
-        return {power(half), power(other), power(-half), power(-other), -exponent};
+        return {power(half), power(other), power(-half), power(-other)};
     }
 
     [[nodiscard]] double operator()(double value) const noexcept { return (value * first_) * second_; }
     [[nodiscard]] double undone(double value) const noexcept { return (value * first_back_) * second_back_; }
-    [[nodiscard]] int exponent() const noexcept { return exponent_; }
 
 private:
-    PowerOfTwo(double first, double second, double first_back, double second_back, int exponent) noexcept
-        : first_(first), second_(second), first_back_(first_back), second_back_(second_back), exponent_(exponent) {}
+    PowerOfTwo(double first, double second, double first_back, double second_back) noexcept
+        : first_(first), second_(second), first_back_(first_back), second_back_(second_back) {}
 
     /// 2^exponent, for a normal result.
     static double power(int exponent) noexcept {
@@ -47,7 +46,6 @@ private:
     double second_;
     double first_back_;
     double second_back_;
-    int exponent_;
 };
 
 } // namespace rotconv

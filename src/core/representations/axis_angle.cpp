@@ -6,7 +6,6 @@
 
 #include "../numerics/angles.hpp"
 #include "../numerics/double_double.hpp"
-#include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
 #include "../numerics/trigonometry.hpp"
 #include "axis_half_angle.hpp"
@@ -38,9 +37,8 @@ ROTCONV_TARGET_CLONES void write(const Spec& spec, double /*lock_margin*/, const
         }
         const double length = rotations.at(i).vector_length();
         diagnostics[i] |= {DiagnosticKind::identity_axis, length == 0.0};
-        numbers[4 * i] = length == 0.0 ? 1.0 : parts.x[i] / length;
-        numbers[4 * i + 1] = length == 0.0 ? 0.0 : parts.y[i] / length;
-        numbers[4 * i + 2] = length == 0.0 ? 0.0 : parts.z[i] / length;
+        Eigen::Map<Eigen::Vector3d>{numbers + 4 * i} =
+            length == 0.0 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d(parts.vector(i) / length);
         numbers[4 * i + 3] = length / parts.half.x[i] * (2.0 * units_per_radian(unit));
     }
 }
@@ -48,7 +46,7 @@ ROTCONV_TARGET_CLONES void write(const Spec& spec, double /*lock_margin*/, const
 } // namespace
 
 Reading to_rotation(const AxisAngle& value) noexcept {
-    if (!all_finite(value.axis.x(), value.axis.y(), value.axis.z(), value.angle)) {
+    if (!value.axis.allFinite() || !std::isfinite(value.angle)) {
         return Error::not_finite;
     }
     const HalfAngle half = half_of(value.angle, value.unit);
@@ -64,8 +62,7 @@ Reading to_rotation(const AxisAngle& value) noexcept {
 
 AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     std::array<double, 4> numbers{};
-    DiagnosticSet diagnostics;
-    write({.unit = unit}, 0.0, OneRotation(rotation), 1, numbers.data(), &diagnostics);
+    codecs::axis_angle.write_row({.unit = unit}, rotation, numbers.data());
     return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
 }
 
@@ -80,9 +77,7 @@ Sensitivity sensitivity(const Rotation& rotation) noexcept {
 namespace rotconv {
 namespace {
 
-Reading read(const Spec& spec, const double* v) noexcept {
-    return axis_angle::to_rotation({{v[0], v[1], v[2]}, v[3], spec.unit});
-}
+AxisAngle value_of(const Spec& spec, const double* v) noexcept { return {{v[0], v[1], v[2]}, v[3], spec.unit}; }
 
 } // namespace
 
@@ -99,8 +94,8 @@ constinit const Codec codecs::axis_angle{
                        .singular = "identity, half-turn",
                        .singular_attitude = "a half-turn",
                        .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"},
-    .read = read_each<4, read>,
+    .read = read_each<Eigen::Vector4d, axis_angle::to_rotation, value_of>,
     .write = axis_angle::write,
-    .sensitivity = sensitivity_plain<axis_angle::sensitivity>};
+    .sensitivity = sensitivity_of<axis_angle::sensitivity>};
 
 } // namespace rotconv

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include <Eigen/Core>
+
 #include "../numerics/angles.hpp"
 #include "../numerics/double_double.hpp"
 #include "rotation_batch.hpp"
@@ -16,6 +18,7 @@ struct AxisHalfAngles {
     BatchColumn length_low; ///< what the length was rounded by
     BatchColumn inverse;    ///< 1/length, rounded
 
+    [[nodiscard]] Eigen::Vector3d vector(std::size_t row) const noexcept { return {x[row], y[row], z[row]}; }
     [[nodiscard]] Root length(std::size_t row) const noexcept { return {half.y[row], length_low[row], inverse[row]}; }
 };
 

@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include "../numerics/finite.hpp"
 #include "codec.hpp"
 #include "half_turn.hpp"
 
@@ -26,7 +25,7 @@ ROTCONV_TARGET_CLONES void write(const Spec& /*spec*/, double /*lock_margin*/, c
     }
     for (std::size_t i = 0; i < rows; ++i) {
         double* const c = numbers + 3 * i;
-        const bool finite = all_finite(c[0], c[1], c[2]);
+        const bool finite = Eigen::Map<const Eigen::Vector3d>(c).allFinite();
         diagnostics[i] = {DiagnosticKind::infinite, !finite};
         if (!finite) {
             const Rotation q = rotations.at(i).canonical();
@@ -41,8 +40,7 @@ ROTCONV_TARGET_CLONES void write(const Spec& /*spec*/, double /*lock_margin*/, c
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     Eigen::Vector3d c;
-    DiagnosticSet diagnostics;
-    write(plain_spec, 0.0, OneRotation(rotation), 1, c.data(), &diagnostics);
+    codecs::cayley.write_row({}, rotation, c.data());
     return c;
 }
 
@@ -68,8 +66,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr auto own_presets = std::to_array<PresetMeaning>(
-    {{"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}, {"stuelpnagel", {Modifier::passive}}});
+constexpr auto own_presets =
+    std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}, {"stuelpnagel", passive}});
 
 double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
     return 2.0 * std::atan2(1.0, Eigen::Map<const Vector3d>(c).norm());
@@ -88,11 +86,11 @@ constinit const Codec codecs::cayley{.representation = {.name = RepresentationId
                                                         .singular = "half-turn",
                                                         .singular_attitude = "a half-turn",
                                                         .formula = "tan(theta/2) n; R = (I + [c])(I - [c])^-1"},
-                                     .read = read_each<3, read_plain<Vector3d, cayley::to_rotation>>,
+                                     .read = read_each<Vector3d, cayley::to_rotation>,
                                      .write = cayley::write,
-                                     .sensitivity = sensitivity_plain<cayley::sensitivity>,
-                                     .rate = rate_plain<Vector3d, cayley::rate>,
-                                     .angular_velocity = angular_velocity_plain<Vector3d, cayley::angular_velocity>,
+                                     .sensitivity = sensitivity_of<cayley::sensitivity>,
+                                     .rate = rate_of<Vector3d, cayley::rate>,
+                                     .angular_velocity = angular_velocity_of<Vector3d, cayley::angular_velocity>,
                                      .greatest_distance = std::numbers::pi,
                                      .distance_to_singularity = distance_to_half_turn};
 

@@ -23,7 +23,7 @@ struct Codec {
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept = nullptr;
     /// The defect in full, where `read` returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;
-    /// Writes a batch of rows and finds what there is to remark on each.
+    /// Writes a batch of rows and finds what there is to remark on each; the sets are empty at first.
     void (*write)(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows, double* numbers,
                   DiagnosticSet* diagnostics) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
@@ -53,10 +53,11 @@ struct Codec {
         return one.reading(0);
     }
 
-    /// One row, with nothing given up to lock.
-    void write_row(const Spec& spec, const Rotation& rotation, double* numbers) const noexcept {
+    /// One row; with a lock margin of 0 nothing is given up to lock.
+    void write_row(const Spec& spec, const Rotation& rotation, double* numbers,
+                   double lock_margin = 0.0) const noexcept {
         DiagnosticSet diagnostics;
-        write(spec, 0.0, OneRotation(rotation), 1, numbers, &diagnostics);
+        write(spec, lock_margin, OneRotation(rotation), 1, numbers, &diagnostics);
     }
 
     [[nodiscard]] double distance(const Spec& spec, const double* numbers) const noexcept {
@@ -73,66 +74,66 @@ ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 
 [[nodiscard]] const Codec& codec_of(RepresentationId name) noexcept;
 
+/// Rows from the order in which they are written to the representation's own.
+void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own) noexcept;
+/// And back; -0 becomes 0.
+void to_written_order(const Spec& spec, const double* own, std::size_t rows, double* written) noexcept;
+
 /// No representation has more.
 inline constexpr std::size_t most_numbers = 9;
 
-/// Where neither sequence nor unit counts.
-inline constexpr Spec plain_spec{};
+// Codec functions from those for one row, which take what `value_of` makes of the numbers: by default one Eigen matrix
+// of fixed size, which knows neither unit nor sequence.
 
-// Codec functions of what is written for one row, and of numbers that are one Eigen matrix of fixed size and know
-// neither unit nor sequence.
-
-template <std::size_t size, auto read_one>
-void read_each(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        readings.set(i, read_one(spec, numbers + size * i));
-    }
+template <class Numbers> Eigen::Map<const Numbers> plain(const Spec& /*spec*/, const double* numbers) noexcept {
+    return Eigen::Map<const Numbers>(numbers);
 }
 
-template <class Numbers, auto to_rotation> Reading read_plain(const Spec& /*spec*/, const double* numbers) noexcept {
-    return to_rotation(Eigen::Map<const Numbers>(numbers));
+template <class Numbers, auto to_rotation, auto value_of = plain<Numbers>>
+void read_each(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        readings.set(i, to_rotation(value_of(spec, numbers + i * Numbers::SizeAtCompileTime)));
+    }
 }
 
 // NOLINTBEGIN(readability-non-const-parameter): the maps write through them
-template <class Numbers, auto from_rotation> void write_plain(const Spec& /*spec*/, double /*lock_margin*/,
-                                                              const Rotations& rotations, std::size_t rows,
-                                                              double* numbers, DiagnosticSet* diagnostics) noexcept {
+template <class Numbers, auto from_rotation> void write_each(const Spec& /*spec*/, double /*lock_margin*/,
+                                                             const Rotations& rotations, std::size_t rows,
+                                                             double* numbers, DiagnosticSet* /*diagnostics*/) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         Eigen::Map<Numbers>{numbers + i* Numbers::SizeAtCompileTime} = from_rotation(rotations.at(i));
-        diagnostics[i] = {};
     }
 }
 
-template <class Numbers, auto defect> double defect_plain(const double* numbers) noexcept {
-    return defect(Eigen::Map<const Numbers>(numbers));
-}
-
-template <auto sensitivity> Sensitivity sensitivity_plain(const Spec& /*spec*/, const Rotation& rotation) noexcept {
-    return sensitivity(rotation);
-}
-
-template <class Numbers, auto rate> void rate_plain(const Spec& /*spec*/, const double* numbers,
-                                                    const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
-    Eigen::Map<Numbers>{rates} = rate(Eigen::Map<const Numbers>(numbers), w, frame);
+template <class Numbers, auto rate, auto value_of = plain<Numbers>>
+void rate_of(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
+    Eigen::Map<Numbers>{rates} = rate(value_of(spec, numbers), w, frame);
 }
 // NOLINTEND(readability-non-const-parameter)
 
-template <class Numbers, auto angular_velocity> Eigen::Vector3d
-angular_velocity_plain(const Spec& /*spec*/, const double* numbers, const double* rates, Frame frame) noexcept {
-    return angular_velocity(Eigen::Map<const Numbers>(numbers), Eigen::Map<const Numbers>(rates), frame);
+template <class Numbers, auto angular_velocity, auto value_of = plain<Numbers>> Eigen::Vector3d
+angular_velocity_of(const Spec& spec, const double* numbers, const double* rates, Frame frame) noexcept {
+    return angular_velocity(value_of(spec, numbers), Eigen::Map<const Numbers>(rates), frame);
+}
+
+template <class Numbers, auto defect> double defect_of(const double* numbers) noexcept {
+    return defect(Eigen::Map<const Numbers>(numbers));
+}
+
+template <auto sensitivity> Sensitivity sensitivity_of(const Spec& /*spec*/, const Rotation& rotation) noexcept {
+    return sensitivity(rotation);
 }
 
 // What presets mean for matrices and for vectors along the axis.
 
-inline constexpr auto presets_of_matrices = std::to_array<PresetMeaning>({{"matlab", {Modifier::passive}},
-                                                                          {"basilisk", {Modifier::passive}},
-                                                                          {"spice", {Modifier::passive}},
-                                                                          {"bunge", {Modifier::passive}},
-                                                                          {"baruh", {Modifier::passive}},
-                                                                          {"trawny", {Modifier::passive}},
-                                                                          {"stuelpnagel", {Modifier::passive}}});
-
-inline constexpr auto presets_of_vectors =
-    std::to_array<PresetMeaning>({{"spice", {Modifier::passive}}, {"bunge", {Modifier::passive}}});
+inline constexpr ModifierSet passive{Modifier::passive};
+inline constexpr auto presets_of_matrices = std::to_array<PresetMeaning>({{"matlab", passive},
+                                                                          {"basilisk", passive},
+                                                                          {"spice", passive},
+                                                                          {"bunge", passive},
+                                                                          {"baruh", passive},
+                                                                          {"trawny", passive},
+                                                                          {"stuelpnagel", passive}});
+inline constexpr auto presets_of_vectors = std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}});
 
 } // namespace rotconv

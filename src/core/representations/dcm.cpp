@@ -13,7 +13,6 @@
 
 #include "../numerics/angles.hpp"
 #include "../numerics/davenport.hpp"
-#include "../numerics/double_double.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/scaling.hpp"
 #include "codec.hpp"
@@ -77,75 +76,18 @@ struct ScaledMatrix {
     double squared_norm;
 };
 
-/// A sum of up to 24 numbers that is kept exactly, as parts that do not overlap (Shewchuk 1997, Grow-Expansion).
-class ExactSum {
-public:
-    void add(double number) noexcept {
-        for (std::size_t i = 0; i < count_; ++i) {
-            const DoubleDouble both = exact_sum(number, parts_[i]);
-            parts_[i] = both.lo;
-            number = both.hi;
-        }
-        parts_[count_++] = number;
-    }
-
-    /// The sign of the largest part that is not 0, which is that of the sum.
-    [[nodiscard]] int sign() const noexcept {
-        for (std::size_t i = count_; i > 0; --i) {
-            if (parts_[i - 1] != 0.0) {
-                return parts_[i - 1] > 0.0 ? 1 : -1;
-            }
-        }
-        return 0;
-    }
-
-private:
-    std::array<double, 24> parts_{};
-    std::size_t count_ = 0;
-};
-
-/// The sign of the determinant, exact but for parts below 2^-960 of the largest product: rows and columns are first
-/// scaled by powers of two.
-int sign_of_determinant(Dcm m) noexcept {
-    for (int side = 0; side < 2; ++side) {
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            const double largest = m.row(i).cwiseAbs().maxCoeff();
-            if (largest == 0.0) {
-                return 0;
-            }
-            m.row(i) = m.row(i).unaryExpr(PowerOfTwo::to_unit(largest)).eval();
-        }
-        m.transposeInPlace();
-    }
-    ExactSum sum;
-    for (int first = 0; first < 3; ++first) {
-        for (const int step : {1, 2}) {
-            const int second = (first + step) % 3;
-            const int third = (first + 3 - step) % 3;
-            const double sign = step == 1 ? 1.0 : -1.0;
-            const DoubleDouble two = exact_product(m(0, first), m(1, second));
-            for (const double part : {two.hi, two.lo}) {
-                const DoubleDouble three = exact_product(part, sign * m(2, third));
-                sum.add(three.lo);
-                sum.add(three.hi);
-            }
-        }
-    }
-    return sum.sign();
-}
-
 /// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
 /// on trace(R(q)' M) against M itself then removes the rounding of the decomposition.
 Reading far_from_rotation(const Dcm& matrix) noexcept {
-    if (sign_of_determinant(matrix) <= 0) {
-        return Error::not_proper;
-    }
     const auto scale = PowerOfTwo::to_unit(matrix.cwiseAbs().maxCoeff());
     const Dcm m = matrix.unaryExpr(scale);
+    if (!(m.determinant() > 0.0)) {
+        return Error::not_proper;
+    }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Dcm factor = svd.matrixU() * svd.matrixV().transpose();
     if (factor.determinant() < 0.0) {
-        // det M > 0 is known exactly: rounding has turned the sign of the smallest singular value
+        // rounding has turned the sign of the smallest singular value
         factor -= 2.0 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
     }
     const auto q = quaternion_of_rotation(RowMajor(factor).data());
@@ -211,7 +153,7 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
 
 ROTCONV_TARGET_CLONES
 void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* diagnostics) noexcept {
+           DiagnosticSet* /*diagnostics*/) noexcept {
     std::array<BatchColumn, 9> m;                      // NOLINT(*-member-init): as many rows as there are
     std::array<std::uint64_t, batch_rows> by_division; // NOLINT(*-member-init)
     for (std::size_t i = 0; i < rows; ++i) {
@@ -230,7 +172,6 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
             Eigen::Map<RowMajor>{numbers + 9 * i} = from_rotation(rotations.at(i));
         }
     }
-    std::fill_n(diagnostics, rows, DiagnosticSet{});
 }
 
 } // namespace
@@ -302,10 +243,10 @@ constinit const Codec codecs::dcm{
                        .range = "orthogonal, det 1",
                        .formula = "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"},
     .read = dcm::read,
-    .exact_defect = defect_plain<RowMajor, dcm::defect>,
+    .exact_defect = defect_of<RowMajor, dcm::defect>,
     .write = dcm::write,
-    .sensitivity = sensitivity_plain<dcm::sensitivity>,
-    .rate = rate_plain<RowMajor, dcm::rate>,
-    .angular_velocity = angular_velocity_plain<RowMajor, dcm::angular_velocity>};
+    .sensitivity = sensitivity_of<dcm::sensitivity>,
+    .rate = rate_of<RowMajor, dcm::rate>,
+    .angular_velocity = angular_velocity_of<RowMajor, dcm::angular_velocity>};
 
 } // namespace rotconv

@@ -8,7 +8,6 @@
 
 #include "../numerics/angles.hpp"
 #include "../numerics/double_double.hpp"
-#include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
 #include "../numerics/trigonometry.hpp"
 #include "codec.hpp"
@@ -194,7 +193,6 @@ ROTCONV_TARGET_CLONES void write(const Spec& spec, double lock_margin, const Rot
     }
     for (std::size_t i = 0; i < rows; ++i) {
         const double smaller = std::min(middle.vectors.x[i], middle.vectors.y[i]);
-        diagnostics[i] = {};
         if (smaller <= suspect_square) [[unlikely]] {
             const Halves h(rotations.at(i), axes, proper);
             const bool locked = h.locked(lock_tangent);
@@ -255,7 +253,7 @@ struct RateSystem {
 
 Reading to_rotation(const EulerAngles& value) noexcept {
     const auto& angles = value.angles;
-    if (!all_finite(angles[0], angles[1], angles[2])) {
+    if (!angles.allFinite()) {
         return Error::not_finite;
     }
     const EulerSequence sequence = value.sequence;
@@ -290,15 +288,8 @@ Reading to_rotation(const EulerAngles& value) noexcept {
 EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
                           double lock_margin) noexcept {
     EulerAngles result{.sequence = sequence, .unit = unit};
-    DiagnosticSet diagnostics;
-    write({.sequence = sequence, .unit = unit}, lock_margin, OneRotation(rotation), 1, result.angles.data(),
-          &diagnostics);
+    codecs::euler.write_row({.sequence = sequence, .unit = unit}, rotation, result.angles.data(), lock_margin);
     return result;
-}
-
-DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence, double lock_margin) noexcept {
-    const Halves h(rotation, FixedAxes(sequence), sequence.proper());
-    return diagnostics_of(h, h.locked(tangent_of_half(lock_margin)));
 }
 
 Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept {
@@ -331,11 +322,9 @@ Eigen::Vector3d angular_velocity(const EulerAngles& value, const Eigen::Vector3d
 
 namespace {
 
-EulerAngles angles_of(const Spec& spec, const double* v) noexcept {
+EulerAngles value_of(const Spec& spec, const double* v) noexcept {
     return {{v[0], v[1], v[2]}, spec.sequence, spec.unit};
 }
-
-Reading read(const Spec& spec, const double* v) noexcept { return euler::to_rotation(angles_of(spec, v)); }
 
 double distance_to_lock(const Spec& spec, const double* v) noexcept {
     using std::numbers::pi;
@@ -351,18 +340,12 @@ void wrap(double* v) noexcept {
 constexpr Codec codec_of_angles(const Representation& representation) noexcept {
     return {
         .representation = representation,
-        .read = read_each<3, read>,
+        .read = read_each<Eigen::Vector3d, euler::to_rotation, value_of>,
         .write = euler::write,
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
-        .rate =
-            [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
-                Eigen::Map<Eigen::Vector3d>{rates} = euler::rate(angles_of(spec, v), w, frame);
-            },
-        .angular_velocity =
-            [](const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
-                return euler::angular_velocity(angles_of(spec, v), {rates[0], rates[1], rates[2]}, frame);
-            },
+        .rate = rate_of<Eigen::Vector3d, euler::rate, value_of>,
+        .angular_velocity = angular_velocity_of<Eigen::Vector3d, euler::angular_velocity, value_of>,
         .greatest_distance = 0.5 * std::numbers::pi,
         .distance_to_singularity = distance_to_lock,
         .switch_chart = wrap};

@@ -69,11 +69,7 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
 
 } // namespace
 
-Reading to_rotation(const Vector5& y) noexcept {
-    Readings one; // NOLINT(*-member-init): written before it is read
-    read(plain_spec, y.data(), 1, one);
-    return one.reading(0);
-}
+Reading to_rotation(const Vector5& y) noexcept { return codecs::five_d.read_row({}, y.data()); }
 
 double defect(const Vector5& y) noexcept { return two_column::defect(Scaled(y).columns()); }
 
@@ -121,10 +117,10 @@ constinit const Codec codecs::five_d{
                        .range = "norm between 0.41 and 2.41",
                        .formula = "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"},
     .read = five_d::read,
-    .exact_defect = defect_plain<five_d::Vector5, five_d::defect>,
-    .write = write_plain<five_d::Vector5, five_d::from_rotation>,
-    .sensitivity = sensitivity_plain<five_d::sensitivity>,
-    .rate = rate_plain<five_d::Vector5, five_d::rate>,
-    .angular_velocity = angular_velocity_plain<five_d::Vector5, five_d::angular_velocity>};
+    .exact_defect = defect_of<five_d::Vector5, five_d::defect>,
+    .write = write_each<five_d::Vector5, five_d::from_rotation>,
+    .sensitivity = sensitivity_of<five_d::sensitivity>,
+    .rate = rate_of<five_d::Vector5, five_d::rate>,
+    .angular_velocity = angular_velocity_of<five_d::Vector5, five_d::angular_velocity>};
 
 } // namespace rotconv

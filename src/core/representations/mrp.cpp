@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "../numerics/double_double.hpp"
-#include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
 #include "codec.hpp"
 #include "half_turn.hpp"
@@ -45,7 +44,7 @@ ROTCONV_TARGET_CLONES void write(const Spec& /*spec*/, double /*lock_margin*/, c
 } // namespace
 
 Reading to_rotation(const Eigen::Vector3d& m) noexcept {
-    if (!all_finite(m.x(), m.y(), m.z())) {
+    if (!m.allFinite()) {
         return Error::not_finite;
     }
     // Times the square of a power of two f <= 1, so that |m|^2 cannot overflow.
@@ -62,8 +61,7 @@ Reading to_rotation(const Eigen::Vector3d& m) noexcept {
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     Eigen::Vector3d m;
-    DiagnosticSet diagnostics;
-    write(plain_spec, 0.0, OneRotation(rotation), 1, m.data(), &diagnostics);
+    codecs::mrp.write_row({}, rotation, m.data());
     return m;
 }
 
@@ -108,11 +106,11 @@ constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::m
                                                      .singular = "half-turn (changes to its shadow)",
                                                      .singular_attitude = "a half-turn",
                                                      .formula = "tan(theta/4) n"},
-                                  .read = read_each<3, read_plain<Vector3d, mrp::to_rotation>>,
+                                  .read = read_each<Vector3d, mrp::to_rotation>,
                                   .write = mrp::write,
-                                  .sensitivity = sensitivity_plain<mrp::sensitivity>,
-                                  .rate = rate_plain<Vector3d, mrp::rate>,
-                                  .angular_velocity = angular_velocity_plain<Vector3d, mrp::angular_velocity>,
+                                  .sensitivity = sensitivity_of<mrp::sensitivity>,
+                                  .rate = rate_of<Vector3d, mrp::rate>,
+                                  .angular_velocity = angular_velocity_of<Vector3d, mrp::angular_velocity>,
                                   .greatest_distance = std::numbers::pi,
                                   .switch_chart = switch_to_shadow};
 

@@ -1,11 +1,9 @@
 #include <rotconv/quaternion.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-#include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
 #include "codec.hpp"
 
@@ -15,7 +13,7 @@ namespace {
 
 ROTCONV_TARGET_CLONES
 void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* diagnostics) noexcept {
+           DiagnosticSet* /*diagnostics*/) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         const Eigen::Quaterniond q = from_rotation(rotations.at(i));
         numbers[4 * i] = q.w();
@@ -23,13 +21,12 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
         numbers[4 * i + 2] = q.y();
         numbers[4 * i + 3] = q.z();
     }
-    std::fill_n(diagnostics, rows, DiagnosticSet{});
 }
 
 } // namespace
 
 Reading to_rotation_of_any_size(const Eigen::Quaterniond& q) noexcept {
-    if (!all_finite(q.w(), q.x(), q.y(), q.z())) {
+    if (!q.coeffs().allFinite()) {
         return Error::not_finite;
     }
     if (largest_magnitude(q.w(), q.x(), q.y(), q.z()) == 0.0) {
@@ -68,18 +65,17 @@ Eigen::Vector3d angular_velocity(const Eigen::Quaterniond& q, const Eigen::Quate
 namespace rotconv {
 namespace {
 
-constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", {Modifier::xyzw}},
-                                                           {"ros", {Modifier::xyzw}},
-                                                           {"tum", {Modifier::xyzw}},
-                                                           {"spice", {Modifier::passive}},
-                                                           {"bunge", {Modifier::passive}},
-                                                           {"baruh", {Modifier::xyzw}},
-                                                           {"trawny", {Modifier::xyzw}},
-                                                           {"stuelpnagel", {Modifier::passive}}});
+constexpr ModifierSet xyzw{Modifier::xyzw};
+constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", xyzw},
+                                                           {"ros", xyzw},
+                                                           {"tum", xyzw},
+                                                           {"spice", passive},
+                                                           {"bunge", passive},
+                                                           {"baruh", xyzw},
+                                                           {"trawny", xyzw},
+                                                           {"stuelpnagel", passive}});
 
-Eigen::Quaterniond quaternion_of(const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
-
-Reading read(const Spec& /*spec*/, const double* v) noexcept { return quaternion::to_rotation(quaternion_of(v)); }
+Eigen::Quaterniond value_of(const Spec& /*spec*/, const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
 
 } // namespace
 
@@ -95,21 +91,21 @@ constinit const Codec codecs::quat{
                        .other_order = {1, 2, 3, 0},
                        .range = "unit; w > 0, or w = 0 and the first nonzero of x, y, z positive",
                        .formula = "w = cos(theta/2), (x, y, z) = sin(theta/2) n"},
-    .read = read_each<4, read>,
-    .exact_defect = [](const double* v) noexcept { return quaternion::defect(quaternion_of(v)); },
+    .read = read_each<Eigen::Vector4d, quaternion::to_rotation, value_of>,
+    .exact_defect = [](const double* v) noexcept { return quaternion::defect(value_of({}, v)); },
     .write = quaternion::write,
-    .sensitivity = sensitivity_plain<quaternion::sensitivity>,
+    .sensitivity = sensitivity_of<quaternion::sensitivity>,
     .rate =
-        [](const Spec& /*spec*/, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
-            const Eigen::Quaterniond q = quaternion::rate(quaternion_of(v), w, frame);
+        [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
+            const Eigen::Quaterniond q = quaternion::rate(value_of(spec, v), w, frame);
             rates[0] = q.w();
             rates[1] = q.x();
             rates[2] = q.y();
             rates[3] = q.z();
         },
     .angular_velocity =
-        [](const Spec& /*spec*/, const double* v, const double* rates, Frame frame) noexcept {
-            return quaternion::angular_velocity(quaternion_of(v), quaternion_of(rates), frame);
+        [](const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
+            return quaternion::angular_velocity(value_of(spec, v), value_of(spec, rates), frame);
         }};
 
 } // namespace rotconv

@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "../numerics/double_double.hpp"
-#include "../numerics/finite.hpp"
 #include "../numerics/scaling.hpp"
 #include "../numerics/trigonometry.hpp"
 #include "axis_half_angle.hpp"
@@ -21,53 +20,49 @@ namespace {
 /// Below this half angle sin(x) = x, cos(x) = 1 and atan(x) = x to less than half an ulp.
 constexpr double linear_half_angle = 1e-9;
 
-/// Half of the angle theta 2^exponent, which may be above the largest double: then its quarter is squared.
-HalfAngle half_of_scaled(DoubleDouble theta, int exponent, AngleUnit unit) noexcept {
-    const auto scaled = [&theta](int power) {
-        return DoubleDouble{std::ldexp(theta.hi, power), std::ldexp(theta.lo, power)};
-    };
-    if (exponent < std::numeric_limits<double>::max_exponent) {
-        return half_of(scaled(exponent), unit);
-    }
-    const HalfAngle quarter = half_of(scaled(exponent - 1), unit);
-    return {quarter.cosine * quarter.cosine - quarter.sine * quarter.sine, 2.0 * quarter.cosine * quarter.sine};
+/// A vector scaled to a size near 1, its length to 2^-102, since whole turns are taken off it, and half of its angle.
+struct Scaled {
+    Scaled(const Eigen::Vector3d& r, AngleUnit unit) noexcept
+        : scale(PowerOfTwo::to_unit(r.cwiseAbs().maxCoeff())), vector(r.unaryExpr(scale)),
+          length(rotconv::length(vector.x(), vector.y(), vector.z())),
+          half(half_of({scale.undone(length.hi), scale.undone(length.lo)}, unit)) {}
+
+    PowerOfTwo scale;
+    Eigen::Vector3d vector;
+    DoubleDouble length;
+    HalfAngle half;
+};
+
+bool is_linear(const Eigen::Vector3d& r, AngleUnit unit) noexcept {
+    return r.cwiseAbs().maxCoeff() <= linear_half_angle * units_per_radian(unit);
 }
 
-/// A vector of any size, in any unit; its length to 2^-102, since whole turns are taken off it.
-Rotation rotation_of_any(double rx, double ry, double rz, AngleUnit unit) noexcept {
-    const double size = largest_magnitude(rx, ry, rz);
-    const double per_radian = units_per_radian(unit);
-    if (size <= linear_half_angle * per_radian) {
-        return Rotation::from_components(2.0 * per_radian, rx, ry, rz);
+/// A vector of any size, in any unit.
+Rotation rotation_of_any(const Eigen::Vector3d& r, AngleUnit unit) noexcept {
+    if (is_linear(r, unit)) {
+        return Rotation::from_components(2.0 * units_per_radian(unit), r.x(), r.y(), r.z());
     }
-    const auto scale = PowerOfTwo::to_unit(size);
-    const double x = scale(rx);
-    const double y = scale(ry);
-    const double z = scale(rz);
-    const DoubleDouble scaled_length = length(x, y, z);
-    const HalfAngle half = half_of_scaled(scaled_length, -scale.exponent(), unit);
-    return Rotation::from_components(scaled_length.hi * half.cosine + scaled_length.lo * half.cosine, x * half.sine,
-                                     y * half.sine, z * half.sine);
+    if (r.cwiseAbs().maxCoeff() > 0x1p1022) { // the length may be too large for a double
+        const Rotation half = rotation_of_any(0.5 * r, unit);
+        return half * half;
+    }
+    const Scaled s(r, unit);
+    const Eigen::Vector3d v = s.vector * s.half.sine;
+    return Rotation::from_components(s.length.hi * s.half.cosine + s.length.lo * s.half.cosine, v.x(), v.y(), v.z());
 }
 
-/// Half of a vector's angle, in radians and as sine and cosine: of its length to 2^-102, since near a full turn the
-/// rest is what counts.
+/// Half of a vector's angle, in radians and as sine and cosine.
 struct HalfLength {
     double radians = 0.0;
     HalfAngle sides{1.0, 0.0};
 };
 
 HalfLength half_length(const RotationVector& value) noexcept {
-    const auto& v = value.vector;
-    const double size = largest_magnitude(v[0], v[1], v[2]);
-    const double per_radian = units_per_radian(value.unit);
-    if (size <= linear_half_angle * per_radian) {
+    if (is_linear(value.vector, value.unit)) {
         return {};
     }
-    const auto scale = PowerOfTwo::to_unit(size);
-    const DoubleDouble scaled_length = length(scale(v[0]), scale(v[1]), scale(v[2]));
-    return {scale.undone(0.5 * scaled_length.hi / per_radian),
-            half_of_scaled(scaled_length, -scale.exponent(), value.unit)};
+    const Scaled s(value.vector, value.unit);
+    return {s.scale.undone(0.5 * s.length.hi / units_per_radian(value.unit)), s.half};
 }
 
 /// Lengths, in radians, that the grid knows to full accuracy; nan is none.
@@ -103,12 +98,11 @@ ROTCONV_TARGET_CLONES void read(const Spec& spec, const double* numbers, std::si
         readings.z[i] = product(split(numbers[3 * i + 2]), ratio);
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const double* r = numbers + 3 * i;
         readings.defect[i] = 0.0;
         readings.error[i] = Error::none;
         if (unit != AngleUnit::radians || !is_plain(length[i])) {
-            readings.set(i, all_finite(r[0], r[1], r[2]) ? Reading(rotation_of_any(r[0], r[1], r[2], unit))
-                                                         : Reading(Error::not_finite));
+            const Eigen::Vector3d r(numbers + 3 * i);
+            readings.set(i, r.allFinite() ? Reading(rotation_of_any(r, unit)) : Reading(Error::not_finite));
         }
     }
 }
@@ -135,25 +129,35 @@ ROTCONV_TARGET_CLONES void write(const Spec& spec, double /*lock_margin*/, const
         diagnostics[i] = note_half_turn(parts.half.x[i], parts.half.y[i]);
         if (!(parts.half.y[i] > least_known_length)) { // there the set is linear
             const double ratio = 2.0 * units_per_radian(unit) / parts.half.x[i];
-            numbers[3 * i] = parts.x[i] * ratio;
-            numbers[3 * i + 1] = parts.y[i] * ratio;
-            numbers[3 * i + 2] = parts.z[i] * ratio;
+            Eigen::Map<Eigen::Vector3d>{numbers + 3 * i} = parts.vector(i) * ratio;
         }
     }
+}
+
+RotationVector value_of(const Spec& spec, const double* v) noexcept { return {{v[0], v[1], v[2]}, spec.unit}; }
+
+/// Past a half-turn the numbers are singular at the full turns: there the margin is the distance to the nearest one, 0
+/// where a length in radians does not tell it from one.
+Sensitivity sensitivity_of_numbers(const Spec& spec, const double* v, const Rotation& rotation) noexcept {
+    Sensitivity result = sensitivity(rotation);
+    const double half = half_length(value_of(spec, v)).radians;
+    if (2.0 * half - std::numbers::pi > half_turn_margin) {
+        const double angle = angle_of(rotation);
+        result.margin = angle > 2.0 * half * std::numeric_limits<double>::epsilon() ? angle : 0.0;
+        result.condition = std::max(1.0, half * std::sqrt(rotation.squared_norm()) / rotation.vector_length());
+    }
+    return result;
 }
 
 } // namespace
 
 Reading to_rotation(const RotationVector& value) noexcept {
-    Readings readings; // NOLINT(*-member-init): written before it is read
-    read({.unit = value.unit}, value.vector.data(), 1, readings);
-    return readings.reading(0);
+    return codecs::rotvec.read_row({.unit = value.unit}, value.vector.data());
 }
 
 RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     RotationVector result{.unit = unit};
-    DiagnosticSet diagnostics;
-    write({.unit = unit}, 0.0, OneRotation(rotation), 1, result.vector.data(), &diagnostics);
+    codecs::rotvec.write_row({.unit = unit}, rotation, result.vector.data());
     return result;
 }
 
@@ -162,19 +166,6 @@ Sensitivity sensitivity(const Rotation& rotation) noexcept {
     const double sine = length / std::sqrt(rotation.squared_norm());
     const double condition = sine <= linear_half_angle ? 1.0 : 0.5 * angle_of(rotation) / sine;
     return {.margin = angle_to_half_turn(rotation), .condition = std::max(1.0, condition)};
-}
-
-Sensitivity sensitivity(const RotationVector& value, const Rotation& rotation) noexcept {
-    Sensitivity result = sensitivity(rotation);
-    const double half = half_length(value).radians;
-    if (2.0 * half - std::numbers::pi > half_turn_margin) {
-        constexpr double eps = std::numeric_limits<double>::epsilon();
-        const double angle = angle_of(rotation);
-        const double known = value.unit == AngleUnit::degrees ? 0.0 : 2.0 * half * eps;
-        result.margin = angle > known ? angle : 0.0;
-        result.condition = std::max(1.0, half * std::sqrt(rotation.squared_norm()) / rotation.vector_length());
-    }
-    return result;
 }
 
 Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Frame frame) noexcept {
@@ -205,8 +196,6 @@ namespace {
 using Eigen::Map;
 using Eigen::Vector3d;
 
-RotationVector vector_of(const Spec& spec, const double* v) noexcept { return {{v[0], v[1], v[2]}, spec.unit}; }
-
 /// By whole turns, past a half-turn.
 void wrap(double* numbers) noexcept {
     Map<Vector3d> r(numbers);
@@ -231,18 +220,10 @@ constinit const Codec codecs::rotvec{
                        .formula = "theta n; R = exp [theta n]"},
     .read = rotation_vector::read,
     .write = rotation_vector::write,
-    .sensitivity = [](const Spec& /*spec*/,
-                      const Rotation& rotation) noexcept { return rotation_vector::sensitivity(rotation); },
-    .rate = [](const Spec& spec, const double* v, const Vector3d& w, Frame frame,
-               double* rates) noexcept { Map<Vector3d>{rates} = rotation_vector::rate(vector_of(spec, v), w, frame); },
-    .angular_velocity =
-        [](const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
-            return rotation_vector::angular_velocity(vector_of(spec, v), Map<const Vector3d>(rates), frame);
-        },
-    .sensitivity_of_numbers =
-        [](const Spec& spec, const double* v, const Rotation& rotation) noexcept {
-            return rotation_vector::sensitivity(vector_of(spec, v), rotation);
-        },
+    .sensitivity = sensitivity_of<rotation_vector::sensitivity>,
+    .rate = rate_of<Vector3d, rotation_vector::rate, rotation_vector::value_of>,
+    .angular_velocity = angular_velocity_of<Vector3d, rotation_vector::angular_velocity, rotation_vector::value_of>,
+    .sensitivity_of_numbers = rotation_vector::sensitivity_of_numbers,
     .greatest_distance = std::numbers::pi,
     .switch_chart = wrap};
 

@@ -29,11 +29,7 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
 
 } // namespace
 
-Reading to_rotation(const Columns& m) noexcept {
-    Readings one; // NOLINT(*-member-init): written before it is read
-    read(plain_spec, m.data(), 1, one);
-    return one.reading(0);
-}
+Reading to_rotation(const Columns& m) noexcept { return codecs::two_column.read_row({}, m.data()); }
 
 // From the eigenvalues of M'M - I.
 double defect(const Columns& m) noexcept {
@@ -85,10 +81,10 @@ constinit const Codec codecs::two_column{
                        .range = "two orthonormal columns",
                        .formula = "columns 1 and 2 of R; the third is their cross product"},
     .read = two_column::read,
-    .exact_defect = defect_plain<Columns, two_column::defect>,
-    .write = write_plain<Columns, two_column::from_rotation>,
-    .sensitivity = sensitivity_plain<two_column::sensitivity>,
-    .rate = rate_plain<Columns, two_column::rate>,
-    .angular_velocity = angular_velocity_plain<Columns, two_column::angular_velocity>};
+    .exact_defect = defect_of<Columns, two_column::defect>,
+    .write = write_each<Columns, two_column::from_rotation>,
+    .sensitivity = sensitivity_of<two_column::sensitivity>,
+    .rate = rate_of<Columns, two_column::rate>,
+    .angular_velocity = angular_velocity_of<Columns, two_column::angular_velocity>};
 
 } // namespace rotconv
