@@ -98,10 +98,7 @@ constinit const Codec codecs::quat{
     .rate =
         [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
             const Eigen::Quaterniond q = quaternion::rate(value_of(spec, v), w, frame);
-            rates[0] = q.w();
-            rates[1] = q.x();
-            rates[2] = q.y();
-            rates[3] = q.z();
+            Eigen::Map<Eigen::Vector4d>(rates) << q.w(), q.vec();
         },
     .angular_velocity =
         [](const Spec& spec, const double* v, const double* rates, Frame frame) noexcept {
