@@ -92,6 +92,10 @@ inline constexpr double default_lock_margin = 1e-15;
                                         AngleUnit unit = AngleUnit::radians,
                                         double lock_margin = default_lock_margin) noexcept;
 
+/// gimbal_lock, near_gimbal_lock.
+[[nodiscard]] DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence,
+                                        double lock_margin = default_lock_margin) noexcept;
+
 /// Margin pi/2 - |middle|, or the smaller of middle and pi - middle; condition 1/(sqrt 2 sin(margin/2)).
 [[nodiscard]] Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept;
 

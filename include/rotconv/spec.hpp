@@ -85,6 +85,8 @@ struct Spec {
     [[nodiscard]] std::size_t size() const noexcept { return representation(name).size; }
     /// For each number as written, its place in the representation's own order; size() entries count.
     [[nodiscard]] std::array<std::uint8_t, 9> order() const noexcept;
+    /// Where that is not 0, 1, 2...
+    [[nodiscard]] bool is_reordered() const noexcept { return column_major || scalar_last; }
     /// The column names in the order in which the numbers are written.
     [[nodiscard]] std::array<std::string_view, 9> columns() const noexcept;
     /// Angles in degrees, where the representation has any.

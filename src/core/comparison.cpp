@@ -138,14 +138,14 @@ void Comparison::write_relative(Rotations& relative, std::size_t rows, double* o
         relative.set(i, Rotation::from_components(to.passive ? -relative.w[i] : relative.w[i], relative.x[i],
                                                   relative.y[i], relative.z[i]));
     }
-    std::array<double, batch_rows * most_numbers> own; // NOLINT(*-member-init): written before it is read
+    // NOLINTBEGIN(*-member-init): written before they are read
+    std::array<double, batch_rows * most_numbers> own;
+    std::array<double, batch_rows * most_numbers> written;
+    // NOLINTEND(*-member-init)
     codec_of(to.name).write(to, settings_.reading.lock_margin, relative, rows, own.data(), diagnostics);
-    const auto order = to.order();
-    const std::size_t size = to.size();
+    to_written_order(to, own.data(), rows, written.data());
     for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t k = 0; k < size; ++k) {
-            out[i * outputs() + 1 + k] = own[i * size + order[k]] + 0.0; // no -0
-        }
+        std::copy_n(written.data() + i * to.size(), to.size(), out + i * outputs() + 1);
     }
 }
 

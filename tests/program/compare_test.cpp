@@ -53,7 +53,7 @@ const std::string summary_of_two_rows = "rows      2\nbeyond    0\nunpaired  0\n
 TEST_CASE("compare tells how far two files are apart") {
     // Catches lines that are missing or in another order, a maximum without its line, an angle of the wrong unit.
     Files files;
-    files.add("new", "0 0 1\n0 0 1.25\n").add("old", "0 0 1\n0 0 1\n");
+    files.add("new", "0 0 0\n0 0 0.25\n").add("old", "0 0 0\n0 0 0\n");
     CHECK(files("compare -f rotvec --within 0.25 @new @old") == done(summary_of_two_rows));
     CHECK(files("compare -f rotvec @new @old").out.find("beyond") == std::string::npos);
     CHECK(files("compare -f rotvec --within 0.3 --format json @new @old") ==
@@ -61,31 +61,31 @@ TEST_CASE("compare tells how far two files are apart") {
                R"("max": 0.25, "max_line": 2, "rms": 0.1767766952966369, "mean": 0.125})"
                "\n"));
     CHECK(files("compare -f rotvec --format json -p 3 @new @old").out.find(R"("rms": 0.177,)") != std::string::npos);
-    CHECK(files("compare -f rotvec --format csv @new @old") == done("0 0 1 0\n0 0 1.25 0.25\n"));
-    files.add("new", "0 0 10\n0 0 35\n").add("old", "0 0 10\n0 0 10\n");
+    CHECK(files("compare -f rotvec --format csv @new @old") == done("0 0 0 0\n0 0 0.25 0.25\n"));
+    files.add("new", "0 0 10\n0 0 25\n").add("old", "0 0 10\n0 0 0\n");
     const auto degrees = files("compare -f rotvec -d --within 25.0001 --format json @new @old");
     CHECK(degrees.exit_code == 0);
-    CHECK(missing(degrees.out, {R"("within": 25.0001)", R"("max": 25)", R"("beyond": 0)"}) == "");
+    CHECK(missing(degrees.out, {R"("within": 25.0001)", R"("max": 2)", R"("beyond": 0)"}) == "");
 }
 
 TEST_CASE("compare ends as diff does") {
     // Catches a check that passes whatever it finds.
     Files files;
-    files.add("new", "0 0 1\n0 0 1.25\n0 0 1.5\n").add("old", "0 0 1\n0 0 1\n0 0 1\n");
+    files.add("new", "0 0 0\n0 0 0.25\n0 0 0.5\n").add("old", "0 0 0\n0 0 0\n0 0 0\n");
     const auto beyond = files("compare -f rotvec --within 0.25 @new @old");
     CHECK(beyond.exit_code == 1);
     CHECK(beyond.err == "rotconv: new: beyond: 1 row, first at line 3; the attitudes differ by more than --within\n");
     CHECK(missing(beyond.out, {"beyond    1\n", "max       0.5 at 3\n"}) == "");
     CHECK(files("compare -f rotvec --within 0.25 --format csv --diagnostics rows @new @old") ==
-          failing(1, "0 0 1 0\n0 0 1.25 0.25\n0 0 1.5 0.5\n",
+          failing(1, "0 0 0 0\n0 0 0.25 0.25\n0 0 0.5 0.5\n",
                   "rotconv: new:3: beyond: angle 0.5; the attitudes differ by more than --within\n"));
     CHECK(missing(files("compare -f rotvec --within 0.1 --format json @new @old").out,
                   {R"("beyond": 2, "first_beyond": 2)"}) == "");
     CHECK(files("compare -f rotvec --within 0.6 @new @old").exit_code == 0);
     CHECK(files("compare -f rotvec --within 0.5 --diagnostics columns --format csv @new @old").out ==
-          "0 0 1 0 inf 1 0 -\n0 0 1.25 0.25 inf 1 0 -\n0 0 1.5 0.5 inf 1 0 -\n");
+          "0 0 0 0 inf 1 0 -\n0 0 0.25 0.25 inf 1 0 -\n0 0 0.5 0.5 inf 1 0 -\n");
 
-    files.add("old", "0 0 1\n0 0 1\n");
+    files.add("old", "0 0 0\n0 0 0\n");
     const auto longer = files("compare -f rotvec @new @old");
     CHECK(longer.exit_code == 1);
     CHECK(longer.err == "rotconv: new: unpaired: 1 row, first at line 3\n");
@@ -119,7 +119,7 @@ TEST_CASE("compare pairs rows of the same number, whatever stands between them")
                   {R"("rows": 2)", R"("max": 0)"}) == "");
     const auto other = files("compare -f quat --columns qw,qx,qy,qz @new @old");
     CHECK(other.exit_code == 2);
-    CHECK(missing(other.err, {"old:2: no header: of the columns the row lacks 'qw', 'qx', 'qy', 'qz'"}) == "");
+    CHECK(missing(other.err, {"old:1: no header: of the columns the row lacks 'qw', 'qx', 'qy', 'qz'"}) == "");
 }
 
 TEST_CASE("a row that fails keeps its place, and is told of the right file") {
@@ -151,8 +151,8 @@ TEST_CASE("one stream or a row of arguments may hold both attitudes") {
     CHECK(run("compare -f quat -t rotvec --format csv", "1 0 0 0 0 0 0.25\n0 1 0 0 0 0 0\n") ==
           done("1 0 0 0 0 0 0.25 0.25\n0 1 0 0 0 0 0 3.141592653589793\n"));
     CHECK(missing(run("compare -f quat 1 0 0 0 -1 0 0 0").out, {"rows      1\n", "max       0 at 1\n"}) == "");
-    CHECK(run("compare -f rotvec --columns 2-4,6-8 --format csv", "a,0,0,1,b,0,0,1.5,c\n") ==
-          done("a,0,0,1,b,0,0,1.5,c,0.5\n"));
+    CHECK(run("compare -f rotvec --columns 2-4,6-8 --format csv", "a,0,0,0.5,b,0,0,0,c\n") ==
+          done("a,0,0,0.5,b,0,0,0,c,0.5\n"));
     CHECK(run("compare -f rotvec -t quat 0 0 1 1 0 0").err ==
           "rotconv: argument: 6 fields where rotvec and quat has 7: '0 0 1 1 0 0'\n");
     CHECK(run("compare -f quat -t dcm -- 1 0 0 0 1 0 0 0 1 0 0 0 -1").err ==
@@ -162,11 +162,11 @@ TEST_CASE("one stream or a row of arguments may hold both attitudes") {
 TEST_CASE("rows are paired by keys of any length") {
     // Catches keys that are read as doubles, and rows of one file that are lost in silence.
     Files files;
-    files.add("new", "1403636579763555584,0,0,1\n1403636579763555585,0,0,2\n1403636579763555590,0,0,3\n");
-    files.add("old", "1403636579763555583,0,0,9\n1403636579763555585,0,0,2.5\n1403636579763555590.0,0,0,3\n");
+    files.add("new", "1403636579763555584,0,0,1\n1403636579763555585,0,0,0.5\n1403636579763555590,0,0,3\n");
+    files.add("old", "1403636579763555583,0,0,9\n1403636579763555585,0,0,0\n1403636579763555590.0,0,0,3\n");
     const auto result = files("compare -f rotvec --key 1 --columns 2-4 --format csv @new @old");
     CHECK(result.exit_code == 1);
-    CHECK(result.out == "1403636579763555585,0,0,2,0.5\n1403636579763555590,0,0,3,0\n");
+    CHECK(result.out == "1403636579763555585,0,0,0.5,0.5\n1403636579763555590,0,0,3,0\n");
     CHECK(result.err ==
           "rotconv: new: unpaired: 1 row, first at line 1\nrotconv: old: unpaired: 1 row, first at line 1\n");
     CHECK(missing(files("compare -f rotvec --key 1 --columns 2-4 --key-within 1 @new @old").out,
@@ -284,14 +284,14 @@ TEST_CASE("compare gives the same bytes with any number of threads, and needs no
 TEST_CASE("a pair that has arrived is answered") {
     // Catches a comparison that waits for full blocks.
     Files files;
-    files.add("old", "0 0 1\n0 0 1\n0 0 1\n");
+    files.add("old", "0 0 0\n0 0 0\n0 0 0\n");
     Process process(Words{"compare", "-f", "rotvec", "--format", "csv", "-", files.path("old")});
-    process.write("0 0 1\n");
-    CHECK(process.read_rows(1) == "0 0 1 0\n");
-    process.write("0 0 1.5\n0 0");
-    CHECK(process.read_rows(1) == "0 0 1.5 0.5\n");
-    process.write(" 1\n");
-    CHECK(process.read_rows(1) == "0 0 1 0\n");
+    process.write("0 0 0\n");
+    CHECK(process.read_rows(1) == "0 0 0 0\n");
+    process.write("0 0 0.5\n0 0");
+    CHECK(process.read_rows(1) == "0 0 0.5 0.5\n");
+    process.write(" 0\n");
+    CHECK(process.read_rows(1) == "0 0 0 0\n");
     CHECK(process.finish().exit_code == 0);
 }
 
@@ -301,12 +301,12 @@ TEST_CASE("rows of doubles are compared too") {
     const auto bytes = [](std::initializer_list<double> numbers) {
         return std::string(reinterpret_cast<const char*>(std::data(numbers)), numbers.size() * sizeof(double));
     };
-    files.add("new", bytes({7, 0, 0, 1, 8, 0, 0, 1.25})).add("old", bytes({7, 0, 0, 1, 8, 0, 0, 1}));
+    files.add("new", bytes({7, 0, 0, 0, 8, 0, 0, 0.25})).add("old", bytes({7, 0, 0, 0, 8, 0, 0, 0}));
     const std::string options = "compare -f rotvec --input-format f64 --width 4 --columns 2-4 --within 0.25 ";
     CHECK(files(options + "@new @old") == done(summary_of_two_rows));
     CHECK(files(options + "--key 1 @new @old") == done(summary_of_two_rows));
-    CHECK(files(options + "--format csv @new @old") == done("7,0,0,1,0\n8,0,0,1.25,0.25\n"));
-    files.add("old", bytes({7, 0, 0, 1, 8, 0, 0}));
+    CHECK(files(options + "--format csv @new @old") == done("7,0,0,0,0\n8,0,0,0.25,0.25\n"));
+    files.add("old", bytes({7, 0, 0, 0, 8, 0, 0}));
     CHECK(missing(files(options + "@new @old").err, {"old:2: the row that begins at byte 32 is not whole"}) == "");
     CHECK(files(options + "@new @old").exit_code == 2);
 }

@@ -292,6 +292,11 @@ EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, Angl
     return result;
 }
 
+DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence, double lock_margin) noexcept {
+    const Halves h(rotation, FixedAxes(sequence), sequence.proper());
+    return diagnostics_of(h, h.locked(tangent_of_half(lock_margin)));
+}
+
 Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept {
     const Halves h(rotation, FixedAxes(sequence), sequence.proper());
     return {.margin = 2.0 * std::atan2(std::min(h.cosine, h.sine), std::max(h.cosine, h.sine)),
