@@ -76,7 +76,8 @@ public:
         return "Usage: rotconv -f FROM -t TO [OPTION]... [VALUE]...\n"
                "       rotconv -f FROM -t TO [OPTION]... [FILE]\n"
                "       rotconv list [NAME]\n"
-               "       rotconv rates|propagate|survey [OPTION]... [FILE]\n";
+               "       rotconv rates|propagate|survey [OPTION]... [FILE]\n"
+               "       rotconv compare -f SPEC [OPTION]... FILE REFERENCE\n";
     }
 };
 

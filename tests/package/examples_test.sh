@@ -45,6 +45,23 @@ printf '%s\n' "$motion" | awk '/off by at most/ && $14 < 1e-4 { found = 1 } END 
     failed=1
 }
 
+# The regression check holds, and fails when one digit of one row of the golden file is another.
+golden=$(mktemp)
+./check-conversion.sh > /dev/null || {
+    echo "FAILED: check-conversion.sh"
+    failed=1
+}
+for digit in 2 9 15; do
+    awk -v digit=$digit 'NR == 7 { $7 = substr($7, 1, digit) (substr($7, digit + 1, 1) + 5) % 10 substr($7, digit + 2) } 1' data/tum_fr1_xyz_rpy.txt > "$golden"
+    status=0
+    changed=$(./check-conversion.sh "$golden" 2>&1) || status=$?
+    [ "$status" -eq 1 ] && check check-conversion.sh "beyond    1" "$changed" || {
+        echo "FAILED: check-conversion.sh does not see digit $digit: exit $status"
+        failed=1
+    }
+done
+rm "$golden"
+
 # The command of the example for Spark, run on pieces of the rows (the last one empty) as Spark runs it on partitions.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
