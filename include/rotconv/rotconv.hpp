@@ -9,6 +9,7 @@
 #include <rotconv/dcm.hpp>
 #include <rotconv/euler.hpp>
 #include <rotconv/frame.hpp>
+#include <rotconv/identification.hpp>
 #include <rotconv/integration.hpp>
 #include <rotconv/mrp.hpp>
 #include <rotconv/propagation.hpp>

@@ -1,0 +1,456 @@
+// Conventions are found again, and those that cannot be told apart are called so.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rotconv/identification.hpp>
+
+#include "catch.hpp"
+
+using namespace rotconv;
+
+namespace {
+
+using Row = std::vector<double>;
+using Columns = std::vector<int>; ///< for each number of a SPEC the column that holds it, from 0
+
+Spec spec(std::string_view text) { return std::get<Spec>(parse_spec(text)); }
+
+Columns identity_order(std::size_t count) {
+    Columns columns;
+    for (std::size_t i = 0; i < count; ++i) {
+        columns.push_back(static_cast<int>(i));
+    }
+    return columns;
+}
+
+std::vector<Row> wide_attitudes(std::size_t count) {
+    std::mt19937_64 random(20261113);
+    std::normal_distribution<double> normal;
+    std::vector<Row> rows(count, Row(4));
+    for (Row& row : rows) {
+        std::ranges::generate(row, [&] { return normal(random); });
+    }
+    return rows;
+}
+
+Row converted(const Row& numbers, const Spec& from, const Spec& to) {
+    Row result(to.size());
+    std::vector<Report> reports;
+    Conversion(from, to, {.tolerance = std::numeric_limits<double>::infinity()}).run(numbers, result, reports);
+    return result;
+}
+
+/// The numbers of a SPEC in their columns, then the known attitude.
+Row row_of(const Row& attitude, const Spec& unknown, const Columns& columns, const Spec& known) {
+    const Row numbers = converted(attitude, Spec{}, unknown);
+    Row row(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        row[static_cast<std::size_t>(columns[i])] = numbers[i];
+    }
+    const Row attitude_numbers = converted(attitude, Spec{}, known);
+    row.insert(row.end(), attitude_numbers.begin(), attitude_numbers.end());
+    return row;
+}
+
+std::vector<Row> rows_of(const std::vector<Row>& attitudes, const Spec& unknown, const Columns& columns,
+                         const Spec& known = spec("dcm")) {
+    std::vector<Row> rows;
+    for (const Row& attitude : attitudes) {
+        rows.push_back(row_of(attitude, unknown, columns, known));
+    }
+    return rows;
+}
+
+/// Adds rows, the first of which is 1, so many at once.
+std::vector<Report> add(Identification& identification, const std::vector<Row>& rows, std::size_t at_once = 1000) {
+    std::vector<Report> all;
+    std::vector<Report> reports;
+    for (std::size_t first = 0; first < rows.size(); first += at_once) {
+        Row numbers;
+        std::vector<std::size_t> lines;
+        for (std::size_t i = first; i < std::min(first + at_once, rows.size()); ++i) {
+            numbers.insert(numbers.end(), rows[i].begin(), rows[i].end());
+            lines.push_back(i + 1);
+        }
+        identification.add(numbers, lines, reports);
+        for (Report& report : reports) {
+            report.row += first;
+            all.push_back(report);
+        }
+    }
+    return all;
+}
+
+/// A candidate as text: the SPEC and the columns from 1.
+std::string text_of(const Candidate& candidate) {
+    const Representation& entry = representation(candidate.spec.name);
+    std::string text(entry.text);
+    if (entry.takes_sequence) {
+        const auto letters = candidate.spec.sequence.letters();
+        text += ':';
+        text.append(letters.begin(), letters.end());
+    }
+    text += candidate.spec.column_major ? ":col" : "";
+    text += candidate.spec.scalar_last ? ":xyzw" : "";
+    text += candidate.spec.unit == AngleUnit::degrees ? ":deg" : "";
+    text += candidate.spec.passive ? ":passive" : "";
+    text += ' ';
+    for (std::size_t i = 0; i < entry.size; ++i) {
+        text += std::to_string(candidate.columns.at(i) + 1);
+    }
+    return text;
+}
+
+/// The one candidate that fits; else how many there are.
+std::string answer(const Identification& identification) {
+    const std::size_t fitting = identification.verdict().fitting;
+    return fitting == 1 ? text_of(identification.best_first().front()) : std::to_string(fitting);
+}
+
+std::string identified(const std::vector<Row>& rows, std::size_t count, std::string_view known = "dcm",
+                       double within = 1e-3) {
+    Identification identification(count, spec(known), {}, {.within = within});
+    CHECK(add(identification, rows).empty());
+    return answer(identification);
+}
+
+Verdict::Lack lack_of(const std::vector<Row>& rows) {
+    Identification identification(3, spec("dcm"));
+    add(identification, rows);
+    CHECK(identification.verdict().fitting > 1);
+    return identification.verdict().lack;
+}
+
+/// What is made of a SPEC's name and a list of columns by the rules: intrinsic turns are the extrinsic ones read
+/// backwards, the transpose is the inverse, and the scalar may stand first or last.
+std::string called(Spec meant, Columns columns) {
+    if (representation(meant.name).has_gimbal_lock) {
+        Columns reversed(columns.rbegin(), columns.rend());
+        if (reversed < columns) {
+            columns = reversed;
+            std::string letters;
+            for (const char letter : meant.sequence.letters()) {
+                letters.insert(letters.begin(), static_cast<char>(letter ^ ' ')); // the other case
+            }
+            meant.sequence = *EulerSequence::parse(letters);
+        }
+        meant.name = RepresentationId::euler;
+    } else if (meant.name == RepresentationId::quat) {
+        const Columns w_first = meant.scalar_last ? Columns{columns[3], columns[0], columns[1], columns[2]} : columns;
+        const Columns w_last{w_first[1], w_first[2], w_first[3], w_first[0]};
+        meant.scalar_last = w_last < w_first;
+        columns = meant.scalar_last ? w_last : w_first;
+    } else if (meant.name == RepresentationId::dcm) {
+        meant.column_major = meant.column_major != meant.passive;
+        meant.passive = false;
+    }
+    Candidate candidate{.spec = meant};
+    std::ranges::transform(columns, candidate.columns.begin(), [](int column) { return std::uint8_t(column); });
+    return text_of(candidate);
+}
+
+/// Every SPEC that a preset or a modifier can make, once each.
+std::vector<std::string> all_specs() {
+    std::vector<std::string> names;
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
+        std::vector<std::string> texts;
+        if (entry.takes_sequence) {
+            for (const EulerSequence sequence : EulerSequence::all()) {
+                const auto letters = sequence.letters();
+                texts.emplace_back(entry.text).append(":").append(letters.begin(), letters.end());
+            }
+        } else {
+            texts.emplace_back(entry.text);
+        }
+        for (const Modifier modifier : all_modifiers) {
+            const std::size_t count = entry.modifiers.has(modifier) ? texts.size() : 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                texts.emplace_back(texts[i]).append(":").append(name_of(modifier));
+            }
+        }
+        names.insert(names.end(), texts.begin(), texts.end());
+    }
+    return names;
+}
+
+} // namespace
+
+TEST_CASE("every SPEC is identified by its numbers, in every order of the columns") {
+    // Catches a candidate that is left out, columns that are read the wrong way round, SPECs that differ taken for one,
+    // SPECs that are one taken for two, and a name that is not the simplest.
+    const auto attitudes = wide_attitudes(6);
+    for (const std::string& text : all_specs()) {
+        INFO(text);
+        const Spec unknown = spec(text);
+        const bool any_order = representation(unknown.name).has_gimbal_lock || unknown.name == RepresentationId::quat;
+        Columns columns = identity_order(unknown.size());
+        do {
+            const std::string found = identified(rows_of(attitudes, unknown, columns), unknown.size());
+            if (found != called(unknown, columns)) {
+                CHECK(found == called(unknown, columns));
+            }
+        } while (any_order && std::ranges::next_permutation(columns).found);
+    }
+}
+
+TEST_CASE("there are so many conventions of a count of numbers") {
+    // Catches candidates that are counted twice or not at all. Of three numbers: 24 sequences, as 12 in 6 orders,
+    // in degrees or radians, passive or not; rotvec in these four; cayley and mrp, passive or not. Of four: 24 orders
+    // of the quaternion and four of axis and angle.
+    const auto count = [](std::size_t numbers, std::optional<RepresentationId> name = {}) {
+        return Identification(numbers, spec("quat"), name).best_first().size();
+    };
+    CHECK(count(3) == 12 * 6 * 4 + 4 + 2 + 2);
+    CHECK(count(4) == 24 * 2 + 4);
+    CHECK(count(5) == 2);
+    CHECK(count(6) == 2);
+    CHECK(count(9) == 2);
+    CHECK(count(3, RepresentationId::euler) == 288);
+    CHECK(count(3, RepresentationId::rpy) == 24);
+    CHECK(count(3, RepresentationId::mrp) == 2);
+    CHECK(count(4, RepresentationId::quat) == 48);
+    CHECK(count(7) == 0);
+    for (const std::size_t numbers : {0, 1, 2, 7, 8, 10}) {
+        CHECK(!Identification::is_count(numbers));
+    }
+    CHECK(Identification::is_count(5));
+    const auto three = Identification(3, spec("quat")).best_first();
+    CHECK(std::ranges::count_if(three, [](const Candidate& candidate) {
+              return candidate.columns[0] == 0 && candidate.columns[1] == 1;
+          }) == 104);
+}
+
+TEST_CASE("one wide row is enough, and its candidates all differ") {
+    // Catches candidates that are the same attitude on a generic row.
+    const auto attitudes = wide_attitudes(1);
+    CHECK(identified(rows_of(attitudes, spec("euler:zxz:deg:passive"), {0, 1, 2}), 3, "dcm", 1e-9) ==
+          "euler:zxz:deg:passive 123");
+}
+
+TEST_CASE("the pairs that are mixed up are told apart") {
+    // Catches one of them read as the other.
+    const auto attitudes = wide_attitudes(3);
+    const auto of = [&](std::string_view text, const Columns& columns, std::string_view known = "dcm") {
+        return identified(rows_of(attitudes, spec(text), columns, spec(known)), columns.size(), known);
+    };
+    CHECK(of("quat:xyzw", {0, 1, 2, 3}) == "quat:xyzw 1234");
+    CHECK(of("quat", {0, 1, 2, 3}) == "quat 1234");
+    CHECK(of("euler:ZYX", {0, 1, 2}) == "euler:ZYX 123");
+    CHECK(of("euler:zyx", {0, 1, 2}) == "euler:zyx 123");
+    CHECK(of("rpy:deg", {0, 1, 2}, "quat") == "euler:xyz:deg 123");
+    CHECK(of("rpy", {0, 1, 2}, "quat") == "euler:xyz 123");
+    CHECK(of("dcm", identity_order(9), "quat") == "dcm 123456789");
+    CHECK(of("dcm:passive", identity_order(9), "quat") == "dcm:col 123456789");
+    CHECK(of("euler:ZYX:deg", {2, 1, 0}) == "euler:xyz:deg 123"); // listed as roll, pitch, yaw
+    CHECK(of("euler:ZXZ:deg", {0, 1, 2}) == "euler:ZXZ:deg 123"); // Bunge
+    CHECK(of("euler:ZYZ:deg", {0, 1, 2}) == "euler:ZYZ:deg 123"); // Roe
+    // Hamilton's quaternion of a matrix is the JPL one of its transpose
+    CHECK(of("quat:trawny", {0, 1, 2, 3}, "dcm:trawny") == "quat:xyzw 1234");
+    CHECK(of("quat:xyzw", {0, 1, 2, 3}, "dcm:passive") == "quat:xyzw 1234");
+    CHECK(of("quat:xyzw:passive", {0, 1, 2, 3}, "dcm") == "quat:xyzw:passive 1234");
+}
+
+TEST_CASE("six digits are enough") {
+    // Catches limits for exact numbers alone.
+    const auto attitudes = wide_attitudes(50);
+    for (const char* text : {"euler:YZY:deg:passive", "rotvec", "quat:xyzw", "dcm:col", "6d:passive", "5d"}) {
+        INFO(text);
+        auto rows = rows_of(attitudes, spec(text), identity_order(spec(text).size()), spec("quat"));
+        for (Row& row : rows) {
+            for (double& number : row) {
+                number = std::stod(std::to_string(number)); // six digits after the point
+            }
+        }
+        CHECK(identified(rows, spec(text).size(), "quat") == called(spec(text), identity_order(spec(text).size())));
+    }
+}
+
+TEST_CASE("rows at gimbal lock tell what they can") {
+    // Catches an angle that is taken from the angles' differences. Yaw - roll is all that counts.
+    std::vector<Row> rows;
+    for (int i = 0; i < 5; ++i) {
+        const Row unknown{20.0 + 31 * i, 90, 10.0 * i};
+        Row row = unknown;
+        const Row matrix = converted(unknown, spec("euler:ZYX:deg"), spec("dcm"));
+        row.insert(row.end(), matrix.begin(), matrix.end());
+        rows.push_back(row);
+    }
+    Identification locked(3, spec("dcm"));
+    add(locked, rows);
+    const auto best = locked.best_first();
+    CHECK(std::ranges::any_of(best, [&](const Candidate& candidate) {
+        return locked.fits(candidate) && text_of(candidate) == "euler:ZYX:deg 123" && candidate.angle < 1e-15;
+    }));
+    // with rows off lock there is no doubt
+    const auto wide = rows_of(wide_attitudes(2), spec("euler:ZYX:deg"), {0, 1, 2});
+    rows.insert(rows.end(), wide.begin(), wide.end());
+    CHECK(identified(rows, 3) == "euler:ZYX:deg 123");
+}
+
+TEST_CASE("narrow rows are ambiguous, and it is said why") {
+    // Catches an answer that is one of many, and a reason that does not hold.
+    using Lack = Verdict::Lack;
+    const Columns plain{0, 1, 2};
+    const auto of = [&](const std::vector<Row>& angles) {
+        std::vector<Row> attitudes;
+        for (const Row& row : angles) {
+            attitudes.push_back(converted(row, spec("rpy:deg"), Spec{}));
+        }
+        return rows_of(attitudes, spec("rpy:deg"), plain);
+    };
+    // Yaw alone: of the 12 sequences, with their orders of columns, those that turn about z by the third column: six
+    // have z once among three axes, two in the middle, each with 2 orders of the others; two have z twice, with 4.
+    // And the rotation vector.
+    Identification yaw(3, spec("dcm"));
+    add(yaw, of({{0, 0, 30}, {0, 0, 100}, {0, 0, -70}}));
+    CHECK(yaw.verdict().fitting == (6 + 2) * 2 + 2 * 4 + 1);
+    CHECK(yaw.verdict().lack == Lack::axes);
+    CHECK(yaw.verdict().axis.isApprox(Eigen::Vector3d(0, 0, 1)));
+    CHECK(lack_of(of({{0, 0, 30}})) == Lack::rows);
+    CHECK(lack_of(of({{0, 0, 30}, {0, 0, 30}})) == Lack::attitudes);
+    CHECK(lack_of(of({{1, 0.5, 1}, {0.3, 2, -1}, {2, -1, 0.5}})) == Lack::size);
+    Identification two(3, spec("dcm"));
+    add(two, of({{0, 10, 30}, {0, -50, 100}, {0, 20, -70}})); // ZYX and ZYZ
+    CHECK(two.verdict().lack == Lack::numbers);
+    CHECK(two.verdict().column == 0);
+    CHECK(lack_of(of({{0, 0, 0}, {0, 0, 0}})) == Lack::attitudes);
+    // a skew axis
+    Identification skew(3, spec("quat"));
+    std::vector<Row> turns;
+    for (const double angle : {0.4, 1.1, -2.0}) {
+        turns.push_back(converted({angle * 0.6, 0, angle * 0.8}, spec("rotvec"), Spec{}));
+    }
+    add(skew, rows_of(turns, spec("rotvec"), plain, spec("quat")));
+    CHECK(skew.verdict().fitting == 1); // of the vectors along the axis none is another's multiple
+    CHECK(skew.verdict().lack == Lack::nothing);
+    const auto wide = of({{0, 0, 30}, {0, 0, 100}, {20, -40, -70}, {-60, 10, 5}});
+    CHECK(identified(wide, 3) == "euler:xyz:deg 123");
+}
+
+TEST_CASE("numbers that fit nothing are called so") {
+    // Catches the least bad candidate taken for the answer.
+    auto rows = rows_of(wide_attitudes(5), spec("rpy"), {0, 1, 2});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i][0] = 0.1 * static_cast<double>(i);
+        rows[i][1] = 0.3;
+    }
+    Identification identification(3, spec("dcm"));
+    add(identification, rows);
+    CHECK(identification.verdict().fitting == 0);
+    CHECK(identification.verdict().lack == Verdict::Lack::nothing);
+    CHECK(identification.rows() == 5);
+    const Identification nothing(3, spec("dcm"));
+    CHECK(nothing.verdict().fitting == 0);
+    CHECK(nothing.rows() == 0);
+}
+
+TEST_CASE("a candidate that fits but for one late row stands before those that never fit") {
+    // Catches a table sorted by the last angle alone.
+    auto rows = rows_of(wide_attitudes(300), spec("euler:YXZ"), {0, 1, 2});
+    rows[250][1] += 2.0;
+    Identification identification(3, spec("dcm"));
+    add(identification, rows);
+    CHECK(identification.verdict().fitting == 0);
+    const Candidate best = identification.best_first().front();
+    CHECK(text_of(best) == "euler:YXZ 123");
+    CHECK(best.rows == 251);
+    CHECK(best.angle_row == 251);
+    CHECK(best.angle == Approx(2.0));
+}
+
+TEST_CASE("the angle is that between the attitudes") {
+    // Catches a figure in other units, and the line of another row.
+    auto rows = rows_of(wide_attitudes(20), spec("rotvec"), {0, 1, 2}, spec("quat"));
+    for (const auto& [at, angle] : {std::pair(std::size_t{7}, 1e-5), std::pair(std::size_t{12}, 3e-4)}) {
+        const Row turned = converted({0, 0, angle}, spec("rotvec"), spec("dcm"));
+        const Row own = converted(Row(rows[at].begin() + 3, rows[at].end()), spec("quat"), spec("dcm"));
+        Row product(9);
+        for (std::size_t i = 0; i < 9; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                product[i] += turned[i / 3 * 3 + k] * own[3 * k + i % 3];
+            }
+        }
+        const Row known = converted(product, spec("dcm"), spec("quat"));
+        std::ranges::copy(known, rows[at].begin() + 3);
+    }
+    Identification identification(3, spec("quat"));
+    add(identification, rows);
+    const Candidate best = identification.best_first().front();
+    CHECK(text_of(best) == "rotvec 123");
+    CHECK(best.angle == Approx(3e-4).epsilon(1e-10));
+    CHECK(best.angle_row == 13);
+    CHECK(best.rows == 20);
+    Identification strict(3, spec("quat"), {}, {.within = 2e-4});
+    add(strict, rows);
+    CHECK(strict.verdict().fitting == 0);
+}
+
+TEST_CASE("rows that cannot be read are errors and count for nothing") {
+    // Catches a bad row that drives the right candidate out, and a row that is counted all the same.
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    auto rows = rows_of(wide_attitudes(10), spec("quat:xyzw"), {0, 1, 2, 3});
+    rows[3][4] = 7;                       // no matrix
+    rows[5][0] = nan;                     // no number
+    std::fill_n(rows[6].begin(), 4, 0.0); // no quaternion
+    rows[8][1] *= 2.0;                    // no unit quaternion
+    for (const std::size_t at_once : {std::size_t{1}, std::size_t{3}, std::size_t{10}}) {
+        Identification identification(4, spec("dcm"));
+        const auto reports = add(identification, rows, at_once);
+        REQUIRE(reports.size() == 4);
+        const std::array expected{
+            std::pair(std::size_t{3}, Error::defect), std::pair(std::size_t{5}, Error::not_finite),
+            std::pair(std::size_t{6}, Error::zero_quaternion), std::pair(std::size_t{8}, Error::defect)};
+        for (std::size_t i = 0; i < 4; ++i) {
+            CHECK(reports[i].row == expected[i].first);
+            CHECK(reports[i].error == expected[i].second);
+        }
+        CHECK(reports[3].defect > 1e-3);
+        CHECK(identification.rows() == 6);
+        CHECK(answer(identification) == "quat:xyzw 1234");
+    }
+}
+
+TEST_CASE("a candidate that cannot read a row leaves with it") {
+    // Catches a quaternion of any norm that fits.
+    const auto attitudes = wide_attitudes(4);
+    auto rows = rows_of(attitudes, spec("axis-angle:deg"), {0, 1, 2, 3});
+    Identification identification(4, spec("dcm"));
+    CHECK(add(identification, rows).empty());
+    CHECK(answer(identification) == "axis-angle:deg 1234");
+    const auto best = identification.best_first();
+    const auto quat =
+        std::ranges::find_if(best, [](const Candidate& candidate) { return text_of(candidate) == "quat 1234"; });
+    REQUIRE(quat != best.end());
+    CHECK(quat->rows == 1);
+    CHECK(std::isinf(quat->angle));
+    CHECK(quat->angle_row == 1);
+}
+
+TEST_CASE("what comes of rows does not depend on how many come at once") {
+    // Catches a candidate that leaves with its batch.
+    const auto rows = rows_of(wide_attitudes(300), spec("euler:XZX:deg"), {1, 0, 2});
+    Identification all(3, spec("dcm"));
+    add(all, rows);
+    for (const std::size_t at_once : {std::size_t{1}, std::size_t{2}, std::size_t{37}}) {
+        Identification some(3, spec("dcm"));
+        add(some, rows, at_once);
+        const auto expected = all.best_first();
+        const auto found = some.best_first();
+        REQUIRE(found.size() == expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (text_of(found[i]) != text_of(expected[i]) || found[i].angle != expected[i].angle ||
+                found[i].rows != expected[i].rows || found[i].angle_row != expected[i].angle_row) {
+                FAIL(text_of(found[i]));
+            }
+        }
+    }
+}
