@@ -13,6 +13,7 @@
 #include "../stream/file.hpp"
 #include "arguments.hpp"
 #include "compare.hpp"
+#include "identify.hpp"
 #include "kinematics.hpp"
 #include "list.hpp"
 #include "messages.hpp"
@@ -37,7 +38,7 @@ struct Entry {
     std::size_t most_files = 1;
 };
 
-constexpr std::array<Entry, 5> commands{
+constexpr std::array<Entry, 6> commands{
     {{"list", "List the representations, or explain one; list methods: the methods", "Usage: rotconv list [NAME]\n",
       define_list,
       [](const RawOptions& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
@@ -57,7 +58,12 @@ constexpr std::array<Entry, 5> commands{
       "       rotconv compare -f SPEC [-t SPEC] [OPTION]... [FILE]\n"
       "       rotconv compare -f SPEC [-t SPEC] [OPTION]... VALUE...\n",
       define_compare,
-      [](const RawOptions& texts, const Operands& operands) -> Command { return compare_command(texts, operands); },
+      [](const RawOptions& texts, const Operands& operands) -> Command { return compare_command(texts, operands); }, 2},
+     {"identify", "Which convention numbers have, from the same attitudes in a known one",
+      "Usage: rotconv identify -t KNOWN [-f NAME] [OPTION]... FILE [REFERENCE]\n"
+      "       rotconv identify -t KNOWN [-f NAME] [OPTION]... VALUE...\n",
+      define_identify,
+      [](const RawOptions& texts, const Operands& operands) -> Command { return identify_command(texts, operands); },
       2}}};
 
 /// The command of that name, or null.
@@ -77,7 +83,7 @@ public:
                "       rotconv -f FROM -t TO [OPTION]... [FILE]\n"
                "       rotconv list [NAME]\n"
                "       rotconv rates|propagate|survey [OPTION]... [FILE]\n"
-               "       rotconv compare -f SPEC [OPTION]... FILE REFERENCE\n";
+               "       rotconv compare|identify [OPTION]... [FILE [REFERENCE]]\n";
     }
 };
 

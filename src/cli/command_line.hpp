@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
+#include <rotconv/identification.hpp>
 #include <rotconv/survey.hpp>
 
 #include "../stream/options.hpp"
@@ -52,6 +54,16 @@ struct CompareCommand {
     Format format = Format::pretty;
 };
 
+/// `rotconv identify ...`, checked.
+struct IdentifyCommand {
+    RowsCommand rows;                     ///< the input, not yet identified by anybody
+    stream::IdentificationRows layout;    ///< its count is 0 where the first row tells it
+    std::optional<RepresentationId> name; ///< the only one that is tried
+    IdentificationSettings settings;
+    bool degrees = false; ///< the angles of the answer
+    bool json = false;
+};
+
 /// `rotconv list [NAME]`.
 struct ListCommand {
     std::string name;
@@ -67,7 +79,8 @@ struct UsageError {
     std::string message;
 };
 
-using Command = std::variant<RowsCommand, SurveyCommand, CompareCommand, ListCommand, PrintCommand, UsageError>;
+using Command =
+    std::variant<RowsCommand, SurveyCommand, CompareCommand, IdentifyCommand, ListCommand, PrintCommand, UsageError>;
 
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
 

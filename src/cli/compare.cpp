@@ -10,6 +10,7 @@
 #include <rotconv/comparison.hpp>
 
 #include "../stream/number_text.hpp"
+#include "pairing.hpp"
 #include "print_error.hpp"
 #include "rows.hpp"
 
@@ -104,25 +105,6 @@ std::string in_json(const CompareCommand& command, const RowsResult& result, con
                        angle(angles.mean()));
 }
 
-/// The options of one of two streams, whose key is the first of its columns.
-RawOptions side_options(const RawOptions& texts, std::string_view key_option, const std::string& key,
-                        const std::string& columns, bool paired) {
-    RawOptions side = texts;
-    side.columns = columns;
-    if (key.empty() || !paired) {
-        return side;
-    }
-    const auto parsed = stream::ColumnList::parse(key, 1);
-    if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
-        throw Usage(fmt::format("{}: {}", key_option, messages::explain(*error, {.text = "a key", .count = 1})));
-    }
-    if (columns.empty()) {
-        throw Usage(fmt::format("{} awaits --columns, for a row of numbers alone has no key", key_option));
-    }
-    side.columns = fmt::format("{},{}", key, columns);
-    return side;
-}
-
 } // namespace
 
 void define_compare(CLI::App& app, RawOptions& texts) {
@@ -130,14 +112,7 @@ void define_compare(CLI::App& app, RawOptions& texts) {
     app.add_option("-t,--to", texts.to, "What the reference is (default: as --from)")->type_name("SPEC");
     app.add_option("--within", texts.within, "The greatest angle that passes, in radians or with -d degrees")
         ->type_name("ANGLE");
-    app.add_option("--reference-columns", texts.reference_columns, "Columns of REFERENCE (default: as --columns)")
-        ->type_name("LIST");
-    app.add_option("--key", texts.key, "Pair rows of the same key in this column, not of the same number")
-        ->type_name("COLUMN");
-    app.add_option("--reference-key", texts.reference_key, "The key's column of REFERENCE (default: as --key)")
-        ->type_name("COLUMN");
-    app.add_option("--key-within", texts.key_within, "By how much keys of a pair may differ (default 0)")
-        ->type_name("T");
+    define_pairing(app, texts);
     app.add_option("--as", texts.relative, "With --format csv: the relative attitude too")->type_name("SPEC");
     app.add_option("--frame", texts.frame, "Axes of the relative attitude: body or reference")->type_name("FRAME");
     define_input(app, texts);
@@ -161,10 +136,7 @@ CompareCommand compare_command(const RawOptions& texts, const Operands& operands
     }
     const Comparison comparison(from, reference, settings);
 
-    const bool paired = operands.files.size() > 1;
-    if (paired && operands.files[0] == "-" && operands.files[1] == "-") {
-        throw Usage("both FILE and REFERENCE are stdin (-), which can be read once");
-    }
+    const bool paired = is_paired(operands);
     const stream::ComparisonRows rows{
         .paired = paired, .by_key = paired && !texts.key.empty(), .with_line = format != Format::csv};
     const double tolerance = settings.reading.tolerance;
@@ -173,7 +145,7 @@ CompareCommand compare_command(const RawOptions& texts, const Operands& operands
         subject.text += texts.to.empty() ? " twice" : fmt::format(" and {}", representation(reference.name).text);
         subject.count = comparison.inputs();
     }
-    RawOptions input = side_options(texts, "--key", texts.key, texts.columns, paired);
+    RawOptions input = paired ? with_key(texts) : texts;
     input.format = "csv";
     CompareCommand command{
         .rows = rows_command(input, stream::comparison_operation(comparison, rows), std::move(subject), operands),
@@ -185,22 +157,8 @@ CompareCommand compare_command(const RawOptions& texts, const Operands& operands
         options.format = stream::Format::result;
     }
     if (paired) {
-        const auto or_else = [](const std::string& text, const std::string& other) {
-            return text.empty() ? other : text;
-        };
-        const RawOptions other = side_options(texts, "--reference-key", or_else(texts.reference_key, texts.key),
-                                              or_else(texts.reference_columns, texts.columns), paired);
-        command.rows.reference = operands.files[1];
-        command.rows.reference_subject = messages::subject_of(reference, tolerance);
-        RowsCommand reading =
-            rows_command(other, stream::reference_operation(comparison, rows), command.rows.reference_subject, {});
-        reading.options.format = stream::Format::result;
-        stream::Pairing pairing{.reference = std::move(reading.options), .by_key = rows.by_key};
-        if (!texts.key_within.empty()) {
-            static_cast<void>(amount_of("--key-within", texts.key_within, 0.0, false));
-            pairing.within = *stream::Decimal::parse(texts.key_within);
-        }
-        options.pairing = std::make_shared<stream::Pairing>(std::move(pairing));
+        pair(command.rows, texts, operands, stream::reference_operation(reference, rows.by_key),
+             messages::subject_of(reference, tolerance));
     }
     return command;
 }

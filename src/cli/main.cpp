@@ -8,6 +8,7 @@
 #include "command_line.hpp"
 #include "compare.hpp"
 #include "exit_code.hpp"
+#include "identify.hpp"
 #include "list.hpp"
 #include "messages.hpp"
 #include "print_error.hpp"
@@ -40,6 +41,7 @@ struct Run {
     ExitCode operator()(const RowsCommand& command) const { return run_rows(command).code; }
     ExitCode operator()(const SurveyCommand& command) const { return survey(command); }
     ExitCode operator()(const CompareCommand& command) const { return compare(command); }
+    ExitCode operator()(const IdentifyCommand& command) const { return identify(command); }
     ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
     ExitCode operator()(const UsageError& error) const { return usage(error.message); }
     ExitCode operator()(const ListCommand& command) const {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "../stream/first_row.hpp"
 #include "../stream/run.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
@@ -38,6 +39,15 @@ public:
         }
         if (command_->diagnostics == ShowDiagnostics::rows) {
             tell(diagnostic.line, messages::describe(diagnostic));
+        }
+    }
+
+    void tell(std::size_t line, const std::string& message, bool of_reference = false) const {
+        const std::string& where = of_reference ? reference_ : where_;
+        if (line == 0 || command_->has_values) {
+            print_error(fmt::format("{}: {}", where, message));
+        } else {
+            print_error(fmt::format("{}:{}: {}", where, line, message));
         }
     }
 
@@ -93,15 +103,6 @@ private:
     static std::string rows_from(std::size_t rows, std::size_t first_line) {
         return fmt::format("{} row{}, first at line {}", rows, rows == 1 ? "" : "s", first_line);
     }
-    void tell(std::size_t line, const std::string& message, bool of_reference = false) const {
-        const std::string& where = of_reference ? reference_ : where_;
-        if (line == 0 || command_->has_values) {
-            print_error(fmt::format("{}: {}", where, message));
-        } else {
-            print_error(fmt::format("{}:{}: {}", where, line, message));
-        }
-    }
-
     const RowsCommand* command_;
     std::string where_;
     std::string reference_;
@@ -127,7 +128,7 @@ std::unique_ptr<stream::File> open(const std::string& path) {
 
 } // namespace
 
-RowsResult run_rows(const RowsCommand& command, const std::optional<Conclusion>& conclusion) {
+RowsResult run_rows(RowsCommand command, const std::optional<Conclusion>& conclusion, const Settle& settle) {
     using What = stream::StreamError::What;
     stream::OutputFile output(command.output);
     std::vector<std::unique_ptr<stream::File>> inputs;
@@ -151,7 +152,14 @@ RowsResult run_rows(const RowsCommand& command, const std::optional<Conclusion>&
     stream::TextSource values(command.values);
     const bool on_screen = command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
     const auto progress = std::make_unique<Progress>(*inputs.front(), command.progress && !on_screen);
-    stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
+    stream::FirstRow source(command.has_values ? static_cast<stream::Source&>(values) : *progress);
+    if (settle) {
+        const std::string_view first = source.text();
+        if (const std::string wrong = settle(first, command); !wrong.empty()) {
+            reporter.tell(source.line(), wrong);
+            return {.code = ExitCode::incomplete};
+        }
+    }
     stream::Sink& sink = conclusion ? conclusion->rows : output;
     const auto report = [&reporter](const stream::Event& event) { reporter(event); };
     const stream::RunResult ending = inputs.size() > 1

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "../stream/file.hpp"
 #include "../stream/job.hpp"
@@ -30,7 +31,12 @@ struct Conclusion {
     std::function<std::string(const RowsResult& result)> text; ///< printed at the end of a run that was not stopped
 };
 
+/// Settles what depends on the first row, neither blank nor a comment; it is empty where there is none.
+/// @return what is wrong with the row, or nothing
+using Settle = std::function<std::string(std::string_view first_row, RowsCommand& command)>;
+
 /// Runs the rows, and tells on stderr what there is to tell.
-[[nodiscard]] RowsResult run_rows(const RowsCommand& command, const std::optional<Conclusion>& conclusion = {});
+[[nodiscard]] RowsResult run_rows(RowsCommand command, const std::optional<Conclusion>& conclusion = {},
+                                  const Settle& settle = {});
 
 } // namespace rotconv::cli

@@ -49,6 +49,7 @@ bool HeaderReader::read(std::string_view& rest, std::size_t& line, Output& outpu
         if (options_->header == HeaderMode::add) {
             write_added_header(options_->width, output);
         }
+        tell_selected();
         return true;
     }
     while (!rest.empty() && !error_) {
@@ -56,12 +57,19 @@ bool HeaderReader::read(std::string_view& rest, std::size_t& line, Output& outpu
         const Line current = next_line(after);
         if (is_data(current, line, output)) {
             settle(current, output);
+            tell_selected();
             return true;
         }
         rest = after;
         ++line;
     }
     return false;
+}
+
+void HeaderReader::tell_selected() const {
+    if (options_->operation.selected) {
+        options_->operation.selected(layout_.positions);
+    }
 }
 
 void HeaderReader::finish(Output& output, bool at_end) {

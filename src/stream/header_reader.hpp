@@ -61,6 +61,7 @@ private:
     void release(Output& output);
     void write(std::string_view text, Output& output) const;
     void settle(const Line& row, Output& output);
+    void tell_selected() const;
 
     [[nodiscard]] bool has_selected(const Header& header) const noexcept;
     /// The texts of the selected fields.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include <fmt/format.h>
 #include <rotconv/quaternion.hpp>
 
 #include "decimal.hpp"
@@ -38,6 +39,19 @@ RowOperation input_of(const Spec& spec, bool with_key) {
         operation.kept = 1;
     }
     return operation;
+}
+
+/// Rows of a key, n numbers, another key and m numbers without the keys.
+std::span<const double> without_keys(std::span<const double> rows, std::size_t n, std::size_t m,
+                                     std::vector<double>& room) {
+    room.clear();
+    for (auto at = rows.begin(); at != rows.end();) {
+        for (const std::size_t size : {n, m}) {
+            room.insert(room.end(), at + 1, at + 1 + static_cast<std::ptrdiff_t>(size));
+            at += 1 + static_cast<std::ptrdiff_t>(size);
+        }
+    }
+    return room;
 }
 
 /// A conversion from the unit quaternion, which is never refused.
@@ -245,20 +259,11 @@ RowOperation comparison_operation(const Comparison& comparison, const Comparison
     } else if (operation.attitude) {
         std::ranges::copy(column_names(*operation.attitude), std::back_inserter(operation.names));
     }
-    operation.run = [comparison, rows, without_keys = std::vector<double>(), angles = std::vector<double>()](
+    operation.run = [comparison, rows, room = std::vector<double>(), angles = std::vector<double>()](
                         const NumberRows& given, std::span<double> out, std::vector<Report>& reports) mutable {
-        std::span<const double> numbers = given.numbers;
-        if (rows.by_key) {
-            without_keys.clear();
-            for (auto at = numbers.begin(); at != numbers.end();) {
-                for (const std::size_t size : {comparison.from().size(), comparison.reference().size()}) {
-                    const auto end = at + 1 + static_cast<std::ptrdiff_t>(size);
-                    without_keys.insert(without_keys.end(), at + 1, end);
-                    at = end;
-                }
-            }
-            numbers = without_keys;
-        }
+        const auto numbers =
+            rows.by_key ? without_keys(given.numbers, comparison.from().size(), comparison.reference().size(), room)
+                        : given.numbers;
         if (!rows.with_line) {
             comparison.run(numbers, out, reports);
             return;
@@ -273,9 +278,7 @@ RowOperation comparison_operation(const Comparison& comparison, const Comparison
     return operation;
 }
 
-RowOperation reference_operation(const Comparison& comparison, const ComparisonRows& rows) {
-    return input_of(comparison.reference(), rows.by_key);
-}
+RowOperation reference_operation(const Spec& spec, bool by_key) { return input_of(spec, by_key); }
 
 RowOperation reading_operation(const Spec& from, double tolerance,
                                std::function<void(const Rotation& rotation, std::size_t line)> take) {
@@ -299,6 +302,30 @@ RowOperation reading_operation(const Spec& from, double tolerance,
                     take(Rotation::from_components(q[0], q[1], q[2], q[3]), rows.lines[i]);
                 }
             }};
+}
+
+RowOperation identification_operation(const IdentificationRows& rows, Identification* identification) {
+    RowOperation operation;
+    operation.names = {"angle"};
+    operation.in_order = true;
+    if (rows.by_key) {
+        operation.input_names.emplace_back("key");
+        operation.kept = 1;
+    }
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        operation.input_names.push_back(fmt::format("n{}", i + 1));
+    }
+    if (!rows.paired) {
+        std::ranges::copy(column_names(rows.known), std::back_inserter(operation.input_names));
+    }
+    operation.inputs = operation.input_names.size();
+    operation.run = [rows, identification, room = std::vector<double>()](
+                        const NumberRows& given, std::span<double> /*out*/, std::vector<Report>& reports) mutable {
+        const auto numbers =
+            rows.by_key ? without_keys(given.numbers, rows.count, rows.known.size(), room) : given.numbers;
+        identification->add(numbers, given.lines, reports);
+    };
+    return operation;
 }
 
 } // namespace rotconv::stream

@@ -10,6 +10,7 @@
 
 #include <rotconv/comparison.hpp>
 #include <rotconv/conversion.hpp>
+#include <rotconv/identification.hpp>
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
 
@@ -33,6 +34,8 @@ struct RowOperation {
     std::size_t kept = 0;                 ///< how many of the first of them also pass to the output as they are
     std::vector<std::string> names;       ///< the columns of the result
     std::optional<Spec> attitude{};       ///< what the result is, where it is an attitude
+    /// Told once, before the first row, which fields hold the numbers, from 0; none where a row is its numbers.
+    std::function<void(const std::vector<std::size_t>& positions)> selected{};
     bool in_order = false; ///< all rows must come to it in their order; else each copy may answer any of them
 
     /// Answers rows of `inputs` numbers with names.size() numbers each. `reports` become those of the rows of which
@@ -71,11 +74,21 @@ struct ComparisonRows {
     bool with_line = false; ///< the row's line after the angle, in the place of the relative attitude
 };
 [[nodiscard]] RowOperation comparison_operation(const Comparison& comparison, const ComparisonRows& rows);
-/// What is read of the reference.
-[[nodiscard]] RowOperation reference_operation(const Comparison& comparison, const ComparisonRows& rows);
+/// What is read of the reference: an attitude, perhaps after its key.
+[[nodiscard]] RowOperation reference_operation(const Spec& spec, bool by_key);
 
 /// Hands the attitude of each row, as a unit quaternion, to `take`. The results are for nobody.
 [[nodiscard]] RowOperation reading_operation(const Spec& from, double tolerance,
                                              std::function<void(const Rotation& rotation, std::size_t line)> take);
+
+/// Adds the rows, of `count` unknown numbers and then those of the known attitude, to an identification, which must
+/// outlive it; null: to none. The results are for nobody.
+struct IdentificationRows {
+    std::size_t count = 0;
+    Spec known;
+    bool paired = false; ///< see ComparisonRows
+    bool by_key = false;
+};
+[[nodiscard]] RowOperation identification_operation(const IdentificationRows& rows, Identification* identification);
 
 } // namespace rotconv::stream

@@ -17,7 +17,7 @@ namespace {
 
 using namespace rotconv;
 
-fuzz::Reach reach{"conversion", "rates", "propagate", "survey", "list", "text to print", "usage error", "VALUEs"};
+fuzz::Reach reach{"conversion", "rates", "propagate", "survey", "identify", "list", "text to print", "usage error", "VALUEs"};
 
 void require(bool holds) {
     if (!holds) {
@@ -50,6 +50,10 @@ struct Check {
     void operator()(const cli::SurveyCommand& command) const {
         require(command.condition >= 0.0);
         reach.add("survey");
+    }
+    void operator()(const cli::IdentifyCommand& command) const {
+        require(command.settings.within >= 0.0);
+        reach.add("identify");
     }
     void operator()(const cli::ListCommand& command) const {
         static_cast<void>(cli::list_one(command.name));

@@ -37,6 +37,12 @@ done
 [ "$(./euroc-to-matrices.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/euroc_v102.csv)" ] || failed=1
 [ "$(./kitti-to-quaternions.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/kitti_00.txt)" ] || failed=1
 
+conventions=$(./identify.sh)
+for answer in quat:xyzw:1-4 euler:xyz:deg:1-3 dcm:col:1-9; do
+    check identify.sh "-f ${answer%:*} --columns ${answer##*:}" "$conventions"
+done
+check identify.sh "ambiguous: 25 fit; all turn about one axis, (0, 0, 1)" "$conventions"
+
 motion=$(./survey-and-propagate.sh)
 check survey-and-propagate.sh "The smallest set that serves: mrp" "$motion"
 printf '%s\n' "$motion" | awk '/off by at most/ && $14 < 1e-4 { found = 1 } END { exit !found }' || {

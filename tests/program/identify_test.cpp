@@ -1,0 +1,265 @@
+#include <catch.hpp>
+
+#include "process.hpp"
+
+using namespace program;
+
+namespace {
+
+/// Rows of numbers under a SPEC, then the matrix that they mean.
+std::string with_matrix(const std::string& spec, const std::string& rows) {
+    const auto made = run("-f " + spec + " -t dcm --append --diagnostics off", rows);
+    CHECK(made.exit_code == 0);
+    return made.out;
+}
+
+const std::string angles = "10 20 30\n-50 60 100\n120 -30 5\n";
+const std::string quaternions = "0.1 0.3 -0.2 0.9\n0.8 0.2 0.3 -0.1\n-0.4 0.5 0.6 0.2\n";
+
+std::string last_line(const std::string& text) {
+    const auto end = text.rfind('\n');
+    const auto begin = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    return text.substr(begin + 1, end - begin - 1);
+}
+
+/// The answer, where all went well.
+std::string answer(const std::string& arguments, const std::string& input) {
+    const auto result = run("identify " + arguments, input);
+    CHECK(result.err == "");
+    CHECK(result.exit_code == (last_line(result.out).starts_with("-f ") ? 0 : 1));
+    return last_line(result.out);
+}
+
+} // namespace
+
+TEST_CASE("identify ends with options that read the numbers") {
+    // Catches an answer that cannot be pasted, or that reads other attitudes.
+    const std::string rows = with_matrix("euler:zxz:deg:passive", angles);
+    CHECK(answer("-t dcm", rows) == "-f euler:zxz:deg:passive --columns 1-3");
+    const auto pasted = run(answer("-t dcm", rows) + " -t dcm --diagnostics off -p 6", rows);
+    const auto known = run("-f dcm -t dcm --columns 4-12 --diagnostics off -p 6", rows);
+    CHECK(fields_of(fields_of(pasted.out, '\n').at(1), ' ').at(3) ==
+          fields_of(fields_of(known.out, '\n').at(1), ' ').at(6));
+    CHECK(answer("-t quat", run("-f rpy:deg -t quat --append", angles).out) == "-f euler:xyz:deg --columns 1-3");
+}
+
+TEST_CASE("identify tells conventions apart that people mix up") {
+    // Catches one read as the other.
+    CHECK(answer("-t dcm --tolerance inf", with_matrix("quat:xyzw --tolerance inf", quaternions)) ==
+          "-f quat:xyzw --columns 1-4");
+    CHECK(answer("-t dcm --tolerance inf", with_matrix("quat --tolerance inf", quaternions)) ==
+          "-f quat --columns 1-4");
+    CHECK(answer("-t dcm", with_matrix("euler:ZYX:deg", angles)) == "-f euler:ZYX:deg --columns 1-3");
+    CHECK(answer("-t dcm", with_matrix("euler:zyx:deg", angles)) == "-f euler:zyx:deg --columns 1-3");
+    CHECK(answer("-t dcm", with_matrix("euler:ZXZ:bunge:deg", angles)) == "-f euler:ZXZ:deg --columns 1-3");
+    CHECK(answer("-t dcm", with_matrix("euler:ZYZ:deg", angles)) == "-f euler:ZYZ:deg --columns 1-3");
+    CHECK(answer("-t dcm", with_matrix("euler:ZYX", "0.1 0.2 0.3\n-1 0.7 2\n")) == "-f euler:ZYX --columns 1-3");
+    // ZYX listed as roll, pitch, yaw
+    CHECK(answer("-t dcm", with_matrix("euler:ZYX:deg --columns 3,2,1", angles)) == "-f euler:xyz:deg --columns 1-3");
+    const std::string matrices = run("-f dcm:col -t quat --append", run("-f rpy:deg -t dcm", angles).out).out;
+    CHECK(answer("-t quat", matrices) == "-f dcm:col --columns 1-9");
+}
+
+TEST_CASE("identify answers in the columns of the file") {
+    // Catches columns counted among those selected.
+    const auto row = with_matrix("rpy:deg --columns 2-4", "7 10 20 30 x\n8 -50 60 100 y\n9 120 -30 5 z\n");
+    CHECK(answer("-t dcm --columns 2-4,6-14", row) == "-f euler:xyz:deg --columns 2-4");
+    CHECK(answer("-t dcm --columns 4,2,3,6-14", row) == "-f euler:ZYX:deg --columns 4,3,2");
+    // by name, and mislabelled
+    const std::string table = "t;qw;qx;qy;qz;roll;pitch;yaw\n"
+                              "0;0;0;0.6;0.8;0;0;73.739795291688042\n1;0.6;0;0;0.8;73.739795291688042;0;0\n"
+                              "2;0.5;0.5;0.5;0.5;90;0;90\n";
+    const auto named = answer("-t rpy:deg --columns qw,qx,qy,qz,roll,pitch,yaw", table);
+    CHECK(named == "-f quat:xyzw --columns 2-5");
+    CHECK(run(named + " -t rpy:deg -p 6 --diagnostics off", table) ==
+          done("t;roll;pitch;yaw;roll;pitch;yaw\n0;0;0;73.7398;0;0;73.739795291688042\n"
+               "1;73.7398;0;0;73.739795291688042;0;0\n2;90;0;90;90;0;90\n"));
+}
+
+TEST_CASE("identify has a line for each of the best candidates") {
+    // Catches a table without lines, and angles in another unit.
+    std::string rows = with_matrix("rpy:deg", "10 20 30\n-50 60 100\n120 -30 5\n");
+    rows = "# a remark\n\n" + rows;
+    const auto result = run("identify -t dcm", rows);
+    CHECK(missing(result.out, {"SPEC ", "columns", "worst angle", "at line", "rows", "fits", "\n3 rows; ",
+                               "within 0.001 rad:\n"}) == "");
+    const auto lines = fields_of(result.out, '\n');
+    REQUIRE(lines.size() > 13);
+    const auto best = words_of(lines.at(1));
+    CHECK(best.front() == "euler:xyz:deg");
+    CHECK(best.at(1) == "1-3");
+    CHECK(best.at(4) == "3");
+    CHECK(best.at(5) == "yes");
+    CHECK(words_of(lines.at(2)).back() == "no");
+    CHECK(count_rows(result.out) == 14);
+    // one row off by a tenth of a degree: (10, 20, 30.1) is known as (10, 20, 30)
+    const std::string off = with_matrix("rpy:deg", "10 20 30\n") + "120 -30 5.1 " +
+                            run("-f rpy:deg -t dcm", "120 -30 5\n").out + with_matrix("rpy:deg", "-50 60 100\n");
+    const auto degrees = run("identify -t dcm -d --within 0.2", off);
+    CHECK(last_line(degrees.out) == "-f euler:xyz:deg --columns 1-3");
+    const auto of_best = words_of(fields_of(degrees.out, '\n').at(1));
+    CHECK(of_best.at(2) == "0.1");
+    CHECK(of_best.at(3) == "2");
+    CHECK(missing(degrees.out, {"within 0.2 degrees:\n"}) == "");
+    CHECK(answer("-t dcm -d --within 0.05", off) == "none");
+    CHECK(answer("-t dcm", off) == "none");
+    CHECK(answer("-t dcm --within 0.002", off) == "-f euler:xyz:deg --columns 1-3");
+}
+
+TEST_CASE("identify calls narrow rows ambiguous and says what they lack") {
+    // Catches one of many taken for the answer, and exit 0.
+    const auto of = [](const std::string& rows) { return answer("-t dcm", with_matrix("rpy:deg", rows)); };
+    CHECK(of("0 0 30\n0 0 80\n") == "ambiguous: 25 fit; all turn about one axis, (0, 0, 1)");
+    CHECK(of("0 0 30\n") == "ambiguous: 25 fit; there is one row");
+    CHECK(of("0 0 30\n0 0 30\n") == "ambiguous: 25 fit; all rows have the same attitude");
+    CHECK(missing(of("1 0.5 1\n0 0 3\n2 -1 0.5\n"), {"ambiguous: ", " fit; all are small, at most 0.0524 rad"}) ==
+          "");
+    CHECK(missing(of("0 10 30\n0 -50 100\n0 20 -70\n"), {"ambiguous: ", "the number in column 1 is always 0"}) == "");
+    const auto zero = with_matrix("rpy:deg --columns 2-4", "7 0 10 30\n7 0 -50 100\n");
+    CHECK(missing(answer("-t dcm --columns 4,2,3,5-13", zero), {"the number in column 2 is always 0"}) == "");
+    CHECK(answer("-t dcm", with_matrix("rpy:deg", "10 20 30\n")) == "-f euler:xyz:deg --columns 1-3");
+}
+
+TEST_CASE("identify says none where nothing fits") {
+    // Catches the least bad candidate taken for the answer.
+    const std::string rows = "1 2 3 1 0 0 0 1 0 0 0 1\n3 2 1 0 -1 0 1 0 0 0 0 1\n";
+    const auto result = run("identify -t dcm", rows);
+    CHECK(result.exit_code == 1);
+    CHECK(result.err == "");
+    CHECK(last_line(result.out) == "none");
+    for (const char* input : {"", "# comment\n", "\n"}) {
+        const auto empty = run("identify -t dcm", input);
+        CHECK(empty.exit_code == 1);
+        CHECK(empty.out == "none\n");
+        CHECK(missing(empty.err, {"rotconv: -: ", "no attitude"}) == "");
+        CHECK(run("identify -t dcm --format json", input).out == R"({"rows": 0, "fit": 0, "answer": "none"})"
+                                                                 "\n");
+    }
+}
+
+TEST_CASE("identify tries one representation alone where it is named") {
+    // Catches a name that is ignored.
+    const std::string rows = with_matrix("rpy:deg", "0 0 30\n0 0 80\n");
+    CHECK(answer("-t dcm -f rotvec", rows) == "-f rotvec:deg --columns 1-3");
+    CHECK(missing(answer("-t dcm -f euler", rows), {"ambiguous: 24 fit"}) == "");
+    CHECK(answer("-t dcm -f mrp", rows) == "none");
+    CHECK(answer("-t dcm -f rpy", with_matrix("rpy:deg", angles)) == "-f rpy:deg --columns 1-3");
+    CHECK(answer("-t dcm -f gibbs", with_matrix("cayley", angles)) == "-f cayley --columns 1-3");
+}
+
+TEST_CASE("identify takes one row as VALUEs, and a file") {
+    // Catches a form that is left out.
+    CHECK(run("identify -t dcm 0 0 90 0 -1 0 1 0 0 0 0 1").exit_code == 1);
+    CHECK(last_line(run("identify -t dcm 0 0 90 0 -1 0 1 0 0 0 0 1").out) == "ambiguous: 25 fit; there is one row");
+    CHECK(last_line(run("identify -t rpy:deg 0.5,0.1,0.7,0.5,120,60,-10").out) == "none");
+    CHECK(last_line(run(Words{"identify", "-t", "quat", "90 0 90 0.5 0.5 0.5 0.5"}).out).starts_with("ambiguous"));
+    Folder folder;
+    const auto path = (folder / "rows").string();
+    write_file(path, with_matrix("rpy:deg", angles));
+    CHECK(last_line(run("identify -t dcm " + path).out) == "-f euler:xyz:deg --columns 1-3");
+    CHECK(last_line(run("identify -t dcm -i " + path).out) == "-f euler:xyz:deg --columns 1-3");
+    const auto table = (folder / "table").string();
+    CHECK(run("identify -t dcm -o " + table + " " + path) == done(""));
+    CHECK(last_line(read_file(table)) == "-f euler:xyz:deg --columns 1-3");
+}
+
+TEST_CASE("identify reads doubles") {
+    // Catches a count of numbers that is taken from bytes.
+    const auto bytes =
+        run("-f quat -t rpy:deg --append --format f64 --diagnostics off --tolerance inf --input-format f64",
+            run("-f quat -t quat --tolerance inf --diagnostics off --format f64", quaternions).out);
+    CHECK(bytes.exit_code == 0);
+    CHECK(bytes.out.size() == 3 * 7 * sizeof(double));
+    CHECK(answer("-t rpy:deg --input-format f64 --width 7", bytes.out) == "-f quat --columns 1-4");
+    CHECK(answer("-t rpy:deg -f quat --input-format f64", bytes.out) == "-f quat --columns 1-4");
+    CHECK(answer("-t quat --columns 5-7,1-4 --width 7 --input-format f64", bytes.out) ==
+          "-f euler:xyz:deg --columns 5-7");
+    const auto unknown = run("identify -t rpy:deg --input-format f64", bytes.out);
+    CHECK(unknown.exit_code == 2);
+    CHECK(missing(unknown.err, {"f64", "--width"}) == "");
+}
+
+TEST_CASE("identify speaks JSON") {
+    // Catches numbers that no JSON reader takes, and a last line that is none.
+    const auto result = run("identify -t dcm --format json", "0 0 90 0 -1 0 1 0 0 0 0 1\n");
+    CHECK(result.exit_code == 1);
+    CHECK(count_rows(result.out) == 11);
+    CHECK(missing(result.out, {R"({"spec": "rotvec:deg", "columns": "1-3", "angle": 0, "angle_line": 1, "rows": 1, )"
+                               R"("fits": true})"}) == "");
+    CHECK(last_line(result.out) == R"({"rows": 1, "fit": 25, "answer": "ambiguous", "lack": "there is one row"})");
+    const auto one = run("identify -t dcm --format json", with_matrix("euler:ZYX:deg", angles));
+    CHECK(one.exit_code == 0);
+    CHECK(last_line(one.out) == R"({"rows": 3, "fit": 1, "answer": "-f euler:ZYX:deg --columns 1-3"})");
+    // a quaternion of the norm 5 is none
+    const auto none = run("identify -t quat -f quat --format json", "0.1 0.2 0.3 0.4 1 0 0 0\n");
+    CHECK(none.exit_code == 2);
+    CHECK(missing(none.err, {"rotconv: -:1: defect 0.45", "0.1 0.2 0.3 0.4 1 0 0 0"}) == "");
+    const auto axis = run("identify -t quat --format json", "0 0 2 180 0 0 0 1\n");
+    CHECK(missing(axis.out, {R"({"spec": "axis-angle:deg", "columns": "1-4", "angle": )"}) == "");
+}
+
+TEST_CASE("identify takes bad rows, headers and comments as a conversion does") {
+    // Catches an input of its own, and a bad row that drives the right convention out.
+    auto lines = fields_of(with_matrix("rpy:deg", angles), '\n');
+    const std::string bad = "# made\nroll pitch yaw a b c d e f g h i\n" + lines[0] + "\n1 2 x 1 0 0 0 1 0 0 0 1\n" +
+                            lines[1] + "\n1 2 3 9 0 0 0 1 0 0 0 1\n1 nan 3 1 0 0 0 1 0 0 0 1\n1 2 3\n" + lines[2] +
+                            "\n";
+    const auto stopped = run("identify -t dcm", bad);
+    CHECK(stopped.exit_code == 2);
+    CHECK(stopped.out == "");
+    CHECK(stopped.err == "rotconv: -:4: not a number: 'x'\n");
+    for (const std::string policy : {"skip", "nan"}) {
+        const auto skipped = run("identify -t dcm --on-error " + policy, bad);
+        CHECK(skipped.exit_code == 1);
+        CHECK(last_line(skipped.out) == "-f euler:xyz:deg --columns 1-3");
+        CHECK(missing(skipped.out, {"\n3 rows; "}) == "");
+        CHECK(missing(skipped.err, {"-:4: not a number: 'x'\n", "-:6: defect", "-:7: not finite", "1 nan 3 1 0",
+                                    "-:8: 3 fields where 3 unknown numbers with dcm has 12: '1 2 3'\n"}) == "");
+    }
+    CHECK(answer("-t dcm", "\xEF\xBB\xBF" + with_matrix("rpy:deg", angles)) == "-f euler:xyz:deg --columns 1-3");
+    CHECK(missing(run("identify -t dcm", "{\"q\": 1}\n").err, {"looks like JSON"}) == "");
+    CHECK(answer("-t dcm --delimiter comma", "0,0,30,1,0,0,0,1,0,0,0,1\n") == "none");
+}
+
+TEST_CASE("a count of numbers that no representation has is refused") {
+    // Catches rows that are cut at the wrong place.
+    const auto result = run("identify -t dcm", "# x\n1 2 3 4 5 6 7 8 9 10 11\n");
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "");
+    CHECK(missing(result.err, {"rotconv: -:2: 11 numbers where dcm has 9: 2 unknown", "3 4 5 6 9", "'1 2 3 4"}) == "");
+    CHECK(missing(run("identify -t dcm", "1 2 3\n").err, {"3 numbers where dcm has 9: 0 unknown"}) == "");
+    CHECK(missing(run("identify -t dcm --columns 1-11", "1\n").err, {"11 numbers where dcm has 9: 2 unknown"}) == "");
+    CHECK(missing(run("identify -t dcm 1 2").err, {"2 numbers where dcm has 9: 0 unknown"}) == "");
+}
+
+TEST_CASE("wrong uses of identify are usage errors") {
+    // Catches a search for something else than what was asked for.
+    for (const std::string arguments :
+         {"identify", "identify -t quatt", "identify -f quat", "identify -t quat -f quat:xyzw",
+          "identify -t quat --format csv", "identify -t quat --within x", "identify -t quat --within -1",
+          "identify -t quat -f mrp --columns 1-6", "identify -t quat --columns 1,1,2", "identify -t quat nosuchfile",
+          "identify -t quat --width 7 --columns 9 --input-format f64", "identify -t quat --tolerance x"}) {
+        INFO(arguments);
+        const auto result = run(arguments, "1 0 0 0\n");
+        CHECK(result.exit_code == 2);
+        CHECK(result.out == "");
+        CHECK(count_rows(result.err) == 1);
+    }
+    CHECK(missing(run("identify --help").out, {"rotconv identify -t KNOWN", "--within", "--columns", "NAME"}) == "");
+}
+
+TEST_CASE("the memory of identify does not grow with the stream, and its first row may come late") {
+    // Catches rows that are kept.
+    const std::string rows = repeated(with_matrix("rpy:deg", angles), 3000);
+    Process process(words_of("identify -t dcm"));
+    process.write("# a");
+    process.write(" remark\n");
+    process.write(rows);
+    process.wait_until_read();
+    const auto before = process.peak_memory_kib();
+    process.write(rows);
+    process.write(rows);
+    process.wait_until_read();
+    CHECK((is_sanitized || process.peak_memory_kib() <= before + 256));
+    CHECK(last_line(process.finish().out) == "-f euler:xyz:deg --columns 1-3");
+}
