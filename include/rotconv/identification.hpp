@@ -31,14 +31,16 @@ struct Verdict {
         attitudes,  ///< all rows have the same
         size,       ///< all are small: `angle` is the greatest
         axes,       ///< all turn about one: `axis`
-        numbers,    ///< one is always 0: that in `column`
+        zero,       ///< the number in `column` always is
+        equal,      ///< those in `column` and `other` always are
         difference, ///< the rows agree by other chance
     };
     std::size_t fitting = 0;
     Lack lack = Lack::nothing;
     double angle = 0.0;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-    std::size_t column = 0;
+    std::size_t column = 0; ///< from 0
+    std::size_t other = 0;
 };
 
 struct IdentificationSettings {
@@ -107,6 +109,8 @@ private:
     double greatest_angle_ = 0.0;                       ///< of the attitudes
     Eigen::Matrix3d scatter_ = Eigen::Matrix3d::Zero(); ///< sum of u u' over the quaternions (w, u)
     std::array<double, 9> greatest_numbers_{};          ///< of each column, without signs
+    /// Of each column and another one; its upper triangle counts.
+    std::array<std::array<double, 9>, 9> greatest_differences_{};
 
     // Room of add().
     std::vector<double> known_numbers_;

@@ -180,7 +180,10 @@ private:
         case Lack::axes:
             return fmt::format("all turn about one axis, ({:.3g}, {:.3g}, {:.3g})", verdict_.axis[0] + 0.0,
                                verdict_.axis[1] + 0.0, verdict_.axis[2] + 0.0);
-        case Lack::numbers: return fmt::format("the number in column {} is always 0", column(verdict_.column));
+        case Lack::zero: return fmt::format("the number in column {} is always 0", column(verdict_.column));
+        case Lack::equal:
+            return fmt::format("the numbers in columns {} and {} are always equal", column(verdict_.column),
+                               column(verdict_.other));
         case Lack::difference: return "these rows do not tell them apart";
         case Lack::nothing: break;
         }

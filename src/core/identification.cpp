@@ -256,6 +256,10 @@ void Identification::remember(const double* numbers, const Rotation& known) {
     scatter_ += u * u.transpose();
     for (std::size_t i = 0; i < count_; ++i) {
         greatest_numbers_.at(i) = std::max(greatest_numbers_.at(i), std::fabs(numbers[i]));
+        for (std::size_t k = i + 1; k < count_; ++k) {
+            double& difference = greatest_differences_.at(i).at(k);
+            difference = std::max(difference, std::fabs(numbers[i] - numbers[k]));
+        }
     }
 }
 
@@ -300,11 +304,24 @@ Verdict::Lack Identification::lack(Verdict& verdict) const {
         verdict.axis *= std::copysign(1.0, verdict.axis[leader]);
         return Lack::axes;
     }
-    const auto numbers = std::span(greatest_numbers_).first(count_);
-    const double greatest = *std::ranges::max_element(numbers);
-    const auto zero = std::ranges::find_if(numbers, [&](double number) { return number <= rounding * greatest; });
-    verdict.column = static_cast<std::size_t>(zero - numbers.begin());
-    return zero == numbers.end() ? Lack::difference : Lack::numbers;
+    const double greatest = *std::ranges::max_element(greatest_numbers_);
+    const auto is_none = [greatest](double size) { return size <= rounding * greatest; };
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (is_none(greatest_numbers_.at(i))) {
+            verdict.column = i;
+            return Lack::zero;
+        }
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+        for (std::size_t k = i + 1; k < count_; ++k) {
+            if (is_none(greatest_differences_.at(i).at(k))) {
+                verdict.column = i;
+                verdict.other = k;
+                return Lack::equal;
+            }
+        }
+    }
+    return Lack::difference;
 }
 
 } // namespace rotconv
