@@ -46,15 +46,5 @@ rotconv rates -f quat --inverse --columns 2-9 --diagnostics off "$work/slopes" >
 rotconv propagate -t quat --with "$set" --interpolation cubic --initial "quat: $(head -n 1 "$work/attitudes" | cut -d, -f2-)" \
     "$work/velocities" > "$work/propagated"
 
-paste -d, "$work/attitudes" "$work/propagated" | awk -F, '
-    {
-        sum = other = 0
-        for (k = 2; k <= 5; k++) {
-            sum += ($k - $(k + 5)) ^ 2
-            other += ($k + $(k + 5)) ^ 2
-        }
-        angle = 2 * sqrt(sum < other ? sum : other) # the chord is half the angle
-        if (angle > greatest) greatest = angle
-    }
-    END { printf "%d attitudes in %.2f s; the propagated ones are off by at most %.1e rad, at the end by %.1e rad\n", NR, $6 - first, greatest, angle }
-    NR == 1 { first = $1 }'
+echo "The propagated attitudes against those of the table, at the same times, in radians:"
+rotconv compare -f quat --columns 2-5 --key 1 -p 2 --diagnostics off "$work/propagated" "$work/attitudes"

@@ -268,3 +268,43 @@ TEST_CASE("the memory of identify does not grow with the stream, and its first r
     CHECK((is_sanitized || process.peak_memory_kib() <= before + 256));
     CHECK(last_line(process.finish().out) == "-f euler:xyz:deg --columns 1-3");
 }
+
+TEST_CASE("the known attitudes of identify may stand in another file") {
+    // Catches rows that are paired wrongly, a key that is taken for a number, and columns that are counted from it.
+    Folder folder;
+    const auto file = [&](const char* name, const std::string& text) {
+        write_file(folder / name, text);
+        return (folder / name).string();
+    };
+    const auto unknown = file("unknown", "t,x,who,y,z\n1,10,a,20,30\n2,-100,b,50,70\n3,80,c,-30,-150\n");
+    std::string quaternions;
+    for (const std::string row : {"10 20 30", "-100 50 70", "80 -30 -150"}) {
+        quaternions += run("-f euler:ZYX:deg -t quat -- " + row).out;
+    }
+    const auto reference = file("reference", "# remark\n" + quaternions);
+    const auto answer = [](const Result& result) { return last_line(result.out); };
+    CHECK(answer(run({"identify", "-t", "quat", "--columns", "x,y,z", "--reference-columns", "1-4", unknown,
+                      reference})) == "-f euler:ZYX:deg --columns 2,4,5");
+    const auto plain = file("plain", "10 20 30\n-100 50 70\n80 -30 -150\n");
+    CHECK(answer(run({"identify", "-t", "quat", plain, reference})) == "-f euler:ZYX:deg --columns 1-3");
+    CHECK(answer(run({"identify", "-t", "quat", plain, "-"}, quaternions)) == "-f euler:ZYX:deg --columns 1-3");
+
+    std::string keyed = "0.5 1 0 0 0\n";
+    for (std::size_t i = 0, at = 0; at < quaternions.size(); ++i) {
+        const auto end = quaternions.find('\n', at);
+        keyed += std::to_string(i + 1) + ".0 " + quaternions.substr(at, end - at) + "\n";
+        at = end + 1;
+    }
+    const auto with_keys = file("keys", keyed);
+    const auto result = run({"identify", "-t", "quat", "--key", "t", "--columns", "x,y,z", "--reference-key", "1",
+                             "--reference-columns", "2-5", unknown, with_keys});
+    CHECK(answer(result) == "-f euler:ZYX:deg --columns 2,4,5");
+    CHECK(result.exit_code == 1); // a row of the reference has no partner
+    CHECK(missing(result.err, {"keys: unpaired: 1 row, first at line 1"}) == "");
+
+    const auto wrong = run({"identify", "-t", "quat", plain, file("bad", "1 0 0 0\n0 0 0 0\n")});
+    CHECK(wrong.exit_code == 2);
+    CHECK(missing(wrong.err, {"bad:2: a zero quaternion has no attitude: '0 0 0 0'"}) == "");
+    CHECK(missing(run({"identify", "-t", "quat", file("two", "1 2\n"), reference}).err,
+                  {"two:1: 2 numbers: 2 unknown (legal: 3 4 5 6 9): '1 2'"}) == "");
+}
