@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "../methods/method.hpp"
+#include "../stream/io_block.hpp"
 #include "../stream/utf8.hpp"
 
 namespace rotconv::cli::messages {
@@ -265,7 +266,8 @@ std::string explain(const stream::StreamError& error, const Subject& subject) {
     case What::read: return fmt::format("cannot be read: {}", std::generic_category().message(error.error_number));
     case What::write: return fmt::format("cannot be written: {}", std::generic_category().message(error.error_number));
     case What::partial_row: return fmt::format("the row that begins at byte {} is not whole", error.offset);
-    case What::line_too_long: return "the line is longer than 4 MiB";
+    case What::line_too_long:
+        return fmt::format("the line is longer than {} MiB", stream::IoBlockReader::longest_line >> 20U);
     case What::json:
         return "the input looks like JSON; rows of numbers are read, as jq -r '[.qw, .qx, .qy, .qz] | @csv' writes "
                "them";

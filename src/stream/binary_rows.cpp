@@ -54,7 +54,7 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
     const std::size_t row_size = options_->width * sizeof(double);
     const std::size_t width = operation_.names.size();
     while (!text.empty() && !output.stopped) {
-        const std::size_t rows = std::min(batch, text.size() / row_size);
+        const std::size_t rows = std::min(batch_rows, text.size() / row_size);
         parts_.numbers.resize(rows * operation_.inputs);
         std::memcpy(parts_.numbers.data(), text.data(), rows * row_size);
         lines_.resize(rows);

@@ -345,19 +345,11 @@ void HeaderReader::write_added_header(std::size_t field_count, Output& output) c
         return;
     }
     const char delimiter = layout_.delimiter.text();
-    std::vector<std::string> indices;
+    std::string indices;
     for (std::size_t i = 0; i < field_count; ++i) {
-        indices.push_back(std::to_string(i + 1));
+        indices += (i == 0 ? "" : std::string(1, delimiter)) + std::to_string(i + 1);
     }
-    Buffer& to = output.bytes;
-    const auto write_result = [&] { append_result_names(to, *options_, delimiter); };
-    if (options_->append) {
-        write_appended(to, fmt::format("{}", fmt::join(indices, std::string_view(&delimiter, 1))), delimiter,
-                       write_result);
-    } else {
-        write_fields(to, layout_, indices, delimiter, write_result);
-    }
-    append(to, layout_.line_end);
+    write_header(header_of({indices, layout_.line_end}, layout_.delimiter), output);
 }
 
 } // namespace rotconv::stream

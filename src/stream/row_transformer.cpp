@@ -24,7 +24,7 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
         return;
     }
     while (!text.empty() && !output.stopped) {
-        gather(text, line, batch);
+        gather(text, line, batch_rows);
         answer(output);
     }
 }
@@ -91,7 +91,7 @@ void RowTransformer::read_row(Row& row) {
 
 void RowTransformer::gather_pairs(std::span<const PairedRow>& pairs, const std::vector<RowError>& errors) {
     clear();
-    for (; !pairs.empty() && rows_.size() < batch; pairs = pairs.subspan(1)) {
+    for (; !pairs.empty() && rows_.size() < batch_rows; pairs = pairs.subspan(1)) {
         const PairedRow& pair = pairs.front();
         Row row{.line = pair.row,
                 .number = pair.number,

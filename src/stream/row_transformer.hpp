@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../core/numerics/row_batch.hpp"
 #include "event.hpp"
 #include "io_block.hpp"
 #include "job.hpp"
@@ -31,7 +32,6 @@ public:
     void finish(Output& output);
 
 private:
-    static constexpr std::size_t batch = 128;
     static constexpr std::size_t most_waiting = std::size_t{1} << 16U;
     static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
 

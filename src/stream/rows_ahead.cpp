@@ -11,7 +11,7 @@ void RowTransformer::transform_ahead(std::string_view next, std::size_t next_lin
     std::size_t line = waiting_.empty() ? next_line : waiting_line_;
     const std::string joined = std::exchange(waiting_, {}).append(next);
     std::string_view text = joined;
-    std::size_t limit = batch;
+    std::size_t limit = batch_rows;
     while (!text.empty() && !output.stopped) {
         const std::string_view all = text;
         gather(text, line, limit);
@@ -36,7 +36,7 @@ void RowTransformer::transform_ahead(std::string_view next, std::size_t next_lin
             waiting_line_ = line;
             return;
         }
-        limit = rows_.empty() ? 2 * limit : batch;
+        limit = rows_.empty() ? 2 * limit : batch_rows;
     }
 }
 
