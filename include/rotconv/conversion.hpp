@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,11 +10,13 @@
 
 namespace rotconv {
 
-/// What a conversion gives up, and what it looks for.
+/// What a conversion gives up, what it looks for, and how it turns the attitudes.
 struct Settings {
     double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool sensitivity = false;                        ///< margin, condition and the exact defect for every row
+    std::optional<Rotation> left{};                  ///< R becomes left R: other reference axes...
+    std::optional<Rotation> right{};                 ///< ...or R right: other body axes
 };
 
 /// What is to be told of one converted row.
@@ -27,6 +30,10 @@ struct Report {
     double deviation = 0.0;    ///< angle in radians by which the numbers may be off, where whoever made them says so
 };
 
+/// The attitude of one row of numbers, with all that the spec says of them.
+/// @pre numbers.size() >= spec.size()
+[[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept;
+
 struct Codec;
 
 /// A way from one representation to another, resolved once and then run over batches of rows.
@@ -37,6 +44,7 @@ public:
 
     [[nodiscard]] const Spec& from() const noexcept { return from_; }
     [[nodiscard]] const Spec& to() const noexcept { return to_; }
+    [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
 
     /// Converts rows of from().size() numbers each into rows of to().size() numbers. The numbers of a row with an error
     /// become nan. No number becomes -0.

@@ -5,6 +5,7 @@
 #include <rotconv/axis_angle.hpp>
 #include <rotconv/cayley.hpp>
 #include <rotconv/comparison.hpp>
+#include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
 #include <rotconv/dcm.hpp>
 #include <rotconv/euler.hpp>

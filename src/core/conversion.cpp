@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "read_batch.hpp"
+#include "representations/constant_turns.hpp"
 
 namespace rotconv {
 namespace {
@@ -38,6 +39,13 @@ bool any_remarkable(const Readings& readings, const DiagnosticSet* diagnostics, 
 
 } // namespace
 
+Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept {
+    std::array<double, most_numbers> own{};
+    to_own_order(spec, numbers.data(), 1, own.data());
+    const Reading reading = codec_of(spec.name).read_row(spec, own.data());
+    return reading && spec.passive ? Reading(reading->inverse(), reading.defect()) : reading;
+}
+
 Conversion::Conversion(const Spec& from, const Spec& to, const Settings& settings)
     : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {}
 
@@ -55,6 +63,9 @@ void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows
     ReadBatch readings(from_, in, rows);
     if (from_.passive != to_.passive) {
         readings.invert(rows);
+    }
+    if (const ConstantTurns turns(settings_, to_.passive); turns.any()) {
+        turns.turn(readings, rows);
     }
     std::array<DiagnosticSet, batch_rows> diagnostics;
     const std::size_t width = to_.size();

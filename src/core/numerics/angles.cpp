@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "double_double.hpp"
 
@@ -18,11 +17,6 @@ DoubleDouble degrees_of(double radians) noexcept {
 }
 
 } // namespace
-
-DoubleDouble pi_in(AngleUnit unit) noexcept {
-    constexpr double pi_low = 1.2246467991473532e-16;
-    return unit == AngleUnit::degrees ? DoubleDouble{180.0, 0.0} : DoubleDouble{std::numbers::pi, pi_low};
-}
 
 ROTCONV_TARGET_CLONES void PlaneVectors::set_sines(std::size_t rows) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {

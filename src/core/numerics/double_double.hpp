@@ -36,12 +36,37 @@ inline DoubleDouble exact_product(double a, double b) noexcept {
     return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 }
 
+/// a/b to 2^-102 or so.
+inline DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
+    const double high = a.hi / b.hi;
+    const DoubleDouble back = exact_product(high, b.hi);
+    return exact_sum_of_ordered(high, (((a.hi - back.hi) - back.lo) + (a.lo - high * b.lo)) / b.hi);
+}
+
+/// a (hi + lo), rounded once.
+inline double product(double a, DoubleDouble factor) noexcept {
+    const DoubleDouble high = exact_product(a, factor.hi);
+    return high.hi + (high.lo + a * factor.lo);
+}
+
 /// a b - c d to 2^-104 of the larger product: cancellation leaves the digits that are there.
 inline double difference_of_products(double a, double b, double c, double d) noexcept {
     const DoubleDouble first = exact_product(a, b);
     const DoubleDouble second = exact_product(-c, d);
     const DoubleDouble high = exact_sum(first.hi, second.hi);
     return high.hi + (high.lo + (first.lo + second.lo));
+}
+
+/// a b + c d + e f + g h to 2^-100 of the largest product, rounded once.
+inline double sum_of_products(double a, double b, double c, double d, double e, double f, double g, double h) noexcept {
+    const DoubleDouble ab = exact_product(a, b);
+    const DoubleDouble cd = exact_product(c, d);
+    const DoubleDouble ef = exact_product(e, f);
+    const DoubleDouble gh = exact_product(g, h);
+    const DoubleDouble first = exact_sum(ab.hi, cd.hi);
+    const DoubleDouble second = exact_sum(ef.hi, gh.hi);
+    const DoubleDouble both = exact_sum(first.hi, second.hi);
+    return both.hi + (both.lo + ((first.lo + second.lo) + ((ab.lo + cd.lo) + (ef.lo + gh.lo))));
 }
 
 /// sqrt(x^2 + y^2 + z^2) to 2^-102 relative, for a largest magnitude between 2^-400 and 1.

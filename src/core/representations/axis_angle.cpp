@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "../numerics/angles.hpp"
 #include "../numerics/double_double.hpp"
@@ -79,6 +81,32 @@ namespace {
 
 AxisAngle value_of(const Spec& spec, const double* v) noexcept { return {{v[0], v[1], v[2]}, v[3], spec.unit}; }
 
+/// (n, a) or (-n, -a), and whole turns; without an angle any axis.
+void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, double* v) noexcept {
+    if (v[3] == 0.0) {
+        std::copy_n(last, 3, v);
+    }
+    const double turn = 2.0 * pi_in(spec.unit).hi;
+    double least = std::numeric_limits<double>::infinity();
+    double chosen = 1.0;
+    double turns = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+        const double own_turns = nearest_turns(last[3] - sign * v[3], spec.unit);
+        const double step = (sign * v[3] - last[3]) + own_turns * turn;
+        double square = step * step / (units_per_radian(spec.unit) * units_per_radian(spec.unit));
+        for (std::size_t i = 0; i < 3; ++i) {
+            square += (sign * v[i] - last[i]) * (sign * v[i] - last[i]);
+        }
+        if (square < least) {
+            least = square;
+            chosen = sign;
+            turns = own_turns;
+        }
+    }
+    std::transform(v, v + 3, v, [chosen](double component) { return chosen * component + 0.0; });
+    v[3] = plus_half_turns({chosen * v[3], 0.0}, 2.0 * turns, spec.unit).hi;
+}
+
 } // namespace
 
 // Without a kinematic equation: the axis has no rate at the identity.
@@ -96,6 +124,7 @@ constinit const Codec codecs::axis_angle{
                        .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"},
     .read = read_each<Eigen::Vector4d, axis_angle::to_rotation, value_of>,
     .write = axis_angle::write,
-    .sensitivity = sensitivity_of<axis_angle::sensitivity>};
+    .sensitivity = sensitivity_of<axis_angle::sensitivity>,
+    .nearest = nearest};
 
 } // namespace rotconv

@@ -28,6 +28,12 @@ struct Codec {
                   DiagnosticSet* diagnostics) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
 
+    /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones; of
+    /// equals these stay. Both as they are written: what has a choice has no order of its own that would count. The
+    /// diagnostics are those of the canonical numbers. Null where there are no others.
+    void (*nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics,
+                    double* numbers) noexcept = nullptr;
+
     /// The kinematic equation, both ways; null where there is none.
     void (*rate)(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame,
                  double* rates) noexcept = nullptr;

@@ -331,6 +331,53 @@ EulerAngles value_of(const Spec& spec, const double* v) noexcept {
     return {{v[0], v[1], v[2]}, spec.sequence, spec.unit};
 }
 
+/// One of the two triples of an attitude: the canonical one with whole turns, or a + pi, pi - b, c + pi (-b where first
+/// = third).
+struct Triple {
+    Triple(const Spec& spec, bool is_other, const double* last, const double* v) noexcept
+        : middle_sign(is_other ? -1.0 : 1.0) {
+        const double pi = pi_in(spec.unit).hi;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double odd = is_other && !(i == 1 && spec.sequence.proper()) ? 1.0 : 0.0;
+            const double way = last[i] - ((i == 1 ? middle_sign : 1.0) * v[i] + odd * pi);
+            const double turns = nearest_turns(way, spec.unit);
+            half_turns[i] = 2.0 * turns + odd;
+            distance += (way - 2.0 * turns * pi) * (way - 2.0 * turns * pi);
+        }
+    }
+
+    double middle_sign;
+    std::array<double, 3> half_turns{}; ///< to be added to the angles
+    double distance = 0.0;              ///< to the last numbers, squared
+};
+
+void nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, double* v) noexcept {
+    const AngleUnit unit = spec.unit;
+    if (diagnostics.has(DiagnosticKind::gimbal_lock)) { // only the sum or the difference of the outer angles counts
+        const euler::FixedAxes axes(spec.sequence);
+        const bool is_low = v[1] < (spec.sequence.proper() ? 0.5 * pi_in(unit).hi : 0.0);
+        const double sum_sign = is_low == (spec.sequence.proper() || axes.sign > 0.0) ? 1.0 : -1.0;
+        const DoubleDouble first = exact_sum(v[0], sum_sign * (v[2] - last[2]));
+        v[0] = plus_half_turns(first, 2.0 * nearest_turns(last[0] - first.hi, unit), unit).hi;
+        v[1] = plus_half_turns({v[1], 0.0}, 2.0 * nearest_turns(last[1] - v[1], unit), unit).hi;
+        v[2] = last[2];
+        return;
+    }
+    const double pi = pi_in(unit).hi;
+    Triple chosen(spec, false, last, v);
+    // Two outer angles of the other triple are half a turn or more away from these.
+    if (chosen.distance >= 0.49 * (pi * pi)) {
+        const Triple other(spec, true, last, v);
+        chosen = other.distance < chosen.distance ? other : chosen;
+    }
+    v[1] = chosen.middle_sign * v[1] + 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (chosen.half_turns[i] != 0.0) {
+            v[i] = plus_half_turns({v[i], 0.0}, chosen.half_turns[i], unit).hi;
+        }
+    }
+}
+
 double distance_to_lock(const Spec& spec, const double* v) noexcept {
     using std::numbers::pi;
     return spec.sequence.proper() ? std::min(v[1], pi - v[1]) : 0.5 * pi - std::fabs(v[1]);
@@ -349,6 +396,7 @@ constexpr Codec codec_of_angles(const Representation& representation) noexcept {
         .write = euler::write,
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
+        .nearest = nearest,
         .rate = rate_of<Eigen::Vector3d, euler::rate, value_of>,
         .angular_velocity = angular_velocity_of<Eigen::Vector3d, euler::angular_velocity, value_of>,
         .greatest_distance = 0.5 * std::numbers::pi,

@@ -77,6 +77,13 @@ constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", xyzw},
 
 Eigen::Quaterniond value_of(const Spec& /*spec*/, const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
 
+/// q or -q.
+void nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, double* q) noexcept {
+    if (last[0] * q[0] + last[1] * q[1] + last[2] * q[2] + last[3] * q[3] < 0.0) {
+        std::transform(q, q + 4, q, [](double component) { return 0.0 - component; });
+    }
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(cert-err58-cpp): a constant, nothing runs
@@ -95,6 +102,7 @@ constinit const Codec codecs::quat{
     .exact_defect = [](const double* v) noexcept { return quaternion::defect(value_of({}, v)); },
     .write = quaternion::write,
     .sensitivity = sensitivity_of<quaternion::sensitivity>,
+    .nearest = nearest,
     .rate =
         [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
             const Eigen::Quaterniond q = quaternion::rate(value_of(spec, v), w, frame);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "../numerics/angles.hpp"
 #include "../numerics/double_double.hpp"
 #include "../numerics/scaling.hpp"
 #include "../numerics/trigonometry.hpp"
@@ -196,6 +197,33 @@ namespace {
 using Eigen::Map;
 using Eigen::Vector3d;
 
+/// n (theta + 2 pi k); without an angle any axis.
+void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, double* r) noexcept {
+    const double pi = pi_in(spec.unit).hi;
+    if ((Map<const Vector3d>(r) - Map<const Vector3d>(last)).squaredNorm() < 0.99 * (pi * pi)) {
+        return; // the others are a whole turn and more from these
+    }
+    const bool is_identity = largest_magnitude(r[0], r[1], r[2]) == 0.0;
+    const double* const along = is_identity ? last : r;
+    const double size = largest_magnitude(along[0], along[1], along[2]);
+    if (size == 0.0) {
+        return;
+    }
+    const auto scale = PowerOfTwo::to_unit(size);
+    const Vector3d scaled{scale(along[0]), scale(along[1]), scale(along[2])};
+    const DoubleDouble scaled_length = length(scaled[0], scaled[1], scaled[2]);
+    const DoubleDouble theta =
+        is_identity ? DoubleDouble{} : DoubleDouble{scale.undone(scaled_length.hi), scale.undone(scaled_length.lo)};
+    const double last_along = scaled.dot(Map<const Vector3d>(last)) / scaled_length.hi;
+    const double turns = nearest_turns(last_along - theta.hi, spec.unit);
+    if (turns != 0.0) {
+        const DoubleDouble ratio = quotient(plus_half_turns(theta, 2.0 * turns, spec.unit), scaled_length);
+        for (std::size_t i = 0; i < 3; ++i) {
+            r[i] = product(scaled[static_cast<Eigen::Index>(i)], ratio) + 0.0;
+        }
+    }
+}
+
 /// By whole turns, past a half-turn.
 void wrap(double* numbers) noexcept {
     Map<Vector3d> r(numbers);
@@ -221,6 +249,7 @@ constinit const Codec codecs::rotvec{
     .read = rotation_vector::read,
     .write = rotation_vector::write,
     .sensitivity = sensitivity_of<rotation_vector::sensitivity>,
+    .nearest = nearest,
     .rate = rate_of<Vector3d, rotation_vector::rate, rotation_vector::value_of>,
     .angular_velocity = angular_velocity_of<Vector3d, rotation_vector::angular_velocity, rotation_vector::value_of>,
     .sensitivity_of_numbers = rotation_vector::sensitivity_of_numbers,

@@ -1,0 +1,38 @@
+#include <rotconv/continuous.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "representations/codec.hpp"
+
+namespace rotconv {
+
+ContinuousNumbers::ContinuousNumbers(const Spec& spec) noexcept : spec_(spec), codec_(&codec_of(spec.name)) {}
+
+bool ContinuousNumbers::have_choice() const noexcept { return codec_->nearest != nullptr; }
+
+void ContinuousNumbers::run(std::span<double> numbers, std::span<const Report> reports) noexcept {
+    if (!have_choice()) {
+        return;
+    }
+    const std::size_t size = spec_.size();
+    auto report = reports.begin();
+    for (std::size_t row = 0; row < numbers.size() / size; ++row) {
+        const auto own = numbers.subspan(row * size, size);
+        const bool is_reported = report != reports.end() && report->row == row;
+        const Error error = is_reported ? report->error : Error::none;
+        const DiagnosticSet diagnostics = is_reported ? report->diagnostics : DiagnosticSet();
+        report += is_reported ? 1 : 0;
+        if (error != Error::none || !std::ranges::all_of(own, [](double number) { return std::isfinite(number); })) {
+            continue;
+        }
+        if (has_last_) {
+            codec_->nearest(spec_, last_.data(), diagnostics, own.data());
+        }
+        std::ranges::copy(own, last_.begin());
+        has_last_ = true;
+    }
+}
+
+} // namespace rotconv

@@ -1,0 +1,44 @@
+#include "constant_turns.hpp"
+
+#include "../numerics/double_double.hpp"
+
+namespace rotconv {
+namespace {
+
+/// a * b, each component rounded once: the plain product's four roundings would add 2 eps.
+Rotation product(const Rotation& a, const Rotation& b) noexcept {
+    const double w = sum_of_products(a.w(), b.w(), -a.x(), b.x(), -a.y(), b.y(), -a.z(), b.z());
+    const double x = sum_of_products(a.w(), b.x(), a.x(), b.w(), a.y(), b.z(), -a.z(), b.y());
+    const double y = sum_of_products(a.w(), b.y(), a.y(), b.w(), a.z(), b.x(), -a.x(), b.z());
+    const double z = sum_of_products(a.w(), b.z(), a.z(), b.w(), a.x(), b.y(), -a.y(), b.x());
+    const Rotation plain = Rotation::near_unit(w, x, y, z);
+    const double square = plain.squared_norm();
+    // A unit quaternion is not scaled, so that it is still unit where it is written.
+    return square >= 0.25 && square < 4.0 ? plain : Rotation::from_components(w, x, y, z);
+}
+
+std::optional<Rotation> inverse_of(const std::optional<Rotation>& rotation) noexcept {
+    return rotation ? std::optional(rotation->inverse()) : std::nullopt;
+}
+
+} // namespace
+
+// (L R S)' = S' R' L'
+ConstantTurns::ConstantTurns(const Settings& settings, bool passive) noexcept
+    : left_(passive ? inverse_of(settings.right) : settings.left),
+      right_(passive ? inverse_of(settings.left) : settings.right) {}
+
+void ConstantTurns::turn(Rotations& rotations, std::size_t rows) const noexcept {
+    if (left_) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            rotations.set(i, product(*left_, rotations.at(i)));
+        }
+    }
+    if (right_) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            rotations.set(i, product(rotations.at(i), *right_));
+        }
+    }
+}
+
+} // namespace rotconv

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include <rotconv/conversion.hpp>
+
+#include "rotation_batch.hpp"
+
+namespace rotconv {
+
+/// Settings::left and Settings::right, as they turn attitudes that are the inverse where `passive`.
+class ConstantTurns {
+public:
+    ConstantTurns(const Settings& settings, bool passive) noexcept;
+
+    [[nodiscard]] bool any() const noexcept { return left_ || right_; }
+    /// Each product is rounded once, which is 1 eps at most.
+    void turn(Rotations& rotations, std::size_t rows) const noexcept;
+
+private:
+    std::optional<Rotation> left_;
+    std::optional<Rotation> right_;
+};
+
+} // namespace rotconv

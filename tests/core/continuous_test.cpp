@@ -1,0 +1,382 @@
+// Numbers that follow a motion: of all that mean the attitude those nearest to the last.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <rotconv/rotconv.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "motions.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
+
+using namespace rotconv;
+
+namespace {
+
+using std::numbers::pi;
+using Numbers = std::vector<double>;
+
+/// Every representation that has a choice, with each modifier, and all sequences.
+std::vector<Spec> specs_with_choice() {
+    std::vector<Spec> specs;
+    for (const auto id : all_representations) {
+        for (const auto sequence : EulerSequence::all()) {
+            if (id != RepresentationId::euler && sequence.letters() != roll_pitch_yaw.letters()) {
+                continue;
+            }
+            for (const bool passive : {false, true}) {
+                for (const auto unit : {AngleUnit::radians, AngleUnit::degrees}) {
+                    for (const bool scalar_last : {false, true}) {
+                        const Spec spec{.name = id,
+                                        .sequence = sequence,
+                                        .unit = unit,
+                                        .passive = passive,
+                                        .scalar_last = scalar_last};
+                        const auto& entry = representation(id);
+                        if (ContinuousNumbers(spec).have_choice() &&
+                            (unit == AngleUnit::radians || entry.has_angles()) &&
+                            (!scalar_last || entry.modifiers.has(Modifier::xyzw))) {
+                            specs.push_back(spec);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    return specs;
+}
+
+std::string text_of(const Spec& spec) {
+    const auto letters = spec.sequence.letters();
+    return std::string(representation(spec.name).text) + ":" + std::string(letters.data(), letters.size()) +
+           (spec.unit == AngleUnit::degrees ? ":deg" : "") + (spec.passive ? ":passive" : "");
+}
+
+Numbers converted(const Spec& from, const Spec& to, const Numbers& rows, std::vector<Report>& reports) {
+    Numbers result(rows.size() / from.size() * to.size());
+    Conversion(from, to).run(rows, result, reports);
+    return result;
+}
+
+Numbers continuous(const Spec& from, const Spec& to, const Numbers& rows) {
+    std::vector<Report> reports;
+    Numbers result = converted(from, to, rows, reports);
+    ContinuousNumbers(to).run(result, reports);
+    return result;
+}
+
+/// Radians where they are angles.
+Numbers in_radians(const Spec& spec, Numbers row) {
+    if (spec.unit == AngleUnit::degrees) {
+        for (std::size_t i = spec.name == RepresentationId::axis_angle ? 3 : 0; i < row.size(); ++i) {
+            row[i] *= pi / 180.0;
+        }
+    }
+    return row;
+}
+
+double distance(const Spec& spec, const Numbers& a, const Numbers& b) {
+    const auto p = in_radians(spec, a);
+    const auto q = in_radians(spec, b);
+    double square = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        square += (p[i] - q[i]) * (p[i] - q[i]);
+    }
+    return std::sqrt(square);
+}
+
+Numbers row_of(const Spec& spec, const Numbers& rows, std::size_t i) {
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(i * spec.size());
+    return {begin, begin + static_cast<std::ptrdiff_t>(spec.size())};
+}
+
+/// The largest singular value of the map from a small rotation to these numbers, from the definitions.
+double condition(const Spec& spec, const Numbers& row) {
+    const auto v = in_radians(spec, row);
+    switch (spec.name) {
+    case RepresentationId::quat: return 0.5;
+    case RepresentationId::axis_angle: return std::max(1.0, 0.5 / std::fabs(std::sin(0.5 * v[3])));
+    case RepresentationId::rotvec: {
+        const double half = 0.5 * std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        return half < 1e-9 ? 1.0 : std::max(1.0, half / std::fabs(std::sin(half)));
+    }
+    default: {
+        const double across = spec.sequence.proper() ? std::cos(v[1]) : std::sin(v[1]);
+        return 1.0 / std::sqrt(1.0 - std::fabs(across));
+    }
+    }
+}
+
+/// Quaternions of a motion, of either sign.
+Numbers rows_of(const motions::Motion& motion, double step, std::size_t count) {
+    Numbers rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto row = oracle::numbers(Spec{}, motion.attitude(0.1 + step * static_cast<double>(i)));
+        rows.insert(rows.end(), row.begin(), row.end());
+    }
+    return rows;
+}
+
+/// Calls `take` with all other numbers of an attitude, up to `most` whole turns away, in radians.
+void for_each_alternative(const Spec& spec, const Numbers& canonical, int most,
+                          const std::function<void(const Numbers&)>& take) {
+    const auto v = in_radians(spec, canonical);
+    switch (spec.name) {
+    case RepresentationId::quat:
+        take(v);
+        take({-v[0], -v[1], -v[2], -v[3]});
+        break;
+    case RepresentationId::axis_angle:
+        for (int k = -most; k <= most; ++k) {
+            take({v[0], v[1], v[2], v[3] + 2 * pi * k});
+            take({-v[0], -v[1], -v[2], -v[3] + 2 * pi * k});
+        }
+        break;
+    case RepresentationId::rotvec:
+        for (int k = -most; k <= most; ++k) {
+            const double theta = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+            const double factor = (theta + 2 * pi * k) / theta;
+            take({v[0] * factor, v[1] * factor, v[2] * factor});
+        }
+        break;
+    default:
+        for (int a = -most; a <= most; ++a) {
+            for (int b = -most; b <= most; ++b) {
+                for (int c = -most; c <= most; ++c) {
+                    take({v[0] + 2 * pi * a, v[1] + 2 * pi * b, v[2] + 2 * pi * c});
+                    take({v[0] + pi + 2 * pi * a, (spec.sequence.proper() ? 0 : pi) - v[1] + 2 * pi * b,
+                          v[2] + pi + 2 * pi * c});
+                }
+            }
+        }
+    }
+}
+
+Numbers degrees_rows(std::size_t count, const std::function<Numbers(double)>& row) {
+    Numbers rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto one = row(30.0 * static_cast<double>(i));
+        rows.insert(rows.end(), one.begin(), one.end());
+    }
+    return rows;
+}
+
+} // namespace
+
+TEST_CASE("continuous numbers mean the attitude, and step no further than the motion allows") {
+    // Catches a wrong alternative, a turn too few, a choice that is not the nearest, and one between the wrong numbers
+    // (passive, degrees, the order of a quaternion).
+    constexpr double step = 0.005;
+    for (const auto& motion :
+         {motions::tumbling(), motions::spin(), motions::symmetric_body(), motions::coning(), motions::gentle()}) {
+        const auto rows = rows_of(motion, step, 4000);
+        for (const auto& to : specs_with_choice()) {
+            const auto result = continuous(Spec{}, to, rows);
+            int checked = 0;
+            int too_long = 0;
+            double worst_error = 0.0;
+            for (std::size_t i = 0; i < 4000; ++i) {
+                const auto row = row_of(to, result, i);
+                if (i % 40 == 0) {
+                    const auto exact = oracle::attitude(Spec{}, row_of(Spec{}, rows, i));
+                    double size = 0.0;
+                    for (const double number : in_radians(to, row)) {
+                        size += std::fabs(number);
+                    }
+                    worst_error = std::max(worst_error, oracle::error_in_eps(exact, oracle::attitude(to, row)) -
+                                                            accuracy::limit_to(to) - size);
+                }
+                if (i == 0) {
+                    continue;
+                }
+                const auto before = row_of(to, result, i - 1);
+                const double largest = std::max(condition(to, before), condition(to, row));
+                const auto p = row_of(Spec{}, rows, i - 1);
+                const auto q = row_of(Spec{}, rows, i);
+                const double dot = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3];
+                const double turn = 2 * std::acos(std::min(1.0, std::fabs(dot)));
+                if (largest * turn < 0.1) {
+                    ++checked;
+                    too_long += distance(to, before, row) <= 1.2 * largest * turn + 1e-12 ? 0 : 1;
+                }
+            }
+            INFO(motion.name << " " << text_of(to));
+            CHECK(checked > 2000);
+            CHECK(too_long == 0);
+            CHECK(worst_error <= 0.0);
+        }
+    }
+}
+
+TEST_CASE("no other numbers of an attitude are nearer to the last") {
+    // Catches a search that leaves out the other triple, a sign, or turns of one angle.
+    strata::Source source(1310);
+    for (const auto& to : specs_with_choice()) {
+        const double unit = to.unit == AngleUnit::degrees ? 180.0 / pi : 1.0;
+        for (int i = 0; i < 40; ++i) {
+            Numbers last(to.size());
+            std::ranges::generate(last, [&] { return source.uniform(-12.0, 12.0) * unit; });
+            if (to.name == RepresentationId::axis_angle || to.name == RepresentationId::quat) {
+                std::generate_n(last.begin(), 3, [&] { return source.uniform(-1.0, 1.0); });
+            }
+            std::vector<Report> reports;
+            const auto canonical = converted(Spec{}, to, oracle::numbers(Spec{}, source.attitude()), reports);
+            auto chosen = canonical;
+            ContinuousNumbers numbers(to);
+            numbers.run(last, {});
+            numbers.run(chosen, reports);
+            double least = std::numeric_limits<double>::infinity();
+            double own = std::numeric_limits<double>::infinity();
+            const Spec plain{.name = to.name, .sequence = to.sequence};
+            for_each_alternative(to, canonical, 3, [&](const Numbers& other) {
+                least = std::min(least, distance(plain, in_radians(to, last), other));
+                own = std::min(own, distance(plain, in_radians(to, chosen), other));
+            });
+            INFO(text_of(to));
+            CHECK(distance(to, last, chosen) <= least + 1e-12);
+            CHECK(own <= 1e-13);
+        }
+    }
+}
+
+TEST_CASE("Euler angles that run through lock are those of the motion") {
+    // Catches a loop that jumps at lock, and turns that are lost after many.
+    const auto radians = accuracy::spec("euler:ZYX");
+    const auto motion = motions::through_lock();
+    const auto rows = rows_of(motion, 0.01, 3000);
+    for (const auto* text : {"euler:ZYX", "euler:ZYX:deg"}) {
+        const auto to = accuracy::spec(text);
+        const auto result = continuous(Spec{}, to, rows);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < 3000; ++i) {
+            const double t = 0.1 + 0.01 * static_cast<double>(i);
+            const Numbers expected{0.3 * t, t, 0.5 * std::sin(1.3 * t)};
+            const auto row = in_radians(to, row_of(to, result, i));
+            worst = std::max(worst, distance(radians, row, expected) / condition(radians, row));
+        }
+        CHECK(worst < 3e-14);
+    }
+}
+
+TEST_CASE("at lock the third angle keeps its last value and the first takes the rest") {
+    // Catches the wrong one of sum and difference, in any sequence, at either lock.
+    for (const auto sequence : EulerSequence::all()) {
+        const Spec spec{.name = RepresentationId::euler, .sequence = sequence, .unit = AngleUnit::degrees};
+        for (const double direction : {1.0, -1.0}) {
+            // past every quarter turn twice, so that both locks are met exactly
+            const auto rows = degrees_rows(30, [direction](double angle) {
+                return Numbers{20.0, direction * (angle + (direction > 0 ? 30.0 : -30.0)), 10.0};
+            });
+            const auto first = row_of(spec, rows, 0);
+            const auto result = continuous(spec, spec, rows);
+            std::vector<Report> reports;
+            converted(spec, spec, rows, reports);
+            CHECK(reports.size() >= 4);
+            const auto canonical = row_of(spec, result, 0);
+            double worst = 0.0;
+            for (std::size_t i = 0; i < 30; ++i) {
+                const auto row = row_of(spec, result, i);
+                const auto given = row_of(spec, rows, i);
+                for (std::size_t k = 0; k < 3; ++k) { // the same but for what the first row was moved by
+                    const double sign = k == 1 && (canonical[1] > 0) != (first[1] > 0) ? -1.0 : 1.0;
+                    const double moved = canonical[k] - sign * first[k];
+                    worst = std::max(worst, std::fabs(row[k] - sign * given[k] - moved));
+                }
+            }
+            INFO(text_of(spec) << " " << direction);
+            CHECK(worst < 1e-10);
+        }
+    }
+    const auto to = accuracy::spec("rpy:deg");
+    const auto result = continuous(to, to, {10, 80, 20, 0, 90, 10, 10, 100, 20});
+    CHECK(distance(to, row_of(to, result, 1), {10, 90, 20}) < 1e-14);
+}
+
+TEST_CASE("whole turns are counted, through the identity and half-turns") {
+    // Catches an axis that falls back to (1, 0, 0) or turns round, -0, and turns of degrees that are not exact.
+    const auto vector = accuracy::spec("rotvec:deg");
+    const auto axis_angle = accuracy::spec("axis-angle:deg");
+    const auto degrees = accuracy::spec("rpy:deg");
+    const auto check = [](const Spec& spec, const Numbers& rows, const Numbers& expected) {
+        const auto result = continuous(spec, spec, rows);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            worst = std::max(worst, std::fabs(result[i] - expected[i]) / std::max(1.0, std::fabs(expected[i])));
+        }
+        INFO(text_of(spec));
+        CHECK(worst < 1e-15);
+        CHECK(std::ranges::none_of(result, [](double v) { return v == 0.0 && std::signbit(v); }));
+    };
+    for (const double direction : {1.0, -1.0}) {
+        const auto along_z = degrees_rows(60, [&](double angle) { return Numbers{0, 0, direction * angle}; });
+        check(vector, along_z, along_z);
+        check(degrees, along_z, along_z);
+        const auto about_y = degrees_rows(60, [&](double angle) { return Numbers{0, direction, 0, angle + 30.0}; });
+        check(axis_angle, about_y, about_y);
+    }
+    // back through the identity onto the other side, and at rest on it
+    check(axis_angle, {0, 1, 0, 20, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, -20},
+          {0, 1, 0, 20, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -20});
+    check(vector, {0, 350, 0, 0, 360, 0, 0, 0, 0}, {0, -10, 0, 0, 0, 0, 0, 0, 0});
+    check(vector, {0, 170, 0, 0, 340, 0, 0, 360, 0, 0, 0, 0, 0, 2e-9, 0},
+          {0, 170, 0, 0, 340, 0, 0, 360, 0, 0, 360, 0, 0, 360 + 2e-9, 0});
+}
+
+TEST_CASE("of equally near numbers the canonical ones stay") {
+    // Catches a choice by rounding, or one that leaves the canonical numbers without need.
+    const auto degrees = accuracy::spec("rpy:deg");
+    CHECK(continuous(Spec{}, Spec{}, {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1}) ==
+          Numbers{0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+    CHECK(continuous(degrees, degrees, {0, 0, 180, 0, 0, 0, 0, 0, 180}) == Numbers{0, 0, 180, 0, 0, 0, 0, 0, 180});
+    const auto vector = accuracy::spec("rotvec:deg");
+    CHECK(continuous(vector, vector, {0, 0, 90, 0, 0, -90}) == Numbers{0, 0, 90, 0, 0, -90});
+}
+
+TEST_CASE("a row without a result changes nothing for the next") {
+    // Catches numbers of a failed row, nan, that become the last ones.
+    const auto degrees = accuracy::spec("rpy:deg");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto result =
+        continuous(degrees, degrees, {nan, 0, 0, 0, 0, 170, nan, 0, 0, 0, 0, 190, 0, nan, 0, 0, 0, 540});
+    CHECK(std::isnan(result[0]));
+    CHECK(row_of(degrees, result, 1) == Numbers{0, 0, 170});
+    CHECK(std::isnan(result[6]));
+    CHECK(row_of(degrees, result, 3) == Numbers{0, 0, 190});
+    CHECK(row_of(degrees, result, 5) == Numbers{0, 0, 180});
+}
+
+TEST_CASE("numbers of many turns are rounded once") {
+    // Catches the low part of 2 pi left out.
+    const auto to = accuracy::spec("rpy");
+    const auto vector = accuracy::spec("rotvec");
+    Numbers yaws;
+    Numbers vectors;
+    for (int i = 0; i <= 40'000; ++i) {
+        yaws.insert(yaws.end(), {0, 0, 2.5 * i});
+        vectors.insert(vectors.end(), {0, 0.6 * 2.5 * i, 0.8 * 2.5 * i});
+    }
+    const auto result = continuous(to, to, yaws);
+    const auto long_result = continuous(vector, vector, vectors);
+    const double half_ulp = std::ldexp(1.0, -37);
+    CHECK(std::fabs(result.back() - 1e5) <= half_ulp + 4e-16);
+    // the direction is known to eps
+    CHECK(std::fabs(long_result[long_result.size() - 2] - 0.6e5) <= 1e5 * oracle::eps + half_ulp);
+    CHECK(std::fabs(long_result.back() - 0.8e5) <= 1e5 * oracle::eps + half_ulp);
+}
+
+TEST_CASE("what has no choice stays") {
+    // Catches numbers that are changed where there is one way to write them.
+    for (const auto* text : {"dcm", "6d", "5d", "cayley", "mrp"}) {
+        CHECK(!ContinuousNumbers(accuracy::spec(text)).have_choice());
+    }
+    Numbers numbers{1, 2, 3, -1, -2, -3};
+    ContinuousNumbers(accuracy::spec("mrp")).run(numbers, {});
+    CHECK(numbers == Numbers{1, 2, 3, -1, -2, -3});
+}
