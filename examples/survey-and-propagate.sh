@@ -14,8 +14,8 @@ rotconv survey -f quat --columns $columns "$file" > "$work/sets" 2> "$work/notes
 set=$(tail -n 1 "$work/sets")
 echo "The smallest set that serves: $set"
 
-# Rows t,qw,qx,qy,qz; of the nanoseconds the last 12 digits, which a double holds exactly, in seconds.
-rotconv -f quat -t quat --columns $columns --diagnostics off "$file" |
+# Rows t,qw,qx,qy,qz, the signs as the motion goes on; of the nanoseconds the last 12 digits, which a double holds exactly, in seconds.
+rotconv -f quat -t quat --continuous --columns $columns --diagnostics off "$file" |
     awk -F, 'NR > 1 { printf "%.9f,%s,%s,%s,%s\n", substr($1, length($1) - 11) / 1e9, $5, $6, $7, $8 }' > "$work/attitudes"
 
 # Rows t, quaternion, its rate: the slope at the row of the parabola through it and its neighbours (at the ends, of the nearest).
@@ -28,9 +28,7 @@ awk -F, '
     }
     {
         T[NR] = $1
-        dot = 0
-        for (k = 2; k <= 5; k++) dot += $k * Q[NR - 1, k]
-        for (k = 2; k <= 5; k++) Q[NR, k] = dot < 0 ? -$k : $k # the sign that follows the motion
+        for (k = 2; k <= 5; k++) Q[NR, k] = $k
     }
     END {
         for (i = 1; i <= NR; i++) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -102,6 +103,7 @@ void define(CLI::App& app, RawOptions& texts) {
     app.set_version_flag("--version", "rotconv " ROTCONV_VERSION, "Print the version and exit");
     define_from(app, texts);
     define_to(app, texts);
+    define_attitudes(app, texts);
     define_input(app, texts);
     define_output(app, texts);
     define_lock_margin(app, texts);
@@ -140,9 +142,9 @@ RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     const Settings settings = settings_of(texts);
     const Method* const method = method_of(from, to, texts.method);
     const Conversion own(from, to, settings);
-    return rows_command(texts,
-                        method == nullptr ? stream::conversion_operation(own)
-                                          : stream::method_operation(MethodConversion(own, *method)),
+    auto operation = method == nullptr ? stream::conversion_operation(own)
+                                       : stream::method_operation(MethodConversion(own, *method));
+    return rows_command(texts, texts.continuous ? stream::continuous(std::move(operation)) : std::move(operation),
                         messages::subject_of(from, settings.tolerance), operands);
 }
 

@@ -1,15 +1,12 @@
 #include "kinematics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
-
-#include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -27,45 +24,6 @@ void require_rates(std::string_view option, const Spec& spec) {
         throw Usage(fmt::format("{} {}: its axis has no rate at the identity; rotvec has", option,
                                 representation(spec.name).text));
     }
-}
-
-/// The attitude of "SPEC: NUMBERS".
-Rotation initial_of(const std::string& text, bool degrees, double tolerance) {
-    const auto colon = text.rfind(':');
-    if (colon == std::string::npos) {
-        throw Usage(fmt::format("--initial {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", messages::quoted(text)));
-    }
-    const Spec spec = spec_of("--initial", text.substr(0, colon), degrees);
-    const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
-    stream::RowError error;
-    error.text = row;
-    const auto refuse = [&](stream::RowError::What what) {
-        error.what = what;
-        throw Usage("--initial: " + messages::explain(error, messages::subject_of(spec, tolerance)));
-    };
-    std::vector<std::string_view> fields;
-    stream::Delimiter::of_row(row).split(row, fields);
-    if (fields.size() != spec.size()) {
-        throw Usage(fmt::format("--initial: {} has {} numbers, not {}: {}", representation(spec.name).text, spec.size(),
-                                fields.size(), messages::quoted(row)));
-    }
-    std::array<double, 9> numbers{};
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        const auto number_error = stream::read_number(fields[i], numbers.at(i));
-        if (number_error != stream::NumberError::none) {
-            refuse(number_error == stream::NumberError::too_large ? stream::RowError::What::too_large
-                                                                  : stream::RowError::What::not_a_number);
-        }
-    }
-    std::array<double, 4> q{};
-    std::vector<Report> reports;
-    Conversion(spec, Spec{}, {.tolerance = tolerance}).run(std::span(numbers).first(spec.size()), q, reports);
-    if (!reports.empty() && reports.front().error != Error::none) {
-        error.error = reports.front().error;
-        error.defect = reports.front().defect;
-        refuse(stream::RowError::What::attitude);
-    }
-    return Rotation::from_components(q[0], q[1], q[2], q[3]);
 }
 
 /// The integrator of that name; without a name the best for the set.
@@ -106,6 +64,7 @@ void define_propagate(CLI::App& app, RawOptions& texts) {
         ->type_name("HOW");
     app.add_option("--time-unit", texts.time_unit, "Of the times: s (default), ms, us or ns")->type_name("UNIT");
     app.add_flag("--renormalise", texts.renormalise, "Bring the numbers back to the set after every step");
+    define_attitudes(app, texts);
     define_input(app, texts);
     define_output(app, texts);
     define_lock_margin(app, texts);
@@ -156,9 +115,12 @@ RowsCommand propagate_command(const RawOptions& texts, const Operands& operands)
         rows.settings.substeps = static_cast<std::size_t>(count_of("--substeps", texts.substeps, 1'000'000));
     }
     if (!texts.initial.empty()) {
-        rows.settings.initial = initial_of(texts.initial, texts.degrees, settings.tolerance);
+        rows.settings.initial = attitude_of("--initial", texts.initial, texts.degrees, settings.tolerance);
     }
     auto operation = stream::propagation_operation(rows);
+    if (texts.continuous) {
+        operation = stream::continuous(std::move(operation));
+    }
     messages::Subject about{"t wx wy wz", operation.inputs, set.name, settings.tolerance};
     RowsCommand command = rows_command(texts, std::move(operation), std::move(about), operands);
     command.progress = true;

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -111,6 +112,15 @@ void define_lock_margin(CLI::App& app, RawOptions& texts) {
         ->type_name("ANGLE");
 }
 
+void define_attitudes(CLI::App& app, RawOptions& texts) {
+    app.add_option("--left", texts.left, "Turn every attitude R into L R, of L as SPEC: NUMBERS")
+        ->type_name("ATTITUDE");
+    app.add_option("--right", texts.right, "Turn every attitude R into R S, of S as SPEC: NUMBERS")
+        ->type_name("ATTITUDE");
+    app.add_flag("--continuous", texts.continuous,
+                 "Of all numbers that mean an attitude those nearest to the last: whole turns, signs, Euler triples");
+}
+
 void define_input(CLI::App& app, RawOptions& texts) {
     app.add_flag("-d,--degrees", texts.degrees, "Angles in degrees, wherever there are angles");
     app.add_option("-i,--input", texts.input, "Read FILE instead of stdin (-)")->type_name("FILE");
@@ -153,6 +163,44 @@ Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     return degrees ? spec.in_degrees() : spec;
 }
 
+Rotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
+    const auto colon = text.rfind(':');
+    if (colon == std::string::npos) {
+        throw Usage(fmt::format("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, messages::quoted(text)));
+    }
+    const Spec spec = spec_of(option, text.substr(0, colon), degrees);
+    const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
+    stream::RowError error;
+    error.text = row;
+    const auto refuse = [&](stream::RowError::What what) {
+        error.what = what;
+        throw Usage(fmt::format("{}: {}", option, messages::explain(error, messages::subject_of(spec, tolerance))));
+    };
+    std::vector<std::string_view> fields;
+    stream::Delimiter::of_row(row).split(row, fields);
+    if (fields.size() != spec.size()) {
+        throw Usage(fmt::format("{}: {} has {} numbers, not {}: {}", option, representation(spec.name).text,
+                                spec.size(), fields.size(), messages::quoted(row)));
+    }
+    std::array<double, 9> numbers{};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto number_error = stream::read_number(fields[i], numbers.at(i));
+        if (number_error != stream::NumberError::none) {
+            refuse(number_error == stream::NumberError::too_large ? stream::RowError::What::too_large
+                                                                  : stream::RowError::What::not_a_number);
+        }
+    }
+    std::array<double, 4> q{};
+    std::vector<Report> reports;
+    Conversion(spec, Spec{}, {.tolerance = tolerance}).run(std::span(numbers).first(spec.size()), q, reports);
+    if (!reports.empty() && reports.front().error != Error::none) {
+        error.error = reports.front().error;
+        error.defect = reports.front().defect;
+        refuse(stream::RowError::What::attitude);
+    }
+    return *read_attitude(spec, std::span(numbers).first(spec.size()));
+}
+
 double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite) {
     if (text.empty()) {
         return default_value;
@@ -185,9 +233,16 @@ stream::OnError on_error_of(const RawOptions& texts) {
 }
 
 Settings settings_of(const RawOptions& texts) {
-    return {.tolerance = amount_of("--tolerance", texts.tolerance, Settings{}.tolerance, true),
-            .lock_margin = amount_of("--lock-margin", texts.lock_margin, Settings{}.lock_margin, false),
-            .sensitivity = diagnostics_of(texts) == ShowDiagnostics::columns};
+    Settings settings{.tolerance = amount_of("--tolerance", texts.tolerance, Settings{}.tolerance, true),
+                      .lock_margin = amount_of("--lock-margin", texts.lock_margin, Settings{}.lock_margin, false),
+                      .sensitivity = diagnostics_of(texts) == ShowDiagnostics::columns};
+    if (!texts.left.empty()) {
+        settings.left = attitude_of("--left", texts.left, texts.degrees, settings.tolerance);
+    }
+    if (!texts.right.empty()) {
+        settings.right = attitude_of("--right", texts.right, texts.degrees, settings.tolerance);
+    }
+    return settings;
 }
 
 RowsCommand rows_command(const RawOptions& texts, stream::RowOperation operation, messages::Subject subject,

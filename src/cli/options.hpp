@@ -40,6 +40,8 @@ struct RawOptions {
     std::string listed;
     std::string frame = "body";
     std::string initial;
+    std::string left;
+    std::string right;
     std::string with = "quat";
     std::string integrator;
     std::string substeps;
@@ -54,6 +56,7 @@ struct RawOptions {
     std::string relative;
     bool degrees = false;
     bool append = false;
+    bool continuous = false;
     bool strict = false;
     bool inverse = false;
     bool renormalise = false;
@@ -73,6 +76,8 @@ class Usage : public std::runtime_error {
 void define_from(CLI::App& app, RawOptions& texts);
 void define_to(CLI::App& app, RawOptions& texts);
 void define_lock_margin(CLI::App& app, RawOptions& texts);
+/// What is done to attitudes before they are written, and which of their numbers are.
+void define_attitudes(CLI::App& app, RawOptions& texts);
 /// Where rows come from, how they are read, and where the answer goes.
 void define_input(CLI::App& app, RawOptions& texts);
 /// How rows are written.
@@ -91,12 +96,14 @@ template <class Value> Value choose(std::string_view what, std::string_view text
 }
 
 [[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
+/// The attitude of "SPEC: NUMBERS".
+[[nodiscard]] Rotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance);
 /// A number that is not negative; `default_value` where the option was not given.
 [[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
 /// A whole number from 1 to `most`; 0 where the option was not given.
 [[nodiscard]] int count_of(std::string_view option, const std::string& text, int most);
 [[nodiscard]] stream::OnError on_error_of(const RawOptions& texts);
-/// Tolerance, lock margin, and figures where they are to be shown.
+/// Tolerance, lock margin, turns, and figures where they are to be shown.
 [[nodiscard]] Settings settings_of(const RawOptions& texts);
 
 /// The command of a row operation.

@@ -37,7 +37,8 @@ void make_sign_canonical(double* q) noexcept {
 
 } // namespace
 
-MethodConversion::MethodConversion(const Conversion& own, const Method& method) : own_(own), method_(&method) {
+MethodConversion::MethodConversion(const Conversion& own, const Method& method)
+    : own_(own), method_(&method), turns_(own.settings(), own.from().passive) {
     if (!method.serves(from().name, to().name) || method.run == nullptr) {
         throw std::invalid_argument("not a published method of this pair");
     }
@@ -70,6 +71,11 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
     to_own_order(from(), in, rows, numbers.data());
     Readings attitudes; // NOLINT(*-member-init)
     codec_of(from().name).read(from(), numbers.data(), rows, attitudes);
+    if (turns_.any()) { // the methods start from numbers
+        turns_.turn(attitudes, rows);
+        std::array<DiagnosticSet, batch_rows> diagnostics; // NOLINT(*-member-init)
+        codec_of(from().name).write(from(), 0.0, attitudes, rows, numbers.data(), diagnostics.data());
+    }
     if (inverse) {
         for (std::size_t i = 0; i < rows; ++i) {
             invert(from().name, numbers.data() + i * in_size);

@@ -6,6 +6,7 @@
 
 #include <rotconv/conversion.hpp>
 
+#include "../core/representations/constant_turns.hpp"
 #include "method.hpp"
 
 namespace rotconv {
@@ -32,6 +33,7 @@ private:
 
     Conversion own_;
     const Method* method_;
+    ConstantTurns turns_; ///< of attitudes as they are read
 };
 
 } // namespace rotconv

@@ -50,17 +50,18 @@ bool RowTransformer::is_doubles_alone() const noexcept {
            !options_->diagnostic_columns;
 }
 
-void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output) {
+void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
     const std::size_t row_size = options_->width * sizeof(double);
     const std::size_t width = operation_.names.size();
     while (!text.empty() && !output.stopped) {
-        const std::size_t rows = std::min(batch_rows, text.size() / row_size);
+        const std::size_t rows = std::min(rows_at_once(), text.size() / row_size);
         parts_.numbers.resize(rows * operation_.inputs);
         std::memcpy(parts_.numbers.data(), text.data(), rows * row_size);
         lines_.resize(rows);
         std::iota(lines_.begin(), lines_.end(), line);
         results_.resize(rows * width);
         operation_.run({parts_.numbers, lines_}, results_, reports_);
+        choose(output, in_turn);
         next_report_ = 0;
         std::size_t next = 0;
         const auto write_clean = [&](std::size_t end) {

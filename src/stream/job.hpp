@@ -51,6 +51,7 @@ struct Job {
     std::size_t line = 1;  ///< ...and the line of the first
     PairBlock pairs;       ///< in their place where two streams are read side by side
     Output output;
+    std::size_t turn = 0; ///< how many before it have data rows
     bool done = false;
 
     /// Bytes of what was read.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <rotconv/continuous.hpp>
 #include <rotconv/quaternion.hpp>
 
 #include "decimal.hpp"
@@ -201,6 +202,16 @@ template <class AnyConversion> RowOperation operation_of(const AnyConversion& co
 RowOperation conversion_operation(const Conversion& conversion) { return operation_of(conversion); }
 
 RowOperation method_operation(const MethodConversion& conversion) { return operation_of(conversion); }
+
+RowOperation continuous(RowOperation operation) {
+    const auto chosen = std::make_shared<ContinuousNumbers>(operation.attitude.value());
+    if (chosen->have_choice()) {
+        operation.choose = [chosen](std::span<double> results, std::span<const Report> reports) {
+            chosen->run(results, reports);
+        };
+    }
+    return operation;
+}
 
 RowOperation rates_operation(const Spec& spec, const RateSettings& settings, bool sensitivity) {
     const Rates rates(spec, settings);

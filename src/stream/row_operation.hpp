@@ -46,11 +46,17 @@ struct RowOperation {
     /// @return how many are answered
     std::function<std::size_t(const NumberRows& rows, bool flush, std::span<double> out, std::vector<Report>& reports)>
         run_ahead{};
+    /// What is done to the results of `run` and `run_ahead`, of all rows in the order of the stream: copies share what
+    /// it remembers. Null: nothing.
+    std::function<void(std::span<double> results, std::span<const Report> reports)> choose{};
 };
 
 /// The conversion of attitudes.
 [[nodiscard]] RowOperation conversion_operation(const Conversion& conversion);
 [[nodiscard]] RowOperation method_operation(const MethodConversion& conversion);
+
+/// The same operation, whose result follows the motion; see ContinuousNumbers.
+[[nodiscard]] RowOperation continuous(RowOperation operation);
 
 /// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are wx,
 /// wy and wz. `sensitivity`: a report of every row.

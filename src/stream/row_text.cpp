@@ -41,7 +41,8 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
 
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
     const auto& spec = options.operation.attitude;
-    if (options.precision > 0 && spec && representation(spec->name).has_gimbal_lock) {
+    const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation.choose;
+    if (options.precision > 0 && has_range) {
         const bool degrees = spec->unit == AngleUnit::degrees;
         middle_angle_ = options.operation.names.size() - 2;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;

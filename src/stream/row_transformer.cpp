@@ -14,9 +14,9 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
     }
 }
 
-void RowTransformer::transform(std::string_view text, std::size_t line, Output& output) {
+void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
     if (is_doubles_alone()) {
-        transform_doubles(text, line, output);
+        transform_doubles(text, line, output, in_turn);
         return;
     }
     if (operation_.run_ahead) {
@@ -24,8 +24,8 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
         return;
     }
     while (!text.empty() && !output.stopped) {
-        gather(text, line, batch_rows);
-        answer(output);
+        gather(text, line, rows_at_once());
+        answer(output, in_turn);
     }
 }
 
@@ -37,10 +37,25 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output) {
     }
 }
 
-void RowTransformer::answer(Output& output) {
+void RowTransformer::answer(Output& output, const InTurn& in_turn) {
     results_.resize(lines_.size() * operation_.names.size());
     operation_.run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
-    write(output);
+    choose(output, in_turn);
+    if (!output.stopped) {
+        write(output);
+    }
+}
+
+void RowTransformer::choose(Output& output, const InTurn& in_turn) {
+    if (!operation_.choose) {
+        return;
+    }
+    const auto what = [this] { operation_.choose(results_, reports_); };
+    if (in_turn) {
+        output.stopped = !in_turn(what);
+    } else {
+        what();
+    }
 }
 
 void RowTransformer::finish(Output& output) {
@@ -63,7 +78,8 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
         return;
     }
     const char* const begin = text.data();
-    while (!text.empty() && rows_.size() < limit && static_cast<std::size_t>(text.data() - begin) < most_waiting) {
+    const auto most_bytes = limit == every_row ? text.size() : most_waiting;
+    while (!text.empty() && rows_.size() < limit && static_cast<std::size_t>(text.data() - begin) < most_bytes) {
         const Line current = next_line(text);
         Row row{.line = current,
                 .number = line++,

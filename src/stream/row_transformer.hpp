@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,14 +19,19 @@
 
 namespace rotconv::stream {
 
+/// Runs what all blocks have done in the order of the stream, once those before have had it done.
+/// @return false where the run is over: nothing was done and nothing is to be written
+using InTurn = std::function<bool(const std::function<void()>& what)>;
+
 /// Turns blocks of rows into their output. What a block becomes depends on the block, the options and the layout alone
 /// (unless the operation remembers rows), so that several transformers may work on the blocks of one stream.
 class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
-    /// Adds what the rows of `text`, whole lines of which the first is line `line`, become.
-    void transform(std::string_view text, std::size_t line, Output& output);
+    /// Adds what the rows of `text`, whole lines of which the first is line `line`, become. An operation that chooses
+    /// does so once, in turn, with all rows of the text; at once without turns.
+    void transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn = {});
     /// The same of pairs of rows.
     void transform(const PairBlock& pairs, Output& output);
     /// To be called at the end: adds what still waits.
@@ -33,6 +39,7 @@ public:
 
 private:
     static constexpr std::size_t most_waiting = std::size_t{1} << 16U;
+    static constexpr std::size_t every_row = static_cast<std::size_t>(-1);
     static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
 
     struct Row {
@@ -51,12 +58,16 @@ private:
     /// Doubles in and nothing but the result out.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
     /// Of those rows as many are written at once as there is nothing to tell of.
-    void transform_doubles(std::string_view text, std::size_t line, Output& output);
+    void transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn);
     /// Where answers depend on the rows after them: a row that has none yet, and what follows it, wait for the next
     /// call, up to `most_waiting` bytes.
     void transform_ahead(std::string_view next, std::size_t next_line, bool is_end, Output& output);
     /// Forgets the batch.
     void clear() noexcept;
+    /// Rows that are answered together.
+    [[nodiscard]] std::size_t rows_at_once() const noexcept { return operation_.choose ? every_row : batch_rows; }
+    /// Lets the operation choose, where it does.
+    void choose(Output& output, const InTurn& in_turn);
     /// Reads a batch of rows off the text, under `stop` none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void read_row(Row& row);
@@ -70,7 +81,7 @@ private:
     /// What is to be told of the row; to be asked of each in turn.
     [[nodiscard]] const Report& report_of(const Row& row) noexcept;
     /// Answers the rows and writes them.
-    void answer(Output& output);
+    void answer(Output& output, const InTurn& in_turn = {});
     void write(Output& output);
     void write_row(Row& row, Output& output);
     void note_error(Row& row, RowError error);

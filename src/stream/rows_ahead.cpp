@@ -23,6 +23,9 @@ void RowTransformer::transform_ahead(std::string_view next, std::size_t next_lin
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
             answered = operation_.run_ahead(rows, true, results_, reports_);
         }
+        if (operation_.choose) { // such rows are for one thread
+            operation_.choose(std::span(results_).first(answered * operation_.names.size()), reports_);
+        }
         const auto held = std::ranges::find_if(
             rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
         if (held != rows_.end()) {

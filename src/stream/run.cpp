@@ -104,7 +104,10 @@ private:
     [[nodiscard]] bool can_read() const;
     void write_oldest(Lock& lock);
     void read_and_convert(Lock& lock, Transformer& transformer, bool is_first);
-    void convert(Job& job, Transformer& transformer) const;
+    void convert(Job& job, Transformer& transformer);
+    /// See InTurn: jobs are read in their order and converted by the threads that have read them, so that the one whose
+    /// turn it is never waits for another.
+    bool in_turn(const Job& job, const std::function<void()>& what);
     void end_run(std::exception_ptr exception);
     [[nodiscard]] std::unique_ptr<Job> idle_job();
     /// Writes the bytes and then reports the events; false where the run is over.
@@ -120,11 +123,14 @@ private:
 
     std::mutex mutex_; ///< of all that follows
     std::condition_variable changed_;
+    std::condition_variable turn_changed_;
     std::deque<std::unique_ptr<Job>> jobs_; ///< under way, in the order of the stream
     std::size_t under_way_ = 0;             ///< bytes of their blocks
     std::vector<std::unique_ptr<Job>> idle_;
     std::vector<std::thread> helpers_; ///< of the first thread
     std::size_t most_;                 ///< threads, the first among them
+    std::size_t turns_ = 0;            ///< given to jobs
+    std::size_t turn_ = 0;             ///< whose it is
     bool reading_ = false;
     bool writing_ = false;
     bool all_read_ = false;
@@ -195,6 +201,9 @@ void Run::write_oldest(Lock& lock) {
     lock.lock();
     writing_ = false;
     over_ = over_ || !goes_on;
+    if (over_) {
+        turn_changed_.notify_all();
+    }
     under_way_ -= job.size();
     idle_.push_back(std::move(jobs_.front()));
     jobs_.pop_front();
@@ -209,6 +218,8 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     const bool goes_on = reader_->read(job);
     lock.lock();
     all_read_ = !goes_on;
+    job.turn = turns_;
+    turns_ += job.rest.empty() ? 0 : 1;
     if (job.size() == 0 && job.output.bytes.size() == 0) {
         idle_.push_back(std::move(made));
         reading_ = false;
@@ -233,7 +244,7 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     }
 }
 
-void Run::convert(Job& job, Transformer& transformer) const {
+void Run::convert(Job& job, Transformer& transformer) {
     if (job.rest.empty() && job.pairs.rows.empty()) {
         return;
     }
@@ -241,10 +252,25 @@ void Run::convert(Job& job, Transformer& transformer) const {
         transformer.emplace(make_transformer_());
     }
     if (job.pairs.rows.empty()) {
-        transformer->transform(job.rest, job.line, job.output);
+        transformer->transform(job.rest, job.line, job.output,
+                               [this, &job](const std::function<void()>& what) { return in_turn(job, what); });
     } else {
         transformer->transform(job.pairs, job.output);
     }
+}
+
+bool Run::in_turn(const Job& job, const std::function<void()>& what) {
+    Lock lock(mutex_);
+    turn_changed_.wait(lock, [this, &job] { return over_ || turn_ == job.turn; });
+    if (over_) {
+        return false;
+    }
+    lock.unlock();
+    what();
+    lock.lock();
+    ++turn_;
+    turn_changed_.notify_all();
+    return true;
 }
 
 void Run::end_run(std::exception_ptr exception) {
@@ -252,6 +278,7 @@ void Run::end_run(std::exception_ptr exception) {
     exception_ = std::move(exception);
     over_ = true;
     changed_.notify_all();
+    turn_changed_.notify_all();
 }
 
 std::unique_ptr<Job> Run::idle_job() {

@@ -43,6 +43,7 @@ fuzz::Reach reach{
         "rows converted under --header=add",
         "rows converted under --columns of indices", "rows converted under --columns in another order",
         "rows converted under --columns of names", "rows converted without --columns", "rows converted under --append",
+        "rows converted under --continuous", "rows converted under --left", "rows converted under --right",
         "rows converted under --diagnostics=columns", "rows converted under --precision",
         "runs of which many threads had a part",
         "row compared", "failed row under stop", "failed row under nan", "failed row under skip", "header", "added header",
@@ -103,6 +104,8 @@ struct Result {
     }
 };
 
+bool remembers(const Options& options) { return options.operation.in_order || options.operation.choose; }
+
 /// The command's options. A function that takes rows in their order remembers them: it serves one run.
 std::optional<Options> options_of(const std::vector<std::string>& words, Survey& survey) {
     auto command = fuzz::command_of(words);
@@ -139,7 +142,7 @@ struct Input {
 
 Result run_once(const Input& input, const std::vector<std::string>& words, const Options& given, std::size_t threads) {
     Survey survey;
-    Options options = given.operation.in_order ? *options_of(words, survey) : given;
+    Options options = remembers(given) ? *options_of(words, survey) : given;
     options.threads = threads;
     std::atomic<std::size_t> converted = 0;
     const auto count = [&converted](std::size_t answered, const std::vector<Report>& reports) {
@@ -212,6 +215,9 @@ void count_reach(const Result& result, const std::vector<std::string>& words) {
     const auto add_where = [&](bool holds, std::string_view what) { reach.add(what, holds ? rows : 0); };
     add_where(argument_of(words, "--input-format") == "f64", "rows converted under --input-format=f64");
     add_where(has(words, "--append"), "rows converted under --append");
+    add_where(has(words, "--continuous"), "rows converted under --continuous");
+    add_where(!argument_of(words, "--left").empty(), "rows converted under --left");
+    add_where(!argument_of(words, "--right").empty(), "rows converted under --right");
     add_where(argument_of(words, "--diagnostics") == "columns", "rows converted under --diagnostics=columns");
     add_where(!argument_of(words, "--precision").empty(), "rows converted under --precision");
 }
@@ -241,16 +247,19 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         rules.names.insert(rules.names.end(), {"margin", "condition", "defect", "notes"});
     }
     rules.input_names = options.operation.input_names;
-    rules.calculate =
-        [run = options.operation.run, kept = rules.kept, columns = rules.diagnostic_columns,
-         size = options.operation.names.size()](const std::vector<double>& numbers,
-                                                const std::vector<std::string>& texts) -> std::optional<fuzz::Answer> {
+    rules.calculate = [run = options.operation.run, choose = options.operation.choose, kept = rules.kept,
+                       columns = rules.diagnostic_columns, size = options.operation.names.size()](
+                          const std::vector<double>& numbers,
+                          const std::vector<std::string>& texts) -> std::optional<fuzz::Answer> {
         fuzz::Answer answer{std::vector<double>(size), ""};
         const std::vector<std::string_view> kept_texts(texts.begin(),
                                                        texts.begin() + static_cast<std::ptrdiff_t>(kept));
         const std::size_t line = 1;
         std::vector<Report> reports;
         run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
+        if (choose) {
+            choose(answer.numbers, reports);
+        }
         const Report report = reports.empty() ? Report{} : reports.front();
         if (report.error != Error::none) {
             return std::nullopt;
@@ -284,7 +293,7 @@ void require_same(std::string_view what, const Result& a, const Result& b) {
 void compare_with_model(std::string_view text, const std::vector<std::string>& words, const Options& options,
                         const Result& result) {
     Survey survey;
-    const auto rules = rules_of(words, options.operation.in_order ? *options_of(words, survey) : options);
+    const auto rules = rules_of(words, remembers(options) ? *options_of(words, survey) : options);
     const auto outcome = rules ? fuzz::model(text, *rules) : std::nullopt;
     if (!outcome) {
         return;
@@ -403,6 +412,9 @@ constexpr std::array option_words{"--from=quat",
                                   "--interpolation=cubic",
                                   "--renormalise",
                                   "--initial=quat:0,1,0,0",
+                                  "--continuous",
+                                  "--left=quat:0,1,0,0",
+                                  "--right=rpy:deg:0,90,30",
                                   "--time-unit=ns",
                                   "--condition=10",
                                   "--method=shepperd"};
