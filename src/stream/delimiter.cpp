@@ -7,6 +7,9 @@
 namespace rotconv::stream {
 namespace {
 
+// find_first_of and its like ask for each character whether it is in a text: most of the time of a split.
+constexpr bool is_blank_character(char c) noexcept { return c == ' ' || c == '\t'; }
+
 /// The position after the closing quote of the field that begins at `start` with a quote, or npos where there is none.
 std::size_t after_quotes(std::string_view row, std::size_t start) noexcept {
     std::size_t at = start + 1;
@@ -62,11 +65,12 @@ Delimiter Delimiter::of_row(std::string_view row) noexcept {
 
 bool Delimiter::split(std::string_view row, std::vector<std::string_view>& fields) const {
     if (is_blanks()) {
-        std::size_t at = 0;
-        while ((at = row.find_first_not_of(" \t", at)) != std::string_view::npos) {
-            const std::size_t end = std::min(row.find_first_of(" \t", at), row.size());
-            fields.push_back(row.substr(at, end - at));
-            at = end;
+        for (const char *at = row.data(), *const end = at + row.size(); at != end;) {
+            const char* const first = std::find_if_not(at, end, is_blank_character);
+            at = std::find_if(first, end, is_blank_character);
+            if (at != first) {
+                fields.emplace_back(first, at);
+            }
         }
         return true;
     }
