@@ -12,7 +12,8 @@ namespace rotconv {
 /// Whether the representation has a kinematic equation: all but axis-angle, whose axis has no rate at the identity.
 [[nodiscard]] bool has_rates(RepresentationId name) noexcept;
 
-/// An attitude whose margin is at most this (radians) has no rates.
+/// Nearer than this (radians) to a singularity of the equation there are no rates. That of rotvec and mrp is regular at
+/// a half-turn and singular at full turns.
 inline constexpr double singular_margin = 1e-15;
 
 /// What rows of numbers and rates are.
@@ -25,8 +26,7 @@ struct RateSettings {
 
 /// What is known of one row.
 struct RateReport {
-    Error error = Error::none; ///< singular or full_turn where the margin is at most `singular_margin`; overflow of the
-                               ///< result; those of readings
+    Error error = Error::none;   ///< singular; overflow of the result; those of readings
     DiagnosticSet diagnostics{}; ///< normalized; near_gimbal_lock of Euler angles
     double defect = 0.0;         ///< as in Report
     Sensitivity sensitivity{};   ///< of the numbers (they differ from the attitude's for a rotation vector past a

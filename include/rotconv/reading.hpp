@@ -20,7 +20,6 @@ enum class Error : std::uint8_t {
     rank_deficient,  ///< two columns that do not span a plane
     defect,          ///< further from a rotation than the tolerance allows
     singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
-    full_turn,       ///< the same, of a rotation vector of one or more full turns
     coarse_step,     ///< the body may turn by more in one step than the set can follow
     time_order,      ///< not later than the sample before, or by less than 1e-100 s
     ended,           ///< an earlier row of the propagation has failed: nothing follows on it

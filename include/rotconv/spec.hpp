@@ -59,7 +59,7 @@ struct Representation {
     bool has_gimbal_lock = false;              ///< Euler angles; the outer ones have the range (-pi, pi]
     std::string_view range;                    ///< of the numbers on output, for people
     std::string_view singular = "none";        ///< where it is singular, for people
-    std::string_view singular_attitude{};      ///< the same as one attitude, such as "a half-turn"
+    std::string_view singular_attitude{};      ///< where its equation is, such as "a half-turn"
     std::string_view formula;                  ///< for people
 
     [[nodiscard]] bool has_angles() const noexcept { return modifiers.has(Modifier::deg); }

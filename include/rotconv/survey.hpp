@@ -34,11 +34,11 @@ struct SetSurvey {
 /// Euler sequences (the extrinsic ones are the same angles read backwards), cayley, mrp. Constant memory.
 ///
 /// A jump is counted where the parameters, in the ranges in which they are printed, do not follow the motion. The
-/// shortest rotation from one row to the next is halved, and always that half again on which they change more (of
-/// equals the first), until they change by 1 (radian) at most; it is a jump where, on the whole or on one of these
-/// parts, they change by more than 1 and by more than twice the part's angle times the greater condition of the two
-/// rows (1e15 at most). These are the wraps of angles and rotation vectors, shadow switches, changes of sign, and steps
-/// across gimbal lock; however far apart the rows are.
+/// shortest rotation from one row to the next, cut in equal parts of at most 1 radian, is halved, and always that half
+/// again on which they change more (of equals the first), until they change by 1 (radian) at most; it is a jump where,
+/// on one of the parts or their halves, they change by more than 1 and by more than twice the part's angle times the
+/// greater condition of the two rows (1e15 at most). These are the wraps of angles and rotation vectors, shadow
+/// switches, changes of sign, and steps across gimbal lock; however far apart the rows are.
 class Survey {
 public:
     Survey();

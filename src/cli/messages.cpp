@@ -247,8 +247,6 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
         return fmt::format("{} has no rates at {}: {}", representation(subject.set).text,
                            representation(subject.set).singular_attitude, text);
     case Error::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
-    case Error::full_turn:
-        return fmt::format("{} has no rates at a full turn: {}", representation(subject.set).text, text);
     case Error::coarse_step:
         return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",
                            representation(subject.set).text, text);

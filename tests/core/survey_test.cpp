@@ -312,3 +312,23 @@ TEST_CASE("jumps are those of the manual's rule") {
     }
     CHECK(found > 500);
 }
+
+// Would catch: a switch to the shadow within a step that ends near to where it began.
+TEST_CASE("a jump within a long step is seen") {
+    for (const double from : {95.0, 100.0, 120.0}) {
+        Survey survey;
+        for (const double yaw : {from, 360.0 - from}) {
+            survey.add(*euler::to_rotation({{0, 0, yaw}, "xyz", AngleUnit::degrees}), 1);
+        }
+        for (const SetSurvey& set : survey.sets()) {
+            const auto name = set.set.name;
+            INFO(from << ' ' << representation(name).text);
+            if (name == RepresentationId::mrp || name == RepresentationId::rotvec) {
+                CHECK(set.jumps == 1);
+            }
+            if (name == RepresentationId::dcm || name == RepresentationId::two_column) {
+                CHECK(set.jumps == 0);
+            }
+        }
+    }
+}

@@ -154,7 +154,14 @@ TEST_CASE("a rotation vector has no rates at a full turn, and is told so") {
         CHECK(result.exit_code == 2);
         CHECK(missing(result.err, {"rotvec", "full turn"}) == "");
     }
-    CHECK(missing(run("rates -f rotvec:deg 0 0 180 0 1 0").err, {"half-turn"}) == "");
+}
+
+TEST_CASE("rates go on at a half-turn, where the equation is regular") {
+    // Catches a half-turn that is refused. By hand: mdot = ((1 - m.m) w + 2 m x w + 2 (m.w) m)/4 with m.m = 1, m.w = 0,
+    // and of a rotation vector of length pi across w: r x w/2.
+    CHECK(run("rates -f mrp 1 0 0 0 0 1") == done("0 -0.5 0\n"));
+    CHECK(run("rates -f rotvec:deg -p 15 180 0 0 0 0 1") == done("0 -90 0\n"));
+    CHECK(missing(run("rates -f cayley 1e16 0 0 0 0 1").err, {"cayley has no rates at a half-turn"}) == "");
 }
 
 TEST_CASE("rates that are too large for a double are told so") {

@@ -18,9 +18,10 @@ bool all_finite(const double* numbers, std::size_t count) noexcept {
     return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
 }
 
-/// Of a singular attitude: the condition of a rotation vector is pi/2 at a half-turn.
-bool at_full_turn(const Spec& spec, const Sensitivity& sensitivity) noexcept {
-    return spec.name == RepresentationId::rotvec && sensitivity.condition > 2.0;
+/// Where the equation itself is singular. A set that switches its chart at a half-turn, where the range of its numbers
+/// ends, has an equation that goes on: the condition of a rotation vector is pi/2 there, that of an mrp 1/2.
+bool is_singular(const Codec& codec, const Sensitivity& sensitivity) noexcept {
+    return sensitivity.margin <= singular_margin && (codec.switch_chart == nullptr || sensitivity.condition > 2.0);
 }
 
 /// The axes of the inverse rotation's angular velocity where those of the rotation's are `frame`; its components are
@@ -76,8 +77,8 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
                              : codec.sensitivity_of_numbers(spec_, numbers.data(), *reading);
     if (report.defect > settings_.tolerance) {
         report.error = Error::defect;
-    } else if (report.sensitivity.margin <= singular_margin) {
-        report.error = at_full_turn(spec_, report.sensitivity) ? Error::full_turn : Error::singular;
+    } else if (is_singular(codec, report.sensitivity)) {
+        report.error = Error::singular;
     }
     if (report.error != Error::none) {
         return report;

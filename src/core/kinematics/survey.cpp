@@ -12,6 +12,8 @@ namespace {
 
 /// A change of parameters that may be a jump: each one has at least the size 2 (a switch to the shadow, a new sign).
 constexpr double least_jump = 1.0;
+/// A longer rotation may pass a switch and end near to where it began: it is looked at in parts.
+constexpr double longest_part = 1.0;
 /// A greater condition explains no more: the arcs that it would need are rounding.
 constexpr double greatest_explanation = 1e15;
 
@@ -43,9 +45,16 @@ struct Arc {
 };
 
 /// As Survey says: halves the arc, keeping the half with the larger step.
+// NOLINTNEXTLINE(misc-no-recursion): a half-turn is cut twice
 bool has_jump(const Spec& set, Arc arc, Numbers from, Numbers to, double condition) noexcept {
     condition = std::min(condition, greatest_explanation);
     double angle = arc.angle();
+    if (angle > longest_part) {
+        const Unit middle = arc.middle();
+        const Numbers half = numbers_of(set, middle);
+        return has_jump(set, {arc.from, middle}, from, half, condition) ||
+               has_jump(set, {middle, arc.to}, half, to, condition);
+    }
     double step = (to - from).norm();
     while (step > least_jump) {
         if (step > 2.0 * condition * angle) {

@@ -104,7 +104,7 @@ constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::m
                                                      .presets = presets_of_vectors,
                                                      .range = "norm at most 1",
                                                      .singular = "half-turn (changes to its shadow)",
-                                                     .singular_attitude = "a half-turn",
+                                                     .singular_attitude = "a full turn",
                                                      .formula = "tan(theta/4) n"},
                                   .read = read_each<Vector3d, mrp::to_rotation>,
                                   .write = mrp::write,

@@ -244,7 +244,7 @@ constinit const Codec codecs::rotvec{
                        .presets = presets_of_vectors,
                        .range = "norm at most pi",
                        .singular = "half-turn",
-                       .singular_attitude = "a half-turn",
+                       .singular_attitude = "a full turn",
                        .formula = "theta n; R = exp [theta n]"},
     .read = rotation_vector::read,
     .write = rotation_vector::write,
