@@ -1,12 +1,14 @@
 #include "number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <utility>
 
+#include <dragonbox/dragonbox.h>
 #include <dragonbox/dragonbox_to_chars.h>
 #include <fmt/compile.h>
 
@@ -86,6 +88,66 @@ char* write_shortest(char* to, double value) {
     return fmt::format_to(to, FMT_COMPILE("{}"), std::isnan(value) ? magnitude : value); // no sign for nan
 }
 
+constexpr auto powers_of_ten = [] {
+    std::array<std::uint64_t, 18> powers{1};
+    for (std::size_t i = 1; i < powers.size(); ++i) {
+        powers[i] = 10 * powers[i - 1];
+    }
+    return powers;
+}();
+
+std::ptrdiff_t digits_of(std::uint64_t number) noexcept {
+    return std::ranges::upper_bound(powers_of_ten, number) - powers_of_ten.begin();
+}
+
+/// Up to 15 significant digits in the form of fmt's {:g}, of a number from 1e-4 to below 1e15; null where it takes the
+/// exact value to round, or the form is another.
+///
+/// The shortest digits, rounded, are those of the value rounded: half of a digit would be a number between the two that
+/// is shorter, or nearer, than the shortest digits; only where they end in that 5 they do not tell. Up to 15 digits a
+/// number that has no more is its own rounding.
+char* write_rounded(char* to, double value, int precision) noexcept {
+    const double magnitude = std::abs(value);
+    if (!(magnitude >= 1e-4 && magnitude < 1e15) || precision > 15) {
+        return nullptr;
+    }
+    auto [digits, exponent] = jkj::dragonbox::to_decimal(magnitude, jkj::dragonbox::policy::sign::ignore);
+    if (const std::ptrdiff_t more = digits_of(digits) - precision; more > 0) {
+        const std::uint64_t unit = powers_of_ten[static_cast<std::size_t>(more)];
+        const std::uint64_t rest = digits % unit;
+        if (2 * rest == unit) {
+            return nullptr;
+        }
+        digits = digits / unit + (2 * rest > unit ? 1 : 0);
+        exponent += static_cast<int>(more);
+        for (; digits % 10 == 0; digits /= 10) {
+            ++exponent;
+        }
+    }
+    const std::ptrdiff_t count = digits_of(digits);
+    const std::ptrdiff_t point = count + exponent; // digits before it
+    if (point > precision) {
+        return nullptr;
+    }
+    *to = '-';
+    to += std::signbit(value) ? 1 : 0;
+    if (point <= 0) {
+        std::memset(to, '0', 6);
+        to[1] = '.';
+        to += 2 - point;
+    }
+    char* const end = std::to_chars(to, to + count, digits).ptr;
+    if (point >= count) {
+        return std::fill_n(end, point - count, '0');
+    }
+    if (point > 0) {
+        std::copy_backward(to + point, end, end + 1);
+        to[point] = '.';
+        return end + 1;
+    }
+    return end;
+}
+
 } // namespace
 
 std::string_view trimmed(std::string_view text) noexcept {
@@ -131,6 +193,13 @@ bool is_number(std::string_view text) noexcept {
 void append_number(Buffer& to, double value, int precision) {
     if (precision == 0) {
         append_numbers(to, {&value, 1}, ' ');
+        return;
+    }
+    constexpr std::size_t longest = 32;
+    const std::size_t size = to.size();
+    to.reserve(size + longest);
+    if (const char* const end = write_rounded(to.data() + size, value, precision)) {
+        to.resize(static_cast<std::size_t>(end - to.data()));
     } else if (std::isnan(value)) {
         append(to, "nan"); // whatever its sign bit
     } else {

@@ -1,5 +1,6 @@
 // Numbers to and from text.
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -127,4 +128,32 @@ TEST_CASE("precision counts significant digits") {
     CHECK(text_of(123456, 2) == "1.2e+05");
     CHECK(text_of(0.00012345, 2) == "0.00012");
     CHECK(text_of(0.1, 20) == "0.10000000000000000555");
+}
+
+// Would catch: digits that are rounded twice, a tie that is broken by the shortest digits, a carry that is lost.
+TEST_CASE("significant digits are those of the exact value, in the form of fmt") {
+    std::mt19937_64 engine(11);
+    const auto digits = [&engine](int count) {
+        return std::floor(std::uniform_real_distribution<>(0, 1)(engine) * std::pow(10, count));
+    };
+    const auto sized = [&engine](double number) {
+        return number * std::pow(10, std::uniform_int_distribution(-6, 6)(engine));
+    };
+    for (int i = 0; i < 300'000; ++i) {
+        const int count = i % 16 + 1;
+        const std::array<double, 5> values{std::uniform_real_distribution<>(-180, 180)(engine),
+                                           std::bit_cast<double>(engine()), sized(digits(count)),
+                                           sized((digits(count) + 0.5) / std::pow(10, count)),
+                                           std::nextafter((digits(count) + 0.5) / std::pow(10, count), i % 2 * 1e9)};
+        const double value = values.at(static_cast<std::size_t>(i) % values.size());
+        const int precision = i / 5 % 18 + 1;
+        if (!std::isnan(value) && text_of(value, precision) != fmt::format("{:.{}g}", value, precision)) {
+            CHECK(text_of(value, precision) == fmt::format("{:.{}g}", value, precision));
+        }
+    }
+    CHECK(text_of(0.125, 2) == "0.12"); // ties to even, as the value is exact
+    CHECK(text_of(2.675, 3) == "2.67"); // 2.67499999999999982236431605997495353221893310546875
+    CHECK(text_of(999.96, 4) == "1000");
+    CHECK(text_of(-0.00099999, 2) == "-0.001");
+    CHECK(text_of(180, 1) == "2e+02");
 }
