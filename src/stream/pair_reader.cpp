@@ -125,9 +125,9 @@ bool PairReader::read(Job& job) {
     for (bool has_read = false;;) {
         const At row = rows_.look(0);
         const At reference = references_.look(0);
-        hand_on_alone(job);
+        hand_on_alone(job, row);
         if ((row == At::end && (reference == At::end || rows_.error())) ||
-            (reference == At::end && references_.error())) {
+            (row != At::dry && reference == At::end && references_.error())) {
             return false;
         }
         Side* const dry = row == At::dry ? &rows_ : reference == At::dry ? &references_ : match(job, row, reference);
@@ -158,9 +158,12 @@ void PairReader::fill(Side& side, Job& job) {
     }
 }
 
-void PairReader::hand_on_alone(Job& job) {
+void PairReader::hand_on_alone(Job& job, At row) {
     PairBlock& pairs = job.pairs;
     for (Side* side : {&rows_, &references_}) {
+        if (side == &references_ && row == At::dry) {
+            return; // lines of the stream may still come before
+        }
         auto& waiting = side->waiting;
         while (!waiting.empty() && (waiting.front().passed || waiting.front().error)) {
             Waiting& first = waiting.front();

@@ -86,8 +86,9 @@ private:
     Side* match(Job& job, At row, At reference);
     /// The first rows of both are a pair.
     void pair(Job& job);
-    /// What needs no other row: lines that pass, rows whose key is at fault.
-    void hand_on_alone(Job& job);
+    /// What needs no other row: lines that pass, rows whose key is at fault. `row`: whether one of the stream is at
+    /// hand, before which all such lines of the stream have been handed on.
+    void hand_on_alone(Job& job, At row);
     /// Reads a block of that side for the job.
     void fill(Side& side, Job& job);
 
