@@ -17,7 +17,20 @@ namespace {
 
 using namespace rotconv;
 
-fuzz::Reach reach{"conversion", "rates", "propagate", "survey", "identify", "list", "text to print", "usage error", "VALUEs"};
+fuzz::Reach reach{"conversion",
+                  "rates",
+                  "propagate",
+                  "survey",
+                  "compare",
+                  "identify",
+                  "list",
+                  "text to print",
+                  "usage error",
+                  "VALUEs",
+                  "VALUEs that are compared",
+                  "VALUEs that are identified",
+                  "pairs by row",
+                  "pairs by key"};
 
 void require(bool holds) {
     if (!holds) {
@@ -25,35 +38,58 @@ void require(bool holds) {
     }
 }
 
-class NullSink final : public stream::Sink {
-public:
-    int write(std::string_view /*bytes*/) override { return 0; }
-};
+void check(const stream::Options& options) {
+    require(options.operation.inputs > 0 && !options.operation.names.empty() && options.threads > 0);
+    require(options.precision >= 0 && options.precision <= 100);
+    require(options.width == 0 || options.width >= options.operation.inputs);
+    if (options.pairing) {
+        const stream::Pairing& pairing = *options.pairing;
+        require(pairing.by_key == (options.operation.kept == 1) && pairing.reference.operation.inputs > 0);
+        require(pairing.within >= stream::Decimal());
+        reach.add(pairing.by_key ? "pairs by key" : "pairs by row");
+    }
+}
+
+void run_values(const cli::RowsCommand& command, std::string_view name) {
+    if (command.has_values) {
+        reach.add(name);
+        stream::NullSink nowhere;
+        stream::TextSource values(command.values);
+        stream::run(values, nowhere, command.options, [](const stream::Event&) {});
+    }
+}
 
 struct Check {
     const std::vector<std::string>& words;
 
     void operator()(const cli::RowsCommand& command) const {
-        const stream::Options& options = command.options;
-        require(options.operation.inputs > 0 && !options.operation.names.empty() && options.threads > 0);
-        require(options.precision >= 0 && options.precision <= 100);
-        require(options.width == 0 || options.width >= options.operation.inputs);
+        check(command.options);
         const bool is_named = std::ranges::count(words, "rates") > 0;
-        reach.add(options.operation.in_order ? "propagate" : is_named ? "rates" : "conversion");
-        if (command.has_values) {
-            reach.add("VALUEs");
-            NullSink nowhere;
-            stream::TextSource values(command.values);
-            stream::run(values, nowhere, options, [](const stream::Event&) {});
-        }
+        reach.add(command.options.operation.in_order ? "propagate" : is_named ? "rates" : "conversion");
+        run_values(command, "VALUEs");
     }
     void operator()(const cli::SurveyCommand& command) const {
         require(command.condition >= 0.0);
         reach.add("survey");
     }
+    void operator()(const cli::CompareCommand& command) const {
+        require(!command.within || *command.within >= 0.0);
+        check(command.rows.options);
+        reach.add("compare");
+        run_values(command.rows, "VALUEs that are compared");
+    }
     void operator()(const cli::IdentifyCommand& command) const {
         require(command.settings.within >= 0.0);
         reach.add("identify");
+        const std::size_t count = command.layout.count;
+        require(count > 0 || !command.rows.has_values);
+        if (count > 0) {
+            check(command.rows.options);
+            Identification identification(count, command.layout.known, command.name, command.settings);
+            cli::RowsCommand rows = command.rows;
+            rows.options.operation = stream::identification_operation(command.layout, &identification);
+            run_values(rows, "VALUEs that are identified");
+        }
     }
     void operator()(const cli::ListCommand& command) const {
         static_cast<void>(cli::list_one(command.name));

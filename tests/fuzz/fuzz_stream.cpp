@@ -1,10 +1,10 @@
-// The first line is the program's command line, its words parted by blanks, the rest a stream: any bytes. Never a
-// crash; the bytes arrive whole and in pieces, and are converted by one thread and by many, and must become the same;
-// and this must be what a second implementation of the row rules says.
+// The first line is the program's command line, its words parted by blanks, the rest a stream: any bytes; where a
+// REFERENCE is named, that follows a form feed. Never a crash; the bytes arrive whole and in pieces, and are worked on
+// by one thread and by many, and must become the same; and this must be what a second implementation of the row rules
+// says.
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,16 +12,19 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 #include <thread>
 
-#include <rotconv/survey.hpp>
+#include <fmt/format.h>
 
 #include "command_text.hpp"
+#include "comparison_model.hpp"
 #include "reach.hpp"
 #include "row_model.hpp"
+#include "stream/first_row.hpp"
 #include "stream/run.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -35,7 +38,9 @@ using fuzz::words_of;
 fuzz::Reach reach{
     // clang-format off
         "rows converted by conversion", "rows converted by rates", "rows converted by propagate", "rows converted by survey",
+        "rows converted by compare", "rows converted by identify",
         "rows failed in conversion", "rows failed in rates", "rows failed in propagate", "rows failed in survey",
+        "rows failed in compare", "rows failed in identify",
         "rows failed under --on-error=stop", "rows failed under --on-error=nan", "rows failed under --on-error=skip",
         "rows converted under --format=csv", "rows converted under --format=json", "rows converted under --format=pretty",
         "rows converted under --format=f64", "rows converted under --input-format=f64",
@@ -45,42 +50,40 @@ fuzz::Reach reach{
         "rows converted under --columns of names", "rows converted without --columns", "rows converted under --append",
         "rows converted under --continuous", "rows converted under --left", "rows converted under --right",
         "rows converted under --diagnostics=columns", "rows converted under --precision",
-        "runs of which many threads had a part",
+        "rows compared under --format=csv", "rows compared under --format=json", "rows compared under --format=pretty",
+        "rows compared of one stream", "rows compared by row", "rows compared by key",
+        "rows compared under --input-format=f64", "rows compared beyond --within",
+        "rows identified of one stream", "rows identified by row", "rows identified by key",
+        "conventions identified", "identifications that are ambiguous",
+        "runs of which many threads had a part", "runs of pairs by row of which many threads had a part",
+        "runs of pairs by key of which many threads had a part",
         "row compared", "failed row under stop", "failed row under nan", "failed row under skip", "header", "added header",
         "blank row", "comment", "row before the header", "byte order mark", "CRLF", "last row without newline", "missing field", "quoted number",
         "detected delimiter comma", "detected delimiter tab", "detected delimiter semicolon", "detected delimiter blank",
         "given delimiter comma", "given delimiter tab", "given delimiter semicolon", "given delimiter blank",
         "given delimiter character",
+        "pair by row", "pair by key", "unpaired row of the stream", "unpaired row of the reference",
+        "failed row of the stream", "failed row of the reference", "failed key of the stream", "failed key of the reference",
+        "angle that agrees", "relative attitude that agrees", "refusal that agrees",
     // clang-format on
 };
 
-/// The text, `times` over, in pieces. Remembers which threads read it.
+/// The text in pieces. Remembers which threads read it.
 class Pieces final : public Source {
 public:
-    Pieces(std::string_view text, std::size_t piece, std::size_t times) : text_(text), piece_(piece), times_(times) {}
+    Pieces(std::string_view text, std::size_t piece) : rest_(text), piece_(piece) {}
     std::ptrdiff_t read(std::span<char> to) override {
         threads_.insert(std::this_thread::get_id());
-        std::size_t done = 0;
-        const std::size_t most = std::min(piece_, to.size());
-        while (done < most && times_ > 0 && !text_.empty()) {
-            const std::size_t count = std::min(most - done, text_.size() - at_);
-            std::copy_n(text_.data() + at_, count, to.data() + done);
-            done += count;
-            at_ += count;
-            if (at_ == text_.size()) {
-                at_ = 0;
-                --times_;
-            }
-        }
-        return static_cast<std::ptrdiff_t>(done);
+        const std::size_t count = std::min({piece_, to.size(), rest_.size()});
+        std::copy_n(rest_.data(), count, to.data());
+        rest_.remove_prefix(count);
+        return static_cast<std::ptrdiff_t>(count);
     }
     [[nodiscard]] std::size_t threads() const { return threads_.size(); }
 
 private:
-    std::string_view text_;
+    std::string_view rest_;
     std::size_t piece_;
-    std::size_t times_;
-    std::size_t at_ = 0;
     std::set<std::thread::id> threads_;
 };
 
@@ -95,87 +98,136 @@ public:
 
 struct Result {
     std::string bytes;
-    std::vector<std::size_t> failed; ///< lines
+    std::vector<fuzz::Failure> failed;
     bool to_the_end = false;
-    std::size_t converted = 0;
+    std::size_t answered = 0;
+    std::size_t beyond = 0;
+    std::array<std::size_t, 4> unpaired{}; ///< of the stream and of the reference how many, and the line of the first
+    std::string identified;                ///< all that was found
+    std::size_t fitting = 0;               ///< of the conventions
     std::size_t threads = 0;
     friend bool operator==(const Result& a, const Result& b) {
-        return a.bytes == b.bytes && a.failed == b.failed && a.to_the_end == b.to_the_end;
+        return a.bytes == b.bytes && a.failed == b.failed && a.to_the_end == b.to_the_end && a.answered == b.answered &&
+               a.unpaired == b.unpaired && a.identified == b.identified;
     }
 };
 
-bool remembers(const Options& options) { return options.operation.in_order || options.operation.choose; }
+/// A command that is run on streams.
+struct Program {
+    Options options;
+    std::shared_ptr<Survey> survey; ///< that takes the rows
+    std::optional<cli::IdentifyCommand> identify;
 
-/// The command's options. A function that takes rows in their order remembers them: it serves one run.
-std::optional<Options> options_of(const std::vector<std::string>& words, Survey& survey) {
+    [[nodiscard]] bool is_paired() const { return options.pairing != nullptr; }
+    [[nodiscard]] bool is_by_key() const { return is_paired() && options.pairing->by_key; }
+};
+
+/// What the words say. A function that takes rows in their order remembers them: but for identify it serves one run.
+std::optional<Program> program_of(const std::vector<std::string>& words) {
     auto command = fuzz::command_of(words);
-    if (auto* of_survey = std::get_if<cli::SurveyCommand>(&command)) {
-        of_survey->rows.options.operation =
-            reading_operation(of_survey->from, of_survey->rows.subject.tolerance,
-                              [&survey](const Rotation& rotation, std::size_t line) { survey.add(rotation, line); });
-        return of_survey->rows.options;
+    if (auto* survey = std::get_if<cli::SurveyCommand>(&command)) {
+        return Program{survey->rows.options, survey->survey, {}};
     }
-    const auto* rows = std::get_if<cli::RowsCommand>(&command);
-    return rows == nullptr || rows->has_values ? std::nullopt : std::optional(rows->options);
+    const auto* compare = std::get_if<cli::CompareCommand>(&command);
+    const auto* identify = std::get_if<cli::IdentifyCommand>(&command);
+    const auto* rows = compare != nullptr    ? &compare->rows
+                       : identify != nullptr ? &identify->rows
+                                             : std::get_if<cli::RowsCommand>(&command);
+    if (rows == nullptr || rows->has_values) {
+        return std::nullopt;
+    }
+    return Program{rows->options, nullptr, identify != nullptr ? std::optional(*identify) : std::nullopt};
 }
 
 /// The same, for a look at it: to read a command line takes longer than a run.
-const std::optional<Options>& known_options_of(const std::string& line, const std::vector<std::string>& words) {
-    static std::map<std::string, std::optional<Options>> known;
+const std::optional<Program>& known_program_of(const std::string& line, const std::vector<std::string>& words) {
+    static std::map<std::string, std::optional<Program>> known;
     if (known.size() > 1000) {
         known.clear();
     }
     const auto [at, is_new] = known.try_emplace(line);
     if (is_new && !words.empty()) {
-        static Survey nobodys;
-        at->second = options_of(words, nobodys);
+        at->second = program_of(words);
     }
     return at->second;
 }
 
-/// A stream, and how it is to be read.
+/// The streams, and how they arrive.
 struct Input {
     std::string_view text;
+    std::string_view reference;
     std::size_t piece = static_cast<std::size_t>(-1);
-    std::size_t times = 1;
 };
 
-Result run_once(const Input& input, const std::vector<std::string>& words, const Options& given, std::size_t threads) {
-    Survey survey;
-    Options options = remembers(given) ? *options_of(words, survey) : given;
-    options.threads = threads;
-    std::atomic<std::size_t> converted = 0;
-    const auto count = [&converted](std::size_t answered, const std::vector<Report>& reports) {
-        const auto failed = std::ranges::count_if(reports, [](const Report& r) { return r.error != Error::none; });
-        converted += answered - static_cast<std::size_t>(failed);
-    };
-    options.operation.run = [run = options.operation.run, count](const NumberRows& rows, std::span<double> out,
-                                                                 std::vector<Report>& reports) {
-        run(rows, out, reports);
-        count(rows.lines.size(), reports);
-    };
-    if (options.operation.run_ahead) {
-        options.operation.run_ahead = [run = options.operation.run_ahead, count](const NumberRows& rows, bool flush,
-                                                                                 std::span<double> out,
-                                                                                 std::vector<Report>& reports) {
-            const std::size_t answered = run(rows, flush, out, reports);
-            count(answered, reports);
-            return answered;
-        };
+/// How many unknown numbers the rows have; nothing where they are so many that no convention has them.
+std::optional<std::size_t> count_of(const cli::IdentifyCommand& command, FirstRow& source) {
+    std::size_t count = command.layout.count;
+    if (count == 0) {
+        std::vector<std::string_view> fields;
+        const std::string_view row = source.text();
+        command.rows.options.delimiter.value_or(Delimiter::of_row(row)).split(row, fields);
+        const std::size_t known = command.layout.paired ? 0 : command.layout.known.size();
+        count = fields.size() - std::min(fields.size(), known);
     }
-    Pieces source(input.text, input.piece, input.times);
+    return Identification::is_count(count) ? std::optional(count) : std::nullopt;
+}
+
+std::string text_of(const Identification& identification) {
+    std::string text = fmt::format("{} rows\n", identification.rows());
+    for (const Candidate& candidate : identification.best_first()) {
+        text += fmt::format("{} {} {} at {} in {}, fits: {}\n", cli::messages::text_of(candidate.spec),
+                            fmt::join(candidate.columns, ""), candidate.angle, candidate.angle_row, candidate.rows,
+                            identification.fits(candidate));
+    }
+    const Verdict verdict = identification.verdict();
+    return text + fmt::format("{} for lack of {}: {} ({}) {} {}\n", verdict.fitting, static_cast<int>(verdict.lack),
+                              verdict.angle, fmt::join(verdict.axis, " "), verdict.column, verdict.other);
+}
+
+Result run_once(const Input& input, const std::vector<std::string>& words, const Program& given, std::size_t threads) {
+    Program own = given.options.operation.in_order && !given.identify ? *program_of(words) : given;
+    Options& options = own.options;
+    options.threads = threads;
+    Pieces pieces(input.text, input.piece);
+    FirstRow source(pieces);
+    std::optional<Identification> identification;
+    if (own.identify) {
+        IdentificationRows layout = own.identify->layout;
+        const auto count = count_of(*own.identify, source);
+        if (!count) {
+            return {};
+        }
+        layout.count = *count;
+        identification.emplace(*count, layout.known, own.identify->name, own.identify->settings);
+        options.operation = identification_operation(layout, &*identification);
+    }
     Text sink;
     Result result;
-    const RunResult ending = run(source, sink, options, [&result](const Event& event) {
+    const auto report = [&result](const Event& event) {
         if (const auto* error = std::get_if<RowError>(&event)) {
-            result.failed.push_back(error->line);
+            result.failed.push_back({error->line, error->of_reference});
+        } else if (std::get<Diagnostic>(event).kind == DiagnosticKind::beyond) {
+            ++result.beyond;
         }
-    });
+    };
+    Pieces reference(input.reference, input.piece);
+    const RunResult ending =
+        own.is_paired() ? run(source, reference, sink, options, report) : run(source, sink, options, report);
     result.bytes = std::move(sink.text);
     result.to_the_end = !ending.stopped && !ending.error;
-    result.converted = converted;
-    result.threads = source.threads();
-    static_cast<void>(survey.smallest(1e3));
+    result.answered = ending.answered;
+    for (std::size_t i = 0; i < 2 && result.to_the_end; ++i) {
+        result.unpaired.at(2 * i) = ending.unpaired.at(i).rows;
+        result.unpaired.at(2 * i + 1) = ending.unpaired.at(i).first_line;
+    }
+    result.threads = pieces.threads();
+    if (own.survey) {
+        static_cast<void>(own.survey->smallest(1e3));
+    }
+    if (identification && result.to_the_end) {
+        result.identified = text_of(*identification);
+        result.fitting = identification->verdict().fitting;
+    }
     return result;
 }
 
@@ -191,16 +243,28 @@ bool has(const std::vector<std::string>& words, std::string_view word) { return 
 
 std::string name_of_command(const std::vector<std::string>& words) {
     const auto& first = words.front();
-    return first == "rates" || first == "propagate" || first == "survey" ? first : "conversion";
+    constexpr std::array commands{"rates", "propagate", "survey", "compare", "identify"};
+    return std::ranges::count(commands, first) > 0 ? first : "conversion";
 }
 
-void count_reach(const Result& result, const std::vector<std::string>& words) {
+void count_reach(const Result& result, const std::vector<std::string>& words, const Program& program) {
     const std::string command = name_of_command(words);
-    const std::size_t rows = result.converted;
+    const std::size_t rows = result.answered;
+    const bool is_binary = argument_of(words, "--input-format") == "f64";
+    const std::string pairing = !program.is_paired() ? "of one stream" : program.is_by_key() ? "by key" : "by row";
     reach.add("rows converted by " + command, rows);
     reach.add("rows failed in " + command, result.failed.size());
     reach.add("rows failed under --on-error=" + argument_of(words, "--on-error", "stop"), result.failed.size());
-    if (command != "survey") { // whose rows go nowhere
+    if (command == "compare") {
+        reach.add("rows compared under --format=" + argument_of(words, "--format", "pretty"), rows);
+        reach.add("rows compared " + pairing, rows);
+        reach.add("rows compared under --input-format=f64", is_binary ? rows : 0);
+        reach.add("rows compared beyond --within", result.beyond);
+    } else if (command == "identify") {
+        reach.add("rows identified " + pairing, rows);
+        reach.add("conventions identified", result.fitting == 1 ? 1 : 0);
+        reach.add("identifications that are ambiguous", result.fitting > 1 ? 1 : 0);
+    } else if (command != "survey") { // whose rows go nowhere
         reach.add("rows converted under --format=" + argument_of(words, "--format", "csv"), rows);
     }
     reach.add("rows converted under --header=" + argument_of(words, "--header", "auto"), rows);
@@ -213,7 +277,7 @@ void count_reach(const Result& result, const std::vector<std::string>& words) {
                                               : "rows converted under --columns in another order",
               rows);
     const auto add_where = [&](bool holds, std::string_view what) { reach.add(what, holds ? rows : 0); };
-    add_where(argument_of(words, "--input-format") == "f64", "rows converted under --input-format=f64");
+    add_where(is_binary, "rows converted under --input-format=f64");
     add_where(has(words, "--append"), "rows converted under --append");
     add_where(has(words, "--continuous"), "rows converted under --continuous");
     add_where(!argument_of(words, "--left").empty(), "rows converted under --left");
@@ -222,36 +286,54 @@ void count_reach(const Result& result, const std::vector<std::string>& words) {
     add_where(!argument_of(words, "--precision").empty(), "rows converted under --precision");
 }
 
-/// What the model is to know: the options' words, and the command's numbers.
-std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const Options& options) {
-    const std::string format = argument_of(words, "--format", "csv");
-    const std::string to = argument_of(words, "--to");
-    fuzz::Rules rules;
-    rules.precision = std::atoi(argument_of(words, "--precision", "0").c_str());
-    const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
-    if ((format != "csv" && format != "json") || options.width > 0 || name_of_command(words) == "survey" ||
-        argument_of(words, "--interpolation") == "cubic" || (rules.precision > 0 && is_euler)) {
-        return std::nullopt; // pretty and f64, rows that wait, and -pi that rounds
+[[noreturn]] void differ(std::string_view what, std::string_view a, std::string_view b) {
+    std::fprintf(stderr, "%.*s\n--- the program:\n%.*s\n--- it should be:\n%.*s\n---\n", static_cast<int>(what.size()),
+                 what.data(), static_cast<int>(a.size()), a.data(), static_cast<int>(b.size()), b.data());
+    std::abort();
+}
+
+void require(fuzz::Agreement agreement, const std::string& what, std::span<const double> numbers,
+             std::span<const double> result) {
+    if (agreement == fuzz::Agreement::no) {
+        differ(what + " does not agree with the definition", fmt::format("{}", fmt::join(result, " ")),
+               fmt::format("what is right for {}", fmt::join(numbers, " ")));
     }
-    rules.inputs = options.operation.inputs;
-    rules.kept = options.operation.kept;
-    rules.names = options.operation.names;
-    rules.columns = argument_of(words, "--columns");
-    rules.delimiter = argument_of(words, "--delimiter");
-    rules.header = argument_of(words, "--header", "auto");
-    rules.format = format;
-    rules.on_error = argument_of(words, "--on-error", "stop");
-    rules.append = has(words, "--append");
-    rules.diagnostic_columns = argument_of(words, "--diagnostics") == "columns";
-    if (rules.diagnostic_columns) {
-        rules.names.insert(rules.names.end(), {"margin", "condition", "defect", "notes"});
+    reach.add(what + " that agrees", agreement == fuzz::Agreement::yes ? 1 : 0);
+}
+
+/// The answer of a comparison stands by the definitions.
+void check(const fuzz::Compared& compared, std::span<const double> numbers, const fuzz::Answer& answer,
+           bool has_relative) {
+    const std::span<const double> result = answer.numbers;
+    require(check_refusal(compared, numbers, answer.failed, answer.of_reference), "refusal", numbers, result);
+    if (!answer.failed) {
+        require(check_angle(compared, numbers, result[0]), "angle", numbers, result);
+        if (has_relative) {
+            require(check_relative(compared, numbers, result.subspan(1, compared.relative->size())),
+                    "relative attitude", numbers, result);
+        }
     }
-    rules.input_names = options.operation.input_names;
-    rules.calculate = [run = options.operation.run, choose = options.operation.choose, kept = rules.kept,
-                       columns = rules.diagnostic_columns, size = options.operation.names.size()](
-                          const std::vector<double>& numbers,
-                          const std::vector<std::string>& texts) -> std::optional<fuzz::Answer> {
-        fuzz::Answer answer{std::vector<double>(size), ""};
+}
+
+fuzz::Compared compared_of(const std::vector<std::string>& words, const Program& program) {
+    const RowOperation& operation = program.options.operation;
+    const bool degrees = has(words, "--degrees");
+    const std::string to = argument_of(words, "--to", argument_of(words, "--from"));
+    const Spec reference = std::get<Spec>(parse_spec(to));
+    return {.from = *operation.from,
+            .reference = degrees ? reference.in_degrees() : reference,
+            .relative = operation.attitude,
+            .in_reference_axes = has(words, "--frame=reference"),
+            .degrees = degrees,
+            .tolerance = std::strtod(argument_of(words, "--tolerance", "1e-3").c_str(), nullptr),
+            .lock_margin = std::strtod(argument_of(words, "--lock-margin", "1e-15").c_str(), nullptr)};
+}
+
+/// What the command makes of the numbers of one row alone.
+fuzz::Calculate calculate_of(const RowOperation& operation, bool diagnostic_columns) {
+    return [run = operation.run, kept = operation.kept, columns = diagnostic_columns,
+            size = operation.names.size()](const std::vector<double>& numbers, const std::vector<std::string>& texts) {
+        fuzz::Answer answer{.numbers = std::vector<double>(size), .notes = {}};
         const std::vector<std::string_view> kept_texts(texts.begin(),
                                                        texts.begin() + static_cast<std::ptrdiff_t>(kept));
         const std::size_t line = 1;
@@ -261,9 +343,8 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
             choose(answer.numbers, reports);
         }
         const Report report = reports.empty() ? Report{} : reports.front();
-        if (report.error != Error::none) {
-            return std::nullopt;
-        }
+        answer.failed = report.error != Error::none;
+        answer.of_reference = report.of_reference;
         if (columns) {
             answer.numbers.insert(answer.numbers.end(),
                                   {report.sensitivity.margin, report.sensitivity.condition, report.defect});
@@ -275,35 +356,138 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         }
         return answer;
     };
+}
+
+/// How a stream is read.
+fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowOperation& operation) {
+    fuzz::Rules rules;
+    rules.inputs = operation.inputs;
+    rules.kept = operation.kept;
+    rules.input_names = operation.input_names;
+    rules.columns = argument_of(words, "--columns");
+    rules.delimiter = argument_of(words, "--delimiter");
+    rules.header = argument_of(words, "--header", "auto");
+    rules.on_error = argument_of(words, "--on-error", "stop");
     return rules;
 }
 
-[[noreturn]] void differ(std::string_view what, std::string_view a, std::string_view b) {
-    std::fprintf(stderr, "%.*s\n--- the program:\n%.*s\n--- it should be:\n%.*s\n---\n", static_cast<int>(what.size()),
-                 what.data(), static_cast<int>(a.size()), a.data(), static_cast<int>(b.size()), b.data());
-    std::abort();
+void add_reference(fuzz::Rules& rules, const std::vector<std::string>& words, const Program& program) {
+    fuzz::Rules reference = reading_rules_of(words, program.options.pairing->reference.operation);
+    reference.columns = argument_of(words, "--reference-columns", rules.columns);
+    reference.header = rules.header == "add" ? "no" : rules.header;
+    rules.by_key = program.is_by_key();
+    reference.by_key = rules.by_key;
+    if (rules.by_key) {
+        const std::string key = argument_of(words, "--key");
+        rules.key_within = argument_of(words, "--key-within");
+        rules.columns = key + ',' + rules.columns;
+        reference.columns = argument_of(words, "--reference-key", key) + ',' + reference.columns;
+    }
+    rules.reference = std::make_shared<fuzz::Rules>(std::move(reference));
+}
+
+/// What the model is to know: the options' words, and the command's numbers.
+std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const Program& program) {
+    const RowOperation& operation = program.options.operation;
+    const std::string command = name_of_command(words);
+    const bool compares = command == "compare";
+    const bool sums_up = program.options.format == Format::result;
+    const std::string format = sums_up ? "result" : argument_of(words, "--format", "csv");
+    const std::string to = argument_of(words, compares ? "--as" : "--to");
+    const int precision = std::atoi(argument_of(words, "--precision", "0").c_str());
+    const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
+    if (format == "pretty" || format == "f64" || program.options.width > 0 || command == "survey" ||
+        command == "identify" || argument_of(words, "--interpolation") == "cubic" || (precision > 0 && is_euler)) {
+        return std::nullopt; // pretty and f64, rows that wait, and -pi that rounds
+    }
+    fuzz::Rules rules = reading_rules_of(words, operation);
+    rules.precision = precision;
+    rules.names = operation.names;
+    rules.format = format;
+    rules.append = has(words, "--append") || compares;
+    rules.diagnostic_columns = argument_of(words, "--diagnostics") == "columns" && !sums_up;
+    if (rules.diagnostic_columns) {
+        rules.names.insert(rules.names.end(), {"margin", "condition", "defect", "notes"});
+    }
+    if (program.is_paired()) {
+        add_reference(rules, words, program);
+    }
+    rules.calculate = calculate_of(operation, rules.diagnostic_columns);
+    if (compares) {
+        const fuzz::Compared compared = compared_of(words, program);
+        rules.calculate = [compared, calculate = rules.calculate, has_relative = compared.relative && !sums_up,
+                           by_key = program.is_by_key()](const std::vector<double>& numbers,
+                                                         const std::vector<std::string>& texts) {
+            auto bare = numbers;
+            if (by_key) {
+                bare.erase(bare.begin() + 1 + static_cast<std::ptrdiff_t>(compared.from.size()));
+                bare.erase(bare.begin());
+            }
+            fuzz::Answer answer = calculate(numbers, texts);
+            check(compared, bare, answer, has_relative);
+            return answer;
+        };
+    }
+    return rules;
+}
+
+std::string description(const Result& result) {
+    std::string text = result.bytes + "\nfailed:";
+    for (const fuzz::Failure& failure : result.failed) {
+        text += fmt::format(" {}{}", failure.line, failure.of_reference ? " of the reference" : "");
+    }
+    return text + fmt::format("\nto the end: {}, answered: {}, unpaired: {}\n{}", result.to_the_end, result.answered,
+                              fmt::join(result.unpaired, " "), result.identified);
 }
 
 void require_same(std::string_view what, const Result& a, const Result& b) {
     if (!(a == b)) {
-        differ(what, a.bytes, b.bytes);
+        differ(what, description(a), description(b));
     }
 }
 
-void compare_with_model(std::string_view text, const std::vector<std::string>& words, const Options& options,
-                        const Result& result) {
-    Survey survey;
-    const auto rules = rules_of(words, remembers(options) ? *options_of(words, survey) : options);
-    const auto outcome = rules ? fuzz::model(text, *rules) : std::nullopt;
+void compare_with_model(const Input& input, const std::vector<std::string>& words, const Program& program,
+                        Result result) {
+    const auto rules = rules_of(words, program.options.operation.in_order ? *program_of(words) : program);
+    auto outcome = !rules                ? std::nullopt
+                   : program.is_paired() ? fuzz::model(input.text, input.reference, *rules)
+                                         : fuzz::model(input.text, *rules);
     if (!outcome) {
         return;
     }
-    const bool same =
-        rules->format == "json" ? fuzz::json_agrees(result.bytes, *outcome, *rules) : result.bytes == outcome->bytes;
-    if (!same || result.failed != outcome->failed || result.to_the_end != outcome->to_the_end) {
-        differ("the rules of rows say otherwise", result.bytes, outcome->bytes);
+    Result right{
+        .failed = std::move(outcome->failed), .to_the_end = outcome->to_the_end, .answered = outcome->answered};
+    const bool is_json = rules->format == "json";
+    right.bytes = is_json && fuzz::json_agrees(result.bytes, *outcome, *rules) ? result.bytes : outcome->bytes;
+    for (std::size_t i = 0; i < 2 && right.to_the_end; ++i) {
+        const auto& lines = outcome->unpaired.at(i);
+        right.unpaired.at(2 * i) = lines.size();
+        right.unpaired.at(2 * i + 1) = lines.empty() ? 0 : lines.front();
     }
+    std::ranges::sort(right.failed); // those of the reference and of the stream come as they are read
+    std::ranges::sort(result.failed);
+    require_same("the rules of rows say otherwise", result, right);
     std::ranges::for_each(outcome->met, [](const std::string& rule) { reach.add(rule); });
+}
+
+/// The text many times over, so that it is worth threads; a key at the beginning of a row increases from one copy to
+/// the next.
+std::string repeated(std::string_view text, std::size_t times, bool by_key) {
+    constexpr std::size_t digits = 9;
+    std::string all;
+    for (std::size_t copy = 0; copy < times; ++copy) {
+        for (std::string_view rest = text; !rest.empty();) {
+            const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+            rest.remove_prefix(line.size());
+            const std::size_t whole = std::min(line.find_first_not_of("0123456789"), line.size());
+            if (by_key && whole > 0 && whole <= digits) {
+                all += std::to_string(1'000'000 + copy).append(digits - whole, '0');
+            }
+            all += line;
+        }
+        all += by_key && !all.ends_with('\n') ? "\n" : "";
+    }
+    return all;
 }
 
 } // namespace
@@ -313,27 +497,35 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view line = all.substr(0, all.find('\n'));
     const std::string_view text = all.substr(std::min(line.size() + 1, size));
     const auto words = words_of(line, ' ');
-    const auto& options = known_options_of(std::string(line), words);
-    if (!options) {
+    const auto& program = known_program_of(std::string(line), words);
+    if (!program) {
         return 0;
     }
-    const Result whole = run_once({text}, words, *options, 1);
-    count_reach(whole, words);
-    require_same("in pieces", run_once({text, 1 + size % 16}, words, *options, 1), whole);
-    compare_with_model(text, words, *options, whole);
-    if (!argument_of(words, "--threads").empty() && !text.empty()) {
-        // many times over, so that it is worth threads
+    const std::string_view first = program->is_paired() ? text.substr(0, text.find('\f')) : text;
+    const Input input{.text = first, .reference = text.substr(std::min(first.size() + 1, text.size()))};
+    const Result whole = run_once(input, words, *program, 1);
+    count_reach(whole, words, *program);
+    require_same("in pieces", run_once({input.text, input.reference, 1 + size % 16}, words, *program, 1), whole);
+    compare_with_model(input, words, *program, whole);
+    if (!argument_of(words, "--threads").empty() && !first.empty()) {
         constexpr std::size_t enough = std::size_t{24} << 10U;
-        const std::size_t times = 1 + enough / text.size();
-        const Result many = run_once({.text = text, .times = times}, words, *options, options->threads);
-        require_same("with threads", many, run_once({.text = text, .times = times}, words, *options, 1));
-        reach.add("runs of which many threads had a part", many.threads > 1 ? 1 : 0);
+        const std::size_t times = 1 + enough / first.size();
+        const std::string many_times = repeated(first, times, program->is_by_key());
+        const std::string references = repeated(input.reference, times, program->is_by_key());
+        const Input larger{.text = many_times, .reference = references};
+        const Result many = run_once(larger, words, *program, program->options.threads);
+        require_same("with threads", many, run_once(larger, words, *program, 1));
+        const std::string pairs = program->is_by_key()   ? "pairs by key of "
+                                  : program->is_paired() ? "pairs by row of "
+                                                         : "";
+        reach.add("runs of " + pairs + "which many threads had a part", many.threads > 1 ? 1 : 0);
     }
     return 0;
 }
 
 namespace {
 
+/// Options that are put in the place of those of a command line. A new option is tried once it stands here.
 constexpr std::array option_words{"--from=quat",
                                   "--from=quat:xyzw",
                                   "--from=dcm",
@@ -391,7 +583,6 @@ constexpr std::array option_words{"--from=quat",
                                   "--precision=6",
                                   "--precision=17",
                                   "--threads=16",
-
                                   "--input-format=f64",
                                   "--width=4",
                                   "--width=6",
@@ -417,7 +608,28 @@ constexpr std::array option_words{"--from=quat",
                                   "--right=rpy:deg:0,90,30",
                                   "--time-unit=ns",
                                   "--condition=10",
-                                  "--method=shepperd"};
+                                  "--method=shepperd",
+                                  "--key=1",
+                                  "--key=t",
+                                  "--key-within=0.5",
+                                  "--key-within=1e-9",
+                                  "--reference-key=2",
+                                  "--reference-columns=2-5",
+                                  "--reference-columns=a,b,c,d",
+                                  "--reference-columns=3,1,2",
+                                  "--reference-columns=2-4",
+                                  "--within=0.1",
+                                  "--within=0",
+                                  "--as=quat",
+                                  "--as=rpy:deg",
+                                  "--as=cayley",
+                                  "--as=dcm:passive",
+                                  "--from=mrp:passive",
+                                  "--from=euler",
+                                  "--columns=1-4",
+                                  "--columns=1-8",
+                                  "--columns=5-8,1-4",
+                                  "--columns=1-12"};
 
 /// Another option, in the place of the same with another argument; the line as it was where none of a few is legal.
 std::string with_another_option(const std::string& line, unsigned seed) {
@@ -435,7 +647,7 @@ std::string with_another_option(const std::string& line, unsigned seed) {
         for (const std::string& word : words) {
             text += (text.empty() ? "" : " ") + word;
         }
-        if (known_options_of(text, words)) {
+        if (known_program_of(text, words)) {
             return text;
         }
     }

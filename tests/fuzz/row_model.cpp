@@ -4,14 +4,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <set>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <fmt/format.h>
 
 namespace fuzz {
 namespace {
-
-/// A rule that the program does not follow yet.
 
 using Fields = std::vector<std::string_view>;
 
@@ -153,6 +153,33 @@ bool read(const std::string& text, double& value) {
     return legal;
 }
 
+/// A key times 10^400.
+using Key = boost::multiprecision::cpp_int;
+
+/// Of a text that is a number; nothing for nan, inf, and numbers of more digits than are modelled.
+std::optional<Key> key_of(const std::string& text, bool& modelled) {
+    constexpr long scale = 400;
+    const std::size_t first = text.find_first_of("0123456789.");
+    const std::string magnitude = text.substr(std::min(first, text.size()));
+    const std::size_t mantissa_end = std::min(magnitude.find_first_of("eE"), magnitude.size());
+    std::string digits = magnitude.substr(0, mantissa_end);
+    const std::size_t point = digits.find('.');
+    const auto decimals = static_cast<long>(point == std::string::npos ? 0 : digits.size() - point - 1);
+    std::erase(digits, '.');
+    if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) {
+        return std::nullopt;
+    }
+    const long power = mantissa_end < magnitude.size() ? std::strtol(magnitude.c_str() + mantissa_end + 1, nullptr, 10)
+                                                       : 0; // as large as they come
+    if (power > scale || power < -scale || decimals - power > scale) {
+        modelled = false;
+        return std::nullopt;
+    }
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1)); // which would mean octal
+    const Key key = Key(digits) * pow(Key(10), static_cast<unsigned>(scale - decimals + power));
+    return text.starts_with('-') ? Key(-key) : key;
+}
+
 bool stands_for_missing(std::string text) {
     std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
     return std::set<std::string>{"", "na", "n/a", "null", "none", "nil", "-", "?", "."}.contains(text);
@@ -217,19 +244,8 @@ public:
     }
 
     std::optional<Outcome> operator()(std::string_view text) {
-        if (text.starts_with("\xEF\xBB\xBF")) {
-            text.remove_prefix(3);
-            meet("byte order mark");
-        }
-        lines_ = lines_of(text);
-        if (!find_header() || (rules_.header == "add" && first_data_ == lines_.size())) {
+        if (!begin(text)) {
             return std::nullopt;
-        }
-        if (first_data_ < lines_.size()) {
-            const Line& first = lines_[first_data_];
-            delimiter_ = delimiter_of(first.text, rules_.delimiter);
-            line_end_ = first.end.empty() ? "\n" : first.end;
-            meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
             write_line(i);
@@ -237,7 +253,147 @@ public:
         return outcome_;
     }
 
+    std::optional<Outcome> operator()(std::string_view text, Model& reference, std::string_view reference_text) {
+        if (!begin(text) || !reference.begin(reference_text) || !pair_with(reference)) {
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
+            const bool has_key = is_data(i) && !wrong_keys_.contains(i);
+            if (has_key && partners_.contains(i) && !fail_keys_before(partners_.at(i))) {
+                return std::nullopt;
+            }
+            if (is_data(i) && !has_key && stops() && reference.next_wrong_key_ < next_partner(i)) {
+                return std::nullopt; // which of the two errors comes first is not said
+            }
+            if (outcome_.to_the_end) {
+                write_line(i);
+            }
+        }
+        if (outcome_.to_the_end && !fail_keys_before(reference.lines_.size())) {
+            return std::nullopt;
+        }
+        outcome_.met.insert(outcome_.met.end(), reference.outcome_.met.begin(), reference.outcome_.met.end());
+        return outcome_;
+    }
+
 private:
+    /// False where what the text begins with is not modelled.
+    bool begin(std::string_view text) {
+        if (text.starts_with("\xEF\xBB\xBF")) {
+            text.remove_prefix(3);
+            meet("byte order mark");
+        }
+        lines_ = lines_of(text);
+        if (!find_header() || (rules_.header == "add" && first_data_ == lines_.size())) {
+            return false;
+        }
+        if (first_data_ < lines_.size()) {
+            const Line& first = lines_[first_data_];
+            delimiter_ = delimiter_of(first.text, rules_.delimiter);
+            line_end_ = first.end.empty() ? "\n" : first.end;
+            meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool is_data(std::size_t at) const { return lines_[at].row() && at >= first_data_ && header_ != at; }
+    [[nodiscard]] bool stops() const { return rules_.on_error == "stop"; }
+
+    /// Settles partners_; false where the keys are not modelled.
+    bool pair_with(Model& reference) {
+        reference_ = &reference;
+        std::vector<std::pair<std::size_t, Key>> rows;
+        std::vector<std::pair<std::size_t, Key>> others;
+        if (!find_rows(rows) || !reference.find_rows(others)) {
+            return false;
+        }
+        std::set<std::size_t> paired;
+        const auto join = [&](std::size_t i, std::size_t j) {
+            partners_[rows[i].first] = others[j].first;
+            paired.insert(others[j].first);
+        };
+        if (!rules_.by_key) {
+            for (std::size_t i = 0; i < std::min(rows.size(), others.size()); ++i) {
+                join(i, i);
+            }
+        } else if (!rows.empty() && !others.empty()) {
+            bool modelled = true;
+            const Key within = key_of(rules_.key_within.empty() ? "0" : rules_.key_within, modelled).value_or(0);
+            if (!modelled) {
+                return false;
+            }
+            const auto distance = [](const auto& a, const auto& b) { return Key(abs(a.second - b.second)); };
+            const auto nearest = [&](const auto& row, const auto& among) {
+                return std::ranges::min_element(among, {}, [&](const auto& other) { return distance(row, other); }) -
+                       among.begin();
+            };
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const auto j = static_cast<std::size_t>(nearest(rows[i], others));
+                if (distance(rows[i], others[j]) <= within && static_cast<std::size_t>(nearest(others[j], rows)) == i) {
+                    join(i, j);
+                }
+            }
+        }
+        for (const auto& [at, key] : others) {
+            if (!paired.contains(at)) {
+                outcome_.unpaired[1].push_back(at + 1);
+                meet("unpaired row of the reference");
+            }
+        }
+        return true;
+    }
+
+    /// The rows that may be paired, with their keys; the others come into wrong_keys_.
+    bool find_rows(std::vector<std::pair<std::size_t, Key>>& rows) {
+        bool modelled = true;
+        for (std::size_t at = 0; at < lines_.size() && modelled; ++at) {
+            if (!is_data(at)) {
+                continue;
+            }
+            Fields fields;
+            std::optional<Key> key = 0;
+            if (rules_.by_key) {
+                const bool closed = split(lines_[at].text, delimiter_, fields);
+                double value = 0.0;
+                const std::string text =
+                    closed && positions_[0] < fields.size() ? content(fields[positions_[0]], delimiter_) : "";
+                key = read(text, value) ? key_of(text, modelled) : std::nullopt;
+                if (key && !rows.empty() && *key <= rows.back().second) {
+                    key.reset();
+                }
+            }
+            if (key) {
+                rows.emplace_back(at, *key);
+            } else {
+                wrong_keys_.insert(at);
+            }
+        }
+        next_wrong_key_ = wrong_keys_.empty() ? none : *wrong_keys_.begin();
+        return modelled;
+    }
+
+    /// The least partner of a row after that one.
+    [[nodiscard]] std::size_t next_partner(std::size_t at) const {
+        const auto next = partners_.upper_bound(at);
+        return next == partners_.end() ? none : next->second;
+    }
+
+    /// The reference's rows before `end` whose keys are wrong; false where one stops the run and it is not said which
+    /// lines of the stream come before it.
+    bool fail_keys_before(std::size_t end) {
+        for (std::size_t& wrong = reference_->next_wrong_key_; wrong < end && outcome_.to_the_end;) {
+            meet("failed key of the reference");
+            if (stops() && (outcome_.bytes.size() != settled_bytes_ || outcome_.failed.size() != settled_failures_)) {
+                return false;
+            }
+            outcome_.failed.push_back({wrong + 1, true});
+            outcome_.to_the_end = !stops();
+            const auto next = reference_->wrong_keys_.upper_bound(wrong);
+            wrong = next == reference_->wrong_keys_.end() ? none : *next;
+        }
+        return true;
+    }
+
     static std::string name_of(char delimiter) {
         return delimiter == ','    ? "comma"
                : delimiter == '\t' ? "tab"
@@ -465,6 +621,7 @@ private:
         if (header_ == at) {
             meet("header");
             outcome_.bytes += is_csv ? header_text_ : "";
+            settled_bytes_ = outcome_.bytes.size();
         } else if (!line.row() || at < first_data_) { // of several rows with all the names the last is the header
             meet(line.blank() ? "blank row" : line.comment() ? "comment" : "row before the header");
             outcome_.bytes += is_csv ? std::string(line.text) + std::string(line.end) : "";
@@ -513,24 +670,78 @@ private:
         return numbers;
     }
 
-    void write_row(const Line& line, std::size_t number) {
-        Fields fields;
+    /// The result of a row, and of its partner where there is a reference.
+    Answer answer_of(std::size_t at, Fields& fields) {
         std::vector<std::string> texts;
-        const auto numbers = numbers_of(line, fields, texts);
-        auto answer = numbers ? rules_.calculate(*numbers, texts) : std::nullopt;
+        const Answer nothing{.numbers = {}, .notes = {}, .failed = true};
+        if (wrong_keys_.contains(at)) {
+            meet("failed key of the stream");
+            return nothing;
+        }
+        auto numbers = numbers_of(lines_[at], fields, texts);
+        if (!numbers) {
+            return nothing;
+        }
+        if (reference_ != nullptr) {
+            Fields other_fields;
+            const auto others = reference_->numbers_of(reference_->lines_[partners_.at(at)], other_fields, texts);
+            if (!others) {
+                return {.numbers = {}, .notes = {}, .failed = true, .of_reference = true};
+            }
+            numbers->insert(numbers->end(), others->begin(), others->end());
+        }
+        Answer answer = rules_.calculate(*numbers, texts);
+        answer.of_reference = answer.of_reference && reference_ != nullptr;
+        return answer;
+    }
+
+    void write_row(const Line& line, std::size_t number) {
+        const std::size_t at = number - 1;
+        if (reference_ != nullptr && !partners_.contains(at) && !wrong_keys_.contains(at)) {
+            meet("unpaired row of the stream");
+            outcome_.unpaired[0].push_back(number);
+            return;
+        }
+        Fields fields;
+        Answer answer = answer_of(at, fields);
         if (line.end.size() != 1) {
             meet(line.end.empty() ? "last row without newline" : "CRLF");
         }
-        meet(answer ? "row compared" : "failed row under " + rules_.on_error);
-        if (!answer) {
-            outcome_.failed.push_back(number);
-            outcome_.to_the_end = rules_.on_error != "stop";
-            if (rules_.on_error != "nan") {
-                return;
-            }
+        meet(answer.failed ? "failed row under " + rules_.on_error : "row compared");
+        if (reference_ != nullptr && partners_.contains(at)) {
+            meet(answer.failed   ? answer.of_reference ? "failed row of the reference" : "failed row of the stream"
+                 : rules_.by_key ? "pair by key"
+                                 : "pair by row");
+        }
+        if (answer.failed) {
+            outcome_.failed.push_back({answer.of_reference ? partners_.at(at) + 1 : number, answer.of_reference});
+            outcome_.to_the_end = !stops();
+        } else {
+            ++outcome_.answered;
+        }
+        if (!answer.failed || rules_.on_error == "nan") {
+            write_answer(line, number, fields, answer);
+        }
+        if (partners_.contains(at)) {
+            settled_bytes_ = outcome_.bytes.size();
+            settled_failures_ = outcome_.failed.size();
+        }
+    }
+
+    void write_answer(const Line& line, std::size_t number, const Fields& fields, Answer& answer) {
+        if (answer.failed) {
             const std::size_t notes = rules_.diagnostic_columns ? 1 : 0;
             answer = Answer{std::vector<double>(rules_.names.size() - notes, std::numeric_limits<double>::quiet_NaN()),
                             "error"};
+        }
+        if (rules_.format == "result") {
+            if (!std::isnan(answer.numbers.back())) {
+                answer.numbers.back() = static_cast<double>(number);
+            }
+            for (const double value : answer.numbers) {
+                outcome_.bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+            }
+            return;
         }
         if (rules_.format == "json") {
             auto& values = outcome_.others.emplace_back();
@@ -543,7 +754,7 @@ private:
             }
             return;
         }
-        const std::string result = text_of(*answer);
+        const std::string result = text_of(answer);
         outcome_.bytes += rules_.append ? std::string(without_last_blanks(line.text, delimiter_)) + delimiter_ + result
                                         : in_place(fields, result, delimiter_);
         outcome_.bytes += line.end.empty() ? line_end_ : line.end;
@@ -574,6 +785,14 @@ private:
     char delimiter_ = ',';
     std::string_view line_end_ = "\n";
     Outcome outcome_;
+
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    Model* reference_ = nullptr;
+    std::map<std::size_t, std::size_t> partners_; ///< of each paired line that of the reference
+    std::set<std::size_t> wrong_keys_;            ///< lines
+    std::size_t next_wrong_key_ = none;           ///< of those not yet told of
+    std::size_t settled_bytes_ = 0;               ///< of all lines up to the header or the last pair...
+    std::size_t settled_failures_ = 0;            ///< ...and likewise
 };
 
 /// A flat object's keys and values, as they are written; false where the text is none.
@@ -603,6 +822,11 @@ bool read_object(std::string_view text, std::vector<std::pair<std::string, std::
 } // namespace
 
 std::optional<Outcome> model(std::string_view text, const Rules& rules) { return Model(rules)(text); }
+
+std::optional<Outcome> model(std::string_view text, std::string_view reference, const Rules& rules) {
+    Model other(*rules.reference);
+    return Model(rules)(text, other, reference);
+}
 
 bool json_agrees(std::string_view json, const Outcome& outcome, const Rules& rules) {
     for (const auto& others : outcome.others) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,13 +15,14 @@
 /// and shares no code with the program.
 namespace fuzz {
 
-/// What the numbers of a row become; nothing where they have no result.
+/// What the numbers of a row become.
 struct Answer {
     std::vector<double> numbers;
-    std::string notes; ///< kinds joined by '+'
+    std::string notes;         ///< kinds joined by '+'
+    bool failed = false;       ///< they have no result...
+    bool of_reference = false; ///< ...because those of the reference have none
 };
-using Calculate =
-    std::function<std::optional<Answer>(const std::vector<double>& numbers, const std::vector<std::string>& texts)>;
+using Calculate = std::function<Answer(const std::vector<double>& numbers, const std::vector<std::string>& texts)>;
 
 /// The options as they are written, and what the command makes of numbers.
 struct Rules {
@@ -30,12 +34,27 @@ struct Rules {
     std::string columns, delimiter, header = "auto", format = "csv", on_error = "stop";
     int precision = 0;
     bool append = false, diagnostic_columns = false;
+
+    /// How the stream is read whose rows stand beside these; the numbers of both are one row for `calculate`. Under the
+    /// format `result` a row is its result's doubles, the last of them its line, and nothing else.
+    std::shared_ptr<const Rules> reference;
+    bool by_key = false; ///< the first number of both
+    std::string key_within;
+};
+
+/// A row without a result.
+struct Failure {
+    std::size_t line = 0;
+    bool of_reference = false;
+    friend auto operator<=>(const Failure&, const Failure&) = default;
 };
 
 /// What a stream becomes.
 struct Outcome {
     std::string bytes;
-    std::vector<std::size_t> failed; ///< lines
+    std::vector<Failure> failed;
+    std::size_t answered = 0;
+    std::array<std::vector<std::size_t>, 2> unpaired; ///< lines, of the stream and of the reference
     bool to_the_end = true;
     std::vector<std::string> met;                 ///< rules that had a part in it
     std::vector<std::vector<std::string>> others; ///< under json, of each row the values of its other fields; "": any
@@ -43,6 +62,8 @@ struct Outcome {
 
 /// The outcome; nothing where the text meets rules that are not modelled.
 [[nodiscard]] std::optional<Outcome> model(std::string_view text, const Rules& rules);
+/// The same of two streams.
+[[nodiscard]] std::optional<Outcome> model(std::string_view text, std::string_view reference, const Rules& rules);
 
 /// Whether the lines of JSON hold what the outcome says.
 [[nodiscard]] bool json_agrees(std::string_view json, const Outcome& outcome, const Rules& rules);

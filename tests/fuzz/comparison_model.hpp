@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <rotconv/spec.hpp>
+
+/// What a comparison's numbers are to be, from the definitions of the representations in many digits.
+namespace fuzz {
+
+/// What is compared with what, and how.
+struct Compared {
+    rotconv::Spec from;
+    rotconv::Spec reference;
+    std::optional<rotconv::Spec> relative;
+    bool in_reference_axes = false; ///< the relative attitude
+    bool degrees = false;           ///< the angle
+    double tolerance = 1e-3;
+    double lock_margin = 1e-15;
+};
+
+enum class Agreement { yes, no, not_modelled };
+
+/// Of a row's numbers, those of the reference last: whether the right ones are refused. Of matrices only the program
+/// knows.
+[[nodiscard]] Agreement check_refusal(const Compared& compared, std::span<const double> numbers, bool refused,
+                                      bool of_reference);
+
+/// The angle to 4 eps, where both attitudes are well-conditioned; 0 where the same is compared.
+[[nodiscard]] Agreement check_angle(const Compared& compared, std::span<const double> numbers, double angle);
+
+/// The attitude that the relative one's numbers stand for, likewise.
+[[nodiscard]] Agreement check_relative(const Compared& compared, std::span<const double> numbers,
+                                       std::span<const double> relative);
+
+} // namespace fuzz
