@@ -164,7 +164,8 @@ void RowTransformer::write(Output& output) {
 
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text;
-    if (options_->width > 0 && reader_.needs_fields() && options_->format != Format::result) {
+    const bool is_ours = row.number > 0; // else there is nothing but an error of the reference
+    if (is_ours && options_->width > 0 && reader_.needs_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }
     const std::size_t size = operation_.names.size();
@@ -199,7 +200,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     }
     if (options_->on_error == OnError::stop) {
         output.stopped = true;
-    } else if (options_->on_error == OnError::nan && row.number > 0) {
+    } else if (options_->on_error == OnError::nan && is_ours) {
         row_text_.write(output.bytes, converted);
     }
 }
