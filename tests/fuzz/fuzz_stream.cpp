@@ -13,6 +13,7 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <random>
 #include <set>
 #include <string>
 #include <string_view>
@@ -654,6 +655,42 @@ std::string with_another_option(const std::string& line, unsigned seed) {
     return line;
 }
 
+/// Rows whose first number is a key: it mostly increases, by quarters, so that there are pairs, ties and faults. The
+/// others are those of a unit quaternion, or any.
+std::string some_rows(std::minstd_rand& random, std::size_t fields, char delimiter) {
+    constexpr std::array numbers{"0", "1", "-1", "0.1", "-0.7", "3", "1e-9", "x", "0.25"};
+    std::string text;
+    long quarters = 0;
+    for (std::size_t rows = random() % 32; rows > 0; --rows) {
+        const bool is_unit = random() % 4 != 0;
+        const unsigned step = random() % 16;
+        quarters += step == 0 ? 0 : step == 1 ? -1 : 1 + static_cast<long>(step % 5);
+        text += fmt::format("{}", 0.25 * static_cast<double>(quarters));
+        for (std::size_t i = 1; i < fields; ++i) {
+            text += delimiter;
+            text += is_unit ? (random() % 2 == 0 ? "0.5" : "-0.5") : numbers[random() % numbers.size()];
+        }
+        text += random() % 16 == 0 ? "\n# a\n" : "\n";
+    }
+    return text;
+}
+
+/// Two streams for a comparison; nothing for another command, or where columns have names.
+std::optional<std::string> pairs_for(const std::string& line, unsigned seed) {
+    const auto words = words_of(line, ' ');
+    const auto& program = known_program_of(line, words);
+    if (!program || !program->is_paired() || program->options.width > 0 || program->options.columns.has_names()) {
+        return std::nullopt;
+    }
+    constexpr std::size_t many = 12;
+    std::minstd_rand random(seed);
+    const auto fields = [&](const Options& options) {
+        return options.columns.empty() ? options.operation.inputs : many;
+    };
+    const std::string text = some_rows(random, fields(program->options), random() % 2 == 0 ? ',' : ' ');
+    return text + '\f' + some_rows(random, fields(program->options.pairing->reference), ';');
+}
+
 std::size_t put(std::string_view line, std::string_view text, std::uint8_t* to, std::size_t most) {
     const std::string all = std::string(line) + '\n' + std::string(text);
     const std::size_t size = std::min(all.size(), most);
@@ -670,6 +707,11 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     std::string text = all.substr(std::min(line.size() + 1, size));
     if (seed % 4 == 0) {
         return put(with_another_option(line, seed), text, data, most);
+    }
+    if (seed % 4 == 1) {
+        if (const auto pairs = pairs_for(line, seed)) {
+            return put(line, *pairs, data, most);
+        }
     }
     if (line.size() + 1 >= most) {
         return size;
