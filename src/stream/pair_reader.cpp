@@ -125,9 +125,9 @@ bool PairReader::read(Job& job) {
     for (bool has_read = false;;) {
         const At row = rows_.look(0);
         const At reference = references_.look(0);
-        hand_on_alone(job, row);
-        if ((row == At::end && (reference == At::end || rows_.error())) ||
-            (row != At::dry && reference == At::end && references_.error())) {
+        const bool rows_failed = row == At::end && rows_.error();
+        hand_on_alone(job, row != At::dry && !rows_failed);
+        if (rows_failed || (reference == At::end && row != At::dry && (row == At::end || references_.error()))) {
             return false;
         }
         Side* const dry = row == At::dry ? &rows_ : reference == At::dry ? &references_ : match(job, row, reference);
@@ -158,11 +158,11 @@ void PairReader::fill(Side& side, Job& job) {
     }
 }
 
-void PairReader::hand_on_alone(Job& job, At row) {
+void PairReader::hand_on_alone(Job& job, bool of_both) {
     PairBlock& pairs = job.pairs;
     for (Side* side : {&rows_, &references_}) {
-        if (side == &references_ && row == At::dry) {
-            return; // lines of the stream may still come before
+        if (side == &references_ && !of_both) {
+            return;
         }
         auto& waiting = side->waiting;
         while (!waiting.empty() && (waiting.front().passed || waiting.front().error)) {
@@ -231,7 +231,7 @@ void PairReader::finish(Output& output) {
 }
 
 std::optional<StreamError> PairReader::error() const {
-    auto found = rows_.error();
+    auto found = rows_.is_done() ? rows_.error() : std::nullopt; // else it lies behind what was worked on
     if (!found) {
         found = references_.error();
         if (found) {

@@ -59,6 +59,7 @@ private:
         void take_line();
         void find_key(Waiting& line);
         void drop_row(bool is_paired);
+        [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || !waiting.empty() || blocks.is_ready(); }
         [[nodiscard]] std::optional<StreamError> error() const {
             return header.error() ? header.error() : blocks.error();
@@ -86,9 +87,9 @@ private:
     Side* match(Job& job, At row, At reference);
     /// The first rows of both are a pair.
     void pair(Job& job);
-    /// What needs no other row: lines that pass, rows whose key is at fault. `row`: whether one of the stream is at
-    /// hand, before which all such lines of the stream have been handed on.
-    void hand_on_alone(Job& job, At row);
+    /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,
+    /// which come after all of the stream that stand before its next row.
+    void hand_on_alone(Job& job, bool of_both);
     /// Reads a block of that side for the job.
     void fill(Side& side, Job& job);
 
