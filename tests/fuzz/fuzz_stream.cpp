@@ -101,6 +101,7 @@ struct Result {
     std::string bytes;
     std::vector<fuzz::Failure> failed;
     bool to_the_end = false;
+    std::string error; ///< of a stream, that ended the run
     std::size_t answered = 0;
     std::size_t beyond = 0;
     std::array<std::size_t, 4> unpaired{}; ///< of the stream and of the reference how many, and the line of the first
@@ -109,7 +110,7 @@ struct Result {
     std::size_t threads = 0;
     friend bool operator==(const Result& a, const Result& b) {
         return a.bytes == b.bytes && a.failed == b.failed && a.to_the_end == b.to_the_end && a.answered == b.answered &&
-               a.unpaired == b.unpaired && a.identified == b.identified;
+               a.unpaired == b.unpaired && a.error == b.error && a.identified == b.identified;
     }
 };
 
@@ -216,6 +217,10 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         own.is_paired() ? run(source, reference, sink, options, report) : run(source, sink, options, report);
     result.bytes = std::move(sink.text);
     result.to_the_end = !ending.stopped && !ending.error;
+    if (ending.error) {
+        result.error = fmt::format("{} {}{}", static_cast<int>(ending.error->what), ending.error->line,
+                                   ending.error->of_reference ? " of the reference" : "");
+    }
     result.answered = ending.answered;
     for (std::size_t i = 0; i < 2 && result.to_the_end; ++i) {
         result.unpaired.at(2 * i) = ending.unpaired.at(i).rows;
@@ -437,8 +442,8 @@ std::string description(const Result& result) {
     for (const fuzz::Failure& failure : result.failed) {
         text += fmt::format(" {}{}", failure.line, failure.of_reference ? " of the reference" : "");
     }
-    return text + fmt::format("\nto the end: {}, answered: {}, unpaired: {}\n{}", result.to_the_end, result.answered,
-                              fmt::join(result.unpaired, " "), result.identified);
+    return text + fmt::format("\nto the end: {}, error: {}, answered: {}, unpaired: {}\n{}", result.to_the_end,
+                              result.error, result.answered, fmt::join(result.unpaired, " "), result.identified);
 }
 
 void require_same(std::string_view what, const Result& a, const Result& b) {
