@@ -660,9 +660,9 @@ std::string with_another_option(const std::string& line, unsigned seed) {
     return line;
 }
 
-/// Rows whose first number is a key: it mostly increases, by quarters, so that there are pairs, ties and faults. The
-/// others are those of a unit quaternion, or any.
-std::string some_rows(std::minstd_rand& random, std::size_t fields, char delimiter) {
+/// Rows of numbers, those of a unit quaternion or any. The first may be a key: it mostly increases, by quarters, so
+/// that there are pairs, ties and faults.
+std::string some_rows(std::minstd_rand& random, std::size_t fields, bool by_key, char delimiter) {
     constexpr std::array numbers{"0", "1", "-1", "0.1", "-0.7", "3", "1e-9", "x", "0.25"};
     std::string text;
     long quarters = 0;
@@ -670,17 +670,20 @@ std::string some_rows(std::minstd_rand& random, std::size_t fields, char delimit
         const bool is_unit = random() % 4 != 0;
         const unsigned step = random() % 16;
         quarters += step == 0 ? 0 : step == 1 ? -1 : 1 + static_cast<long>(step % 5);
-        text += fmt::format("{}", 0.25 * static_cast<double>(quarters));
-        for (std::size_t i = 1; i < fields; ++i) {
-            text += delimiter;
-            text += is_unit ? (random() % 2 == 0 ? "0.5" : "-0.5") : numbers[random() % numbers.size()];
+        std::vector<std::string> row;
+        if (by_key) {
+            row.push_back(fmt::format("{}", 0.25 * static_cast<double>(quarters)));
         }
-        text += random() % 16 == 0 ? "\n# a\n" : "\n";
+        while (row.size() < fields) {
+            row.emplace_back(is_unit ? (random() % 2 == 0 ? "0.5" : "-0.5") : numbers[random() % numbers.size()]);
+        }
+        text += fmt::format("{}\n", fmt::join(row, std::string_view(&delimiter, 1)));
+        text += random() % 16 == 0 ? "# a\n" : "";
     }
     return text;
 }
 
-/// Two streams for a comparison; nothing for another command, or where columns have names.
+/// Two streams for a command that pairs them; nothing for another one, or where columns have names.
 std::optional<std::string> pairs_for(const std::string& line, unsigned seed) {
     const auto words = words_of(line, ' ');
     const auto& program = known_program_of(line, words);
@@ -689,11 +692,12 @@ std::optional<std::string> pairs_for(const std::string& line, unsigned seed) {
     }
     constexpr std::size_t many = 12;
     std::minstd_rand random(seed);
-    const auto fields = [&](const Options& options) {
-        return options.columns.empty() ? options.operation.inputs : many;
+    const auto rows = [&](const Options& options, char delimiter) {
+        const std::size_t fields = options.columns.empty() ? options.operation.inputs : many;
+        return some_rows(random, fields, program->is_by_key(), delimiter);
     };
-    const std::string text = some_rows(random, fields(program->options), random() % 2 == 0 ? ',' : ' ');
-    return text + '\f' + some_rows(random, fields(program->options.pairing->reference), ';');
+    const std::string text = rows(program->options, random() % 2 == 0 ? ',' : ' ');
+    return text + '\f' + rows(program->options.pairing->reference, ';');
 }
 
 std::size_t put(std::string_view line, std::string_view text, std::uint8_t* to, std::size_t most) {

@@ -248,6 +248,7 @@ public:
             return std::nullopt;
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
+            write_added_header(i);
             write_line(i);
         }
         return outcome_;
@@ -258,6 +259,7 @@ public:
             return std::nullopt;
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
+            write_added_header(i);
             const bool has_key = is_data(i) && !wrong_keys_.contains(i);
             if (has_key && partners_.contains(i) && !fail_keys_before(partners_.at(i))) {
                 return std::nullopt;
@@ -615,9 +617,6 @@ private:
     void write_line(std::size_t at) {
         const Line& line = lines_[at];
         const bool is_csv = rules_.format == "csv";
-        if (at == first_data_ && rules_.header == "add" && is_csv) {
-            write_added_header(line);
-        }
         if (header_ == at) {
             meet("header");
             outcome_.bytes += is_csv ? header_text_ : "";
@@ -630,9 +629,13 @@ private:
         }
     }
 
-    void write_added_header(const Line& line) {
+    /// Before the first data row.
+    void write_added_header(std::size_t at) {
+        if (at != first_data_ || rules_.header != "add" || rules_.format != "csv") {
+            return;
+        }
         Fields fields;
-        split(line.text, delimiter_, fields);
+        split(lines_[at].text, delimiter_, fields);
         std::vector<std::string> indices;
         for (std::size_t i = 0; i < fields.size(); ++i) {
             indices.push_back(std::to_string(i + 1));
@@ -642,6 +645,7 @@ private:
         outcome_.bytes +=
             rules_.append ? joined(indices, delimiter_) + delimiter_ + result : in_place(views, result, delimiter_);
         outcome_.bytes += line_end_;
+        settled_bytes_ = outcome_.bytes.size();
         meet("added header");
     }
 
