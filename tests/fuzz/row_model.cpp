@@ -170,7 +170,7 @@ std::optional<Key> key_of(const std::string& text, bool& modelled) {
         return std::nullopt;
     }
     const long power = mantissa_end < magnitude.size() ? std::strtol(magnitude.c_str() + mantissa_end + 1, nullptr, 10)
-                                                       : 0; // as large as they come
+                                                       : 0; // the greatest long where it is larger
     if (power > scale || power < -scale || decimals - power > scale) {
         modelled = false;
         return std::nullopt;
