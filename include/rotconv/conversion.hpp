@@ -23,11 +23,12 @@ struct Settings {
 struct Report {
     std::size_t row = 0; ///< its index among the rows of the run
     Error error = Error::none;
-    bool of_reference = false; ///< where rows hold two attitudes: the error is that of the second
+    bool of_reference = false; ///< where rows hold two attitudes: the error, and its defect, are those of the second
     DiagnosticSet diagnostics{};
-    double defect = 0.0;       ///< below `reported_defect` and without Settings::sensitivity only an upper bound
-    Sensitivity sensitivity{}; ///< of a row without error
-    double deviation = 0.0;    ///< angle in radians by which the numbers may be off, where whoever made them says so
+    double defect = 0.0;           ///< below `reported_defect` and without Settings::sensitivity only an upper bound
+    Sensitivity sensitivity{};     ///< of a row without error
+    double reference_defect = 0.0; ///< of the second attitude, where rows hold two
+    double deviation = 0.0; ///< angle in radians by which the numbers may be off, where whoever made them says so
 };
 
 /// The attitude of one row of numbers, with all that the spec says of them.

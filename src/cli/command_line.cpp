@@ -54,7 +54,7 @@ constexpr std::array<Entry, 6> commands{
      {"survey", "Which sets serve a motion, and the smallest", "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n",
       define_survey,
       [](const RawOptions& texts, const Operands& operands) -> Command { return survey_command(texts, operands); }},
-     {"compare", "Angles between attitudes and others: a check",
+     {"compare", "A check: the angles between attitudes and those of a reference",
       "Usage: rotconv compare -f SPEC [-t SPEC] [OPTION]... FILE REFERENCE\n"
       "       rotconv compare -f SPEC [-t SPEC] [OPTION]... [FILE]\n"
       "       rotconv compare -f SPEC [-t SPEC] [OPTION]... VALUE...\n",

@@ -117,6 +117,7 @@ void define_compare(CLI::App& app, RawOptions& texts) {
     app.add_option("--frame", texts.frame, "Axes of the relative attitude: body or reference")->type_name("FRAME");
     define_input(app, texts);
     define_output(app, texts);
+    app.get_option("--format")->description("pretty (default), json, or csv: every pair with its angle");
     define_lock_margin(app, texts);
 }
 
@@ -131,8 +132,9 @@ CompareCommand compare_command(const RawOptions& texts, const Operands& operands
         .within = amount_of("--within", texts.within, std::numeric_limits<double>::infinity(), true),
         .unit = texts.degrees ? AngleUnit::degrees : AngleUnit::radians,
         .frame = choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}})};
-    if (!texts.relative.empty() && format == Format::csv) {
-        settings.relative = spec_of("--as", texts.relative, texts.degrees);
+    if (!texts.relative.empty()) {
+        const Spec relative = spec_of("--as", texts.relative, texts.degrees);
+        settings.relative = format == Format::csv ? std::optional(relative) : std::nullopt;
     }
     const Comparison comparison(from, reference, settings);
 
@@ -142,10 +144,10 @@ CompareCommand compare_command(const RawOptions& texts, const Operands& operands
     const double tolerance = settings.reading.tolerance;
     messages::Subject subject = messages::subject_of(from, tolerance);
     if (!paired) {
-        subject.text += texts.to.empty() ? " twice" : fmt::format(" and {}", representation(reference.name).text);
+        subject.text += texts.to.empty() ? " twice" : fmt::format(" with {}", representation(reference.name).text);
         subject.count = comparison.inputs();
     }
-    RawOptions input = paired ? with_key(texts) : texts;
+    RawOptions input = file_options(texts, paired);
     input.format = "csv";
     CompareCommand command{
         .rows = rows_command(input, stream::comparison_operation(comparison, rows), std::move(subject), operands),
@@ -172,11 +174,11 @@ ExitCode compare(const CompareCommand& command) {
     const RowsResult result = command.format == CompareCommand::Format::csv
                                   ? run_rows(command.rows)
                                   : run_rows(command.rows, Conclusion{angles, conclude});
-    if (result.code != ExitCode::done) {
+    if (result.code != ExitCode::done || result.reader_left) {
         return result.code;
     }
     if (result.answered == 0) {
-        print_error("no attitudes were compared");
+        print_error(messages::nothing_read);
     }
     const bool holds =
         result.answered > 0 && result.beyond == 0 && result.unpaired[0].rows == 0 && result.unpaired[1].rows == 0;

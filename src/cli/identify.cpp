@@ -131,15 +131,15 @@ public:
     [[nodiscard]] bool is_one() const noexcept { return verdict_.fitting == 1; }
 
     [[nodiscard]] std::string in_table(double within) const {
-        std::string text = fmt::format("{:<21}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", "SPEC", "columns", "worst angle",
+        std::string text = fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", "SPEC", "columns", "worst angle",
                                        "at line", "rows", "fits");
         for (const Candidate& candidate : candidates_) {
-            text += fmt::format("{:<21}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", messages::text_of(candidate.spec),
+            text += fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", messages::text_of(candidate.spec),
                                 columns_of(candidate), angle_text(candidate), candidate.angle_row, candidate.rows,
                                 identification_->fits(candidate) ? "yes" : "no");
         }
         const std::size_t rows = identification_->rows();
-        return fmt::format("{}\n{} row{}; the convention that fits within {} {}:\n{}{}\n", text, rows,
+        return fmt::format("{}\n{} row{}; the convention that fits within {:.6g} {}:\n{}{}\n", text, rows,
                            rows == 1 ? "" : "s", within * unit_, unit_name_, word(),
                            verdict_.fitting > 1 ? fmt::format(": {} fit; {}", verdict_.fitting, lack()) : "");
     }
@@ -232,13 +232,13 @@ IdentifyCommand identify_command(const RawOptions& texts, const Operands& operan
     const auto name = name_of(texts.from);
     stream::IdentificationRows layout{.known = spec_of("--to", texts.to, texts.degrees), .paired = is_paired(operands)};
     layout.by_key = layout.paired && !texts.key.empty();
-    layout.count = count_of(texts, operands, layout, name);
+    layout.count = count_of(file_options(texts, layout.paired), operands, layout, name);
     IdentificationSettings settings{.tolerance = settings_of(texts).tolerance};
     if (!texts.within.empty()) {
         const double unit = texts.degrees ? radians_per_degree : 1.0;
         settings.within = amount_of("--within", texts.within, 0.0, false) * unit;
     }
-    RawOptions input = layout.paired ? with_key(texts) : texts;
+    RawOptions input = file_options(texts, layout.paired);
     input.format.clear(); // that of the answer
     IdentifyCommand command{.rows = rows_command(input, stream::identification_operation(layout, nullptr),
                                                  subject_of(layout, settings.tolerance), operands),
@@ -286,7 +286,7 @@ ExitCode identify(const IdentifyCommand& command) {
         const Answer answer(*identification, positions, command.degrees);
         is_one = answer.is_one();
         if (identification->rows() == 0) {
-            print_error(fmt::format("{}: there is no attitude in it", messages::shown(rows.input)));
+            print_error(messages::nothing_read);
             return std::string(command.json ? "{\"rows\": 0, \"fit\": 0, \"answer\": \"none\"}\n" : "none\n");
         }
         return command.json ? answer.in_json() : answer.in_table(command.settings.within);
@@ -294,8 +294,7 @@ ExitCode identify(const IdentifyCommand& command) {
     stream::NullSink nowhere;
     const RowsResult result =
         run_rows(rows, Conclusion{nowhere, conclude}, command.layout.count == 0 ? Settle(begin_with) : Settle());
-    const bool all_paired = result.unpaired[0].rows == 0 && result.unpaired[1].rows == 0;
-    return result.code == ExitCode::done && !(is_one && all_paired) ? ExitCode::reservations : result.code;
+    return result.code == ExitCode::done && !result.reader_left && !is_one ? ExitCode::reservations : result.code;
 }
 
 } // namespace rotconv::cli

@@ -280,8 +280,8 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
     case What::not_an_item:
         return fmt::format("{} is neither an index from 1, nor a range such as 5-8, nor a name", quoted(error.text));
     case What::wrong_count:
-        return fmt::format("{} selects {} column{} where {} has {} numbers", quoted(error.text), error.count,
-                           error.count == 1 ? "" : "s", subject.text, subject.count);
+        return fmt::format("{} selects {} column{} where {} has {} number{}", quoted(error.text), error.count,
+                           error.count == 1 ? "" : "s", subject.text, subject.count, subject.count == 1 ? "" : "s");
     case What::twice: return fmt::format("column {} is selected twice", quoted(error.text));
     case What::missing:
         return fmt::format("no header: of the columns the row lacks {} and has {}: {}", quoted_list(error.lacking),

@@ -49,6 +49,9 @@ struct Subject {
 
 [[nodiscard]] std::string explain(const stream::ColumnError& error, const Subject& subject);
 
+/// Of a run that had no attitude to look at.
+inline constexpr std::string_view nothing_read = "there was no row with an attitude";
+
 /// A number in JSON; a string where it is not finite.
 [[nodiscard]] std::string json_number(double value);
 

@@ -61,8 +61,24 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
     return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
 }
 
+stream::ColumnList columns_of(const RawOptions& texts, const stream::RowOperation& operation,
+                              const messages::Subject& subject) {
+    const auto parse = [&](const std::string& list, std::size_t count) {
+        auto parsed = stream::ColumnList::parse(list, count);
+        if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
+            throw Usage(fmt::format("{}: {}", texts.columns_option, messages::explain(*error, subject)));
+        }
+        return std::get<stream::ColumnList>(std::move(parsed));
+    };
+    if (texts.leading_key.empty()) {
+        return parse(texts.columns, operation.inputs);
+    }
+    static_cast<void>(parse(texts.columns, operation.inputs - 1));
+    return parse(fmt::format("{},{}", texts.leading_key, texts.columns), operation.inputs);
+}
+
 /// Canonical names in another order than the SPEC's would be a wrong attitude in silence.
-void refuse_other_order(const std::string& list, const stream::Options& options) {
+void refuse_other_order(const RawOptions& texts, const stream::Options& options) {
     const auto& from = options.operation.from;
     if (!from) {
         return;
@@ -72,7 +88,8 @@ void refuse_other_order(const std::string& list, const stream::Options& options)
     names.resize(std::min(names.size(), from->size()));
     const auto order = name_order(*from);
     if (names != order && std::ranges::is_permutation(names, order)) {
-        throw Usage("--columns " + messages::other_order(list, *from, order, spec_in_order(*from, names)));
+        throw Usage(fmt::format("{} {}", texts.columns_option,
+                                messages::other_order(texts.columns, *from, order, spec_in_order(*from, names))));
     }
 }
 
@@ -280,12 +297,8 @@ RowsCommand rows_command(const RawOptions& texts, stream::RowOperation operation
         }
     }
     if (!texts.columns.empty()) {
-        auto parsed = stream::ColumnList::parse(texts.columns, options.operation.inputs);
-        if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
-            throw Usage("--columns: " + messages::explain(*error, command.subject));
-        }
-        options.columns = std::get<stream::ColumnList>(std::move(parsed));
-        refuse_other_order(texts.columns, options);
+        options.columns = columns_of(texts, options.operation, command.subject);
+        refuse_other_order(texts, options);
     }
     const bool headless = options.header == stream::HeaderMode::no || options.header == stream::HeaderMode::add;
     if (options.columns.has_names() && (headless || !operands.values.empty())) {

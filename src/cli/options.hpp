@@ -27,6 +27,8 @@ struct RawOptions {
     std::string input_format = "csv";
     std::string width;
     std::string columns;
+    std::string columns_option = "--columns"; ///< that gave them
+    std::string leading_key;                  ///< a column before them
     std::string delimiter;
     std::string header = "auto";
     std::string format; ///< empty: the command's own

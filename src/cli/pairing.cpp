@@ -8,22 +8,22 @@
 namespace rotconv::cli {
 namespace {
 
-/// The same options where those of one of the two streams are `key` and `columns`.
-RawOptions with_columns(const RawOptions& texts, std::string_view option, const std::string& key,
+/// The same options for one of the two streams.
+RawOptions with_columns(const RawOptions& texts, std::string_view key_option, const std::string& key,
                         const std::string& columns) {
     RawOptions side = texts;
     side.columns = columns;
-    if (key.empty()) {
+    if (texts.key.empty()) {
         return side;
     }
     const auto parsed = stream::ColumnList::parse(key, 1);
     if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
-        throw Usage(fmt::format("{}: {}", option, messages::explain(*error, {.text = "a key", .count = 1})));
+        throw Usage(fmt::format("{}: {}", key_option, messages::explain(*error, {.text = "a key", .count = 1})));
     }
     if (columns.empty()) {
-        throw Usage(fmt::format("{} awaits --columns, for a row of numbers alone has no key", option));
+        throw Usage(fmt::format("{} awaits --columns, for a row of numbers alone has no key", key_option));
     }
-    side.columns = fmt::format("{},{}", key, columns);
+    side.leading_key = key;
     return side;
 }
 
@@ -52,12 +52,22 @@ bool is_paired(const Operands& operands) {
     return true;
 }
 
-RawOptions with_key(const RawOptions& texts) { return with_columns(texts, "--key", texts.key, texts.columns); }
+RawOptions file_options(const RawOptions& texts, bool paired) {
+    if (paired) {
+        return with_columns(texts, "--key", texts.key, texts.columns);
+    }
+    RawOptions both = texts;
+    if (!texts.columns.empty() && !texts.reference_columns.empty()) {
+        both.columns += "," + texts.reference_columns;
+    }
+    return both;
+}
 
 void pair(RowsCommand& command, const RawOptions& texts, const Operands& operands, stream::RowOperation operation,
           messages::Subject subject) {
     RawOptions input = with_columns(texts, "--reference-key", or_else(texts.reference_key, texts.key),
                                     or_else(texts.reference_columns, texts.columns));
+    input.columns_option = texts.reference_columns.empty() ? "--columns (of REFERENCE too)" : "--reference-columns";
     input.format.clear();
     RowsCommand reading = rows_command(input, std::move(operation), subject, {});
     reading.options.format = stream::Format::result;

@@ -11,9 +11,10 @@ void define_pairing(CLI::App& app, RawOptions& texts);
 /// @throw Usage where both are stdin
 [[nodiscard]] bool is_paired(const Operands& operands);
 
-/// The options with the key, where there is one, as the first of the columns.
+/// The options that read FILE: with the key, where there is one, as the first of the columns; or where the rows hold
+/// both attitudes, with the columns of both.
 /// @throw Usage
-[[nodiscard]] RawOptions with_key(const RawOptions& texts);
+[[nodiscard]] RawOptions file_options(const RawOptions& texts, bool paired);
 
 /// Has the command's rows paired with those of the REFERENCE, of which `operation` says how they are read.
 /// @throw Usage

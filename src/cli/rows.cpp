@@ -33,12 +33,12 @@ public:
             return;
         }
         const auto& diagnostic = std::get<stream::Diagnostic>(event);
-        Count& count = counts_.at(static_cast<std::size_t>(diagnostic.kind));
+        Count& count = counts_.at(index_of(diagnostic.kind, diagnostic.of_reference));
         if (count.rows++ == 0) {
             count.first = diagnostic;
         }
         if (command_->diagnostics == ShowDiagnostics::rows) {
-            tell(diagnostic.line, messages::describe(diagnostic));
+            tell(diagnostic.line, messages::describe(diagnostic), diagnostic.of_reference);
         }
     }
 
@@ -73,8 +73,10 @@ public:
             if (command_->has_values) {
                 tell(0, messages::describe(count.first));
             } else {
-                tell(0, fmt::format("{}: {}; {}", name_of(count.first.kind), rows_from(count.rows, count.first.line),
-                                    messages::meaning(count.first.kind)));
+                tell(0,
+                     fmt::format("{}: {}; {}", name_of(count.first.kind), rows_from(count.rows, count.first.line),
+                                 messages::meaning(count.first.kind)),
+                     count.first.of_reference);
             }
         }
     }
@@ -94,8 +96,9 @@ private:
         std::size_t rows = 0;
         stream::Diagnostic first;
     };
-    [[nodiscard]] const Count& count_of(DiagnosticKind kind) const {
-        return counts_.at(static_cast<std::size_t>(kind));
+    [[nodiscard]] const Count& count_of(DiagnosticKind kind) const { return counts_.at(index_of(kind, false)); }
+    static constexpr std::size_t index_of(DiagnosticKind kind, bool of_reference) noexcept {
+        return static_cast<std::size_t>(kind) + (of_reference ? diagnostic_kind_count : 0);
     }
     [[nodiscard]] const messages::Subject& subject_of(bool of_reference) const noexcept {
         return of_reference ? command_->reference_subject : command_->subject;
@@ -106,7 +109,7 @@ private:
     const RowsCommand* command_;
     std::string where_;
     std::string reference_;
-    std::array<Count, diagnostic_kind_count> counts_{};
+    std::array<Count, 2 * diagnostic_kind_count> counts_{}; ///< of the input, and of the reference
     std::size_t errors_ = 0;
 };
 
@@ -166,7 +169,7 @@ RowsResult run_rows(RowsCommand command, const std::optional<Conclusion>& conclu
                                          ? stream::run(source, *inputs.back(), sink, command.options, report)
                                          : stream::run(source, sink, command.options, report);
     if (ending.reader_left) {
-        return {};
+        return {.reader_left = true};
     }
     reporter.summarize();
     if (ending.error) {
@@ -188,7 +191,7 @@ RowsResult run_rows(RowsCommand command, const std::optional<Conclusion>& conclu
     if (conclusion && is_whole) {
         const int error = output.write(conclusion->text(result));
         if (error == EPIPE) {
-            return {};
+            return {.reader_left = true};
         }
         if (error != 0) {
             return failed(command.output, What::write, error);

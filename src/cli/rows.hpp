@@ -18,6 +18,7 @@ namespace rotconv::cli {
 /// What came of a run.
 struct RowsResult {
     ExitCode code = ExitCode::done;
+    bool reader_left = false; ///< closed the pipe: nothing more is known, and nothing to be said
     std::size_t answered = 0; ///< rows with a result
     std::size_t failed = 0;
     std::size_t beyond = 0;                     ///< rows with that diagnostic...

@@ -47,7 +47,7 @@ ExitCode survey(const SurveyCommand& command) {
     stream::NullSink nowhere;
     const auto conclude = [&](const RowsResult& /*result*/) {
         if (survey.rows() == 0) {
-            print_error(fmt::format("{}: there is no attitude in it", command.rows.input));
+            print_error(messages::nothing_read);
             none_serves = true;
             return std::string(command.json ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n");
         }

@@ -11,18 +11,6 @@
 namespace rotconv {
 namespace {
 
-/// a b + c d + e f + g h, rounded about once.
-double sum_of_products(double a, double b, double c, double d, double e, double f, double g, double h) noexcept {
-    const DoubleDouble ab = exact_product(a, b);
-    const DoubleDouble cd = exact_product(c, d);
-    const DoubleDouble ef = exact_product(e, f);
-    const DoubleDouble gh = exact_product(g, h);
-    const DoubleDouble one = exact_sum(ab.hi, cd.hi);
-    const DoubleDouble two = exact_sum(ef.hi, gh.hi);
-    const DoubleDouble all = exact_sum(one.hi, two.hi);
-    return all.hi + (all.lo + ((one.lo + two.lo) + ((ab.lo + cd.lo) + (ef.lo + gh.lo))));
-}
-
 /// R_REF' R, or R R_REF'. The factors stand in such an order that equal quaternions have a vector part of 0, subnormal
 /// numbers included.
 ROTCONV_TARGET_CLONES
@@ -67,7 +55,7 @@ Report report_of(const ReadBatch& attitudes, const ReadBatch& references, std::s
         return other;
     }
     report.diagnostics |= other.diagnostics;
-    report.defect = std::max(report.defect, other.defect);
+    report.reference_defect = other.defect;
     return report;
 }
 

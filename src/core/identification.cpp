@@ -165,7 +165,10 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
     }
     known_.resize(4 * rows.size());
     known_conversion_.run(known_numbers_, known_, reports);
-    std::ranges::for_each(reports, [](Report& report) { report.of_reference = true; });
+    std::ranges::for_each(reports, [](Report& report) {
+        report.of_reference = true;
+        report.reference_defect = report.error == Error::none ? std::exchange(report.defect, 0.0) : 0.0;
+    });
     // Of the first rows few at a time: most candidates leave with them.
     for (std::size_t first = 0; first < rows.size();) {
         const std::size_t count = std::min({rows.size() - first, batch_rows, std::max<std::size_t>(rows_, 1)});

@@ -39,6 +39,7 @@ struct Diagnostic {
     std::size_t line = 0;
     DiagnosticKind kind = DiagnosticKind::normalized;
     double figure = 0.0;
+    bool of_reference = false; ///< the line is one of the reference
 };
 
 using Event = std::variant<RowError, Diagnostic>;

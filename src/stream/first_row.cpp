@@ -14,7 +14,7 @@ std::string_view FirstRow::text() {
         const std::ptrdiff_t count = source_->read(std::span(held_).subspan(before));
         held_.resize(before + static_cast<std::size_t>(std::max<std::ptrdiff_t>(count, 0)));
         const std::string_view found = find(count <= 0);
-        if (!found.empty() || count <= 0 || held_.size() > IoBlockReader::longest_line) {
+        if (!found.empty() || count <= 0 || held_.size() - looked_ > IoBlockReader::longest_line) {
             return found;
         }
     }

@@ -11,6 +11,11 @@ namespace {
 /// Rows of a job that is worth handing on, and the most.
 constexpr std::size_t enough_rows = 256;
 constexpr std::size_t most_rows = 2048;
+/// Texts that a job with few rows may hold: the rows between them may have been left out.
+constexpr std::size_t most_texts = 8;
+/// Lines, and texts of them, past which the row ahead is not looked for.
+constexpr std::size_t most_lines_ahead = 4096;
+constexpr std::size_t most_texts_ahead = 16;
 
 } // namespace
 
@@ -18,8 +23,8 @@ PairReader::Side::Side(Source& source, const Options& given, bool with_keys, std
     : options(&given), by_key(with_keys), blocks(source, given.width * sizeof(double), block_size), header(given) {}
 
 void PairReader::Side::read_block(Output& output) {
-    if (waiting.empty()) {
-        texts.clear();
+    for (; !texts.empty() && (waiting.empty() || texts_gone < waiting.front().text); ++texts_gone) {
+        texts.pop_front();
     }
     const auto block = std::make_shared<IoBlock>();
     ended = !blocks.read(*block);
@@ -36,7 +41,7 @@ void PairReader::Side::read_block(Output& output) {
 }
 
 void PairReader::Side::take_line() {
-    Waiting next{.line = {}, .number = line++};
+    Waiting next{.line = {}, .number = line++, .text = texts_gone + texts.size() - 1};
     if (options->width > 0) {
         const std::size_t size = options->width * sizeof(double);
         next.line.text = rest.substr(0, size);
@@ -89,7 +94,8 @@ void PairReader::Side::find_key(Waiting& row) {
 PairReader::At PairReader::Side::look(std::size_t ahead) {
     while (rows_waiting <= ahead) {
         if (rest.empty()) {
-            return ended ? At::end : At::dry;
+            const bool too_far = ahead > 0 && (waiting.size() > most_lines_ahead || texts.size() > most_texts_ahead);
+            return ended || too_far ? At::end : At::dry;
         }
         take_line();
     }
@@ -132,7 +138,9 @@ bool PairReader::read(Job& job) {
         }
         Side* const dry = row == At::dry ? &rows_ : reference == At::dry ? &references_ : match(job, row, reference);
         const std::size_t rows = job.pairs.rows.size();
-        if (rows >= most_rows || (dry != nullptr && rows >= enough_rows)) {
+        dry_ = dry;
+        const bool holds_much = rows >= enough_rows || (rows > 0 && job.pairs.texts.size() >= most_texts);
+        if (rows >= most_rows || (dry != nullptr && holds_much)) {
             return true;
         }
         if (dry != nullptr) {

@@ -17,14 +17,15 @@
 namespace rotconv::stream {
 
 /// Reads two streams side by side and pairs their rows: those of the same number, or those whose keys are each the
-/// other's nearest, of equals the earlier. It looks one row ahead, so that memory stays flat.
+/// other's nearest, of equals the earlier. It looks one row ahead, past a few thousand other lines at most, so that
+/// memory stays flat.
 class PairReader final : public JobReader {
 public:
     /// @pre options.pairing
     PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size);
 
     bool read(Job& job) override;
-    [[nodiscard]] bool is_ready() const override { return rows_.is_ready() && references_.is_ready(); }
+    [[nodiscard]] bool is_ready() const override { return dry_ == nullptr || dry_->is_ready(); }
     void finish(Output& output) override;
     [[nodiscard]] std::optional<StreamError> error() const override;
 
@@ -37,6 +38,7 @@ private:
     struct Waiting {
         Line line;
         std::size_t number = 0;
+        std::size_t text = 0; ///< in which it stands, counted from the first of all
         bool passed = false;
         Decimal key{};
         std::optional<RowError> error{}; ///< of the key
@@ -60,7 +62,7 @@ private:
         void find_key(Waiting& line);
         void drop_row(bool is_paired);
         [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
-        [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || !waiting.empty() || blocks.is_ready(); }
+        [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || blocks.is_ready(); }
         [[nodiscard]] std::optional<StreamError> error() const {
             return header.error() ? header.error() : blocks.error();
         }
@@ -69,8 +71,9 @@ private:
         bool by_key; ///< the first selected column
         IoBlockReader blocks;
         HeaderReader header;
-        std::vector<std::shared_ptr<IoBlock>> texts; ///< in which the waiting lines and the rest stand
-        std::string_view rest;                       ///< of the last block
+        std::deque<std::shared_ptr<IoBlock>> texts; ///< in which the waiting lines and the rest stand
+        std::size_t texts_gone = 0;                 ///< before them
+        std::string_view rest;                      ///< of the last block
         std::size_t line = 1;
         bool has_layout = false;
         bool ended = false; ///< of the blocks
@@ -96,6 +99,7 @@ private:
     const Pairing* pairing_;
     Side rows_;
     Side references_;
+    Side* dry_ = nullptr; ///< that the last job ended at
 };
 
 } // namespace rotconv::stream

@@ -31,9 +31,9 @@ struct RowOperation {
     std::size_t inputs = 0;               ///< numbers that a row gives
     std::vector<std::string> input_names; ///< what they are called
     std::optional<Spec> from{};           ///< what the first of them are, where they are an attitude
-    std::size_t kept = 0;                 ///< how many of the first of them also pass to the output as they are
-    std::vector<std::string> names;       ///< the columns of the result
-    std::optional<Spec> attitude{};       ///< what the result is, where it is an attitude
+    std::size_t kept = 0;           ///< how many of the first of them, such as a time or a key, also pass as they are
+    std::vector<std::string> names; ///< the columns of the result
+    std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
     /// Told once, before the first row, which fields hold the numbers, from 0; none where a row is its numbers.
     std::function<void(const std::vector<std::size_t>& positions)> selected{};
     bool in_order = false; ///< all rows must come to it in their order; else each copy may answer any of them

@@ -34,7 +34,8 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
     if (row.failed) {
         return {nan, nan, nan};
     }
-    return {row.report->sensitivity.margin, row.report->sensitivity.condition, row.report->defect};
+    return {row.report->sensitivity.margin, row.report->sensitivity.condition,
+            figure_of(*row.report, DiagnosticKind::normalized)};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <string>
@@ -49,7 +50,7 @@ private:
 /// What a diagnostic of the row says beside its kind.
 [[nodiscard]] inline double figure_of(const Report& report, DiagnosticKind kind) noexcept {
     switch (kind) {
-    case DiagnosticKind::normalized: return report.defect;
+    case DiagnosticKind::normalized: return std::max(report.defect, report.reference_defect);
     case DiagnosticKind::near_gimbal_lock: return report.sensitivity.condition;
     case DiagnosticKind::method_error:
     case DiagnosticKind::coarse_step:

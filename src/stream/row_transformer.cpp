@@ -181,8 +181,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (!failed) {
         row_text_.write(output.bytes, converted);
         ++output.answered;
-        for_each_diagnostic(report, row.number,
-                            [&](const Diagnostic& diagnostic) { output.events.emplace_back(diagnostic); });
+        tell_diagnostics(row, report, output);
         return;
     }
     if (!row.has_numbers()) {
@@ -203,6 +202,24 @@ void RowTransformer::write_row(Row& row, Output& output) {
     } else if (options_->on_error == OnError::nan && is_ours) {
         row_text_.write(output.bytes, converted);
     }
+}
+
+void RowTransformer::tell_diagnostics(const Row& row, const Report& report, Output& output) {
+    for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
+        if (diagnostic.kind == DiagnosticKind::normalized && row.pair != nullptr) { // of either, or of both
+            if (report.reference_defect > reported_defect) {
+                output.events.emplace_back(Diagnostic{.line = row.pair->reference_number,
+                                                      .kind = diagnostic.kind,
+                                                      .figure = report.reference_defect,
+                                                      .of_reference = true});
+            }
+            if (!(report.defect > reported_defect)) {
+                return;
+            }
+            diagnostic.figure = report.defect;
+        }
+        output.events.emplace_back(diagnostic);
+    });
 }
 
 const Report& RowTransformer::report_of(const Row& row) noexcept {

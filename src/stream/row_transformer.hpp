@@ -40,7 +40,7 @@ public:
 private:
     static constexpr std::size_t most_waiting = std::size_t{1} << 16U;
     static constexpr std::size_t every_row = static_cast<std::size_t>(-1);
-    static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
+    static constexpr std::size_t no_error = PairedRow::no_error;
 
     struct Row {
         Line line;
@@ -84,6 +84,7 @@ private:
     void answer(Output& output, const InTurn& in_turn = {});
     void write(Output& output);
     void write_row(Row& row, Output& output);
+    static void tell_diagnostics(const Row& row, const Report& report, Output& output);
     void note_error(Row& row, RowError error);
 
     const Options* options_;

@@ -190,5 +190,5 @@ TEST_CASE("what there is to tell of a comparison") {
     strict.run(std::vector<double>{1, 0, 0, 0, 1.0005, 0, 0, 0}, out, reports);
     REQUIRE(reports.size() == 1);
     CHECK(reports[0].diagnostics.has(DiagnosticKind::normalized));
-    CHECK(reports[0].defect == Approx(0.0005));
+    CHECK(reports[0].reference_defect == Approx(0.0005));
 }

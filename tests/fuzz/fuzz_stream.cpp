@@ -124,6 +124,10 @@ struct Program {
     [[nodiscard]] bool is_by_key() const { return is_paired() && options.pairing->by_key; }
 };
 
+bool remembers(const Program& program) {
+    return program.options.operation.in_order || program.options.operation.choose;
+}
+
 /// What the words say. A function that takes rows in their order remembers them: but for identify it serves one run.
 std::optional<Program> program_of(const std::vector<std::string>& words) {
     auto command = fuzz::command_of(words);
@@ -187,7 +191,7 @@ std::string text_of(const Identification& identification) {
 }
 
 Result run_once(const Input& input, const std::vector<std::string>& words, const Program& given, std::size_t threads) {
-    Program own = given.options.operation.in_order && !given.identify ? *program_of(words) : given;
+    Program own = remembers(given) && !given.identify ? *program_of(words) : given;
     Options& options = own.options;
     options.threads = threads;
     Pieces pieces(input.text, input.piece);
@@ -337,7 +341,7 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
 
 /// What the command makes of the numbers of one row alone.
 fuzz::Calculate calculate_of(const RowOperation& operation, bool diagnostic_columns) {
-    return [run = operation.run, kept = operation.kept, columns = diagnostic_columns,
+    return [run = operation.run, choose = operation.choose, kept = operation.kept, columns = diagnostic_columns,
             size = operation.names.size()](const std::vector<double>& numbers, const std::vector<std::string>& texts) {
         fuzz::Answer answer{.numbers = std::vector<double>(size), .notes = {}};
         const std::vector<std::string_view> kept_texts(texts.begin(),
@@ -454,7 +458,7 @@ void require_same(std::string_view what, const Result& a, const Result& b) {
 
 void compare_with_model(const Input& input, const std::vector<std::string>& words, const Program& program,
                         Result result) {
-    const auto rules = rules_of(words, program.options.operation.in_order ? *program_of(words) : program);
+    const auto rules = rules_of(words, remembers(program) ? *program_of(words) : program);
     auto outcome = !rules                ? std::nullopt
                    : program.is_paired() ? fuzz::model(input.text, input.reference, *rules)
                                          : fuzz::model(input.text, *rules);

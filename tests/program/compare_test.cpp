@@ -63,9 +63,9 @@ TEST_CASE("compare tells how far two files are apart") {
     CHECK(files("compare -f rotvec --format json -p 3 @new @old").out.find(R"("rms": 0.177,)") != std::string::npos);
     CHECK(files("compare -f rotvec --format csv @new @old") == done("0 0 0 0\n0 0 0.25 0.25\n"));
     files.add("new", "0 0 10\n0 0 25\n").add("old", "0 0 10\n0 0 0\n");
-    const auto degrees = files("compare -f rotvec -d --within 25.0001 --format json @new @old");
+    const auto degrees = files("compare -f rotvec -d --within 25.0001 -p 6 --format json @new @old");
     CHECK(degrees.exit_code == 0);
-    CHECK(missing(degrees.out, {R"("within": 25.0001)", R"("max": 2)", R"("beyond": 0)"}) == "");
+    CHECK(missing(degrees.out, {R"("within": 25.0001)", R"("max": 25,)", R"("beyond": 0)"}) == "");
 }
 
 TEST_CASE("compare ends as diff does") {
@@ -94,7 +94,8 @@ TEST_CASE("compare ends as diff does") {
 
     files.add("none", "# nothing\n\n");
     const auto none = files("compare -f rotvec @none @none");
-    CHECK(none == failing(1, "rows      0\nunpaired  0\nfailed    0\n", "rotconv: no attitudes were compared\n"));
+    CHECK(none ==
+          failing(1, "rows      0\nunpaired  0\nfailed    0\n", "rotconv: there was no row with an attitude\n"));
     CHECK(files("compare -f rotvec --format json @none @none").out ==
           R"({"rows": 0, "within": null, "beyond": null, "first_beyond": null, "unpaired": 0, "failed": 0, )"
           R"("max": null, "max_line": null, "rms": null, "mean": null})"
@@ -154,7 +155,7 @@ TEST_CASE("one stream or a row of arguments may hold both attitudes") {
     CHECK(run("compare -f rotvec --columns 2-4,6-8 --format csv", "a,0,0,0.5,b,0,0,0,c\n") ==
           done("a,0,0,0.5,b,0,0,0,c,0.5\n"));
     CHECK(run("compare -f rotvec -t quat 0 0 1 1 0 0").err ==
-          "rotconv: argument: 6 fields where rotvec and quat has 7: '0 0 1 1 0 0'\n");
+          "rotconv: argument: 6 fields where rotvec with quat has 7: '0 0 1 1 0 0'\n");
     CHECK(run("compare -f quat -t dcm -- 1 0 0 0 1 0 0 0 1 0 0 0 -1").err ==
           "rotconv: argument: no rotation is nearest to a matrix with det <= 0: '1 0 0 0 1 0 0 0 1 0 0 0 -1'\n");
 }
@@ -271,13 +272,69 @@ TEST_CASE("compare gives the same bytes with any number of threads, and needs no
             CHECK(files("compare -f rotvec " + options + " @new @old --threads " + threads) == one);
         }
     }
-    if (!is_sanitized) {
-        Process process(Words{"compare", "-f", "quat", "-", files.path("pipe")});
-        static_cast<void>(process.finish());
-        write_file(files.path("quats"), repeated("0.5 -0.5 0.5 0.5\n", 3'000'000));
-        Process large(Words{"compare", "-f", "quat", files.path("quats"), files.path("quats")});
-        const auto result = large.wait();
-        CHECK(missing(result.out, {"rows      3000000\n", "max       0 at 1\n"}) == "");
+}
+
+TEST_CASE("the memory of compare does not grow with the streams") {
+    // Catches rows that are held: by row, by keys that are equal, and by keys whose next one must be seen.
+    Files files;
+    for (const std::string options : {"", "--key 1 ", "--key 1 --key-within 0.5 "}) {
+        std::vector<long> peaks;
+        for (const int count : {20'000, 200'000}) {
+            std::string rows;
+            std::string others;
+            for (int i = 0; i < count; ++i) {
+                rows += std::to_string(i) + " 0.5 -0.5 0.5 0.5\n";
+                others += std::to_string(i) + (options.find("within") == std::string::npos ? "" : ".1") +
+                          " 0.5 -0.5 0.5 0.5\n";
+            }
+            files.add("old", others);
+            Process process(
+                words_of("compare -f quat --threads 1 --columns 2-5 " + options + "- " + files.path("old")));
+            process.write(rows);
+            process.wait_until_read();
+            peaks.push_back(process.peak_memory_kib());
+            const auto result = process.finish();
+            CHECK(result.exit_code == 0);
+            CHECK(missing(result.out, {"rows      " + std::to_string(count) + "\n"}) == "");
+        }
+        INFO(options);
+        CHECK((is_sanitized || peaks[1] <= peaks[0] + 512));
+    }
+    // long stretches without a partner, in the stream and in the reference
+    std::string sparse;
+    for (int i = 0; i < 200'000; i += 20'000) {
+        sparse += std::to_string(i) + " 0.5 -0.5 0.5 0.5\n";
+    }
+    std::string dense;
+    for (int i = 0; i < 200'000; ++i) {
+        dense += std::to_string(i) + " 0.5 -0.5 0.5 0.5\n";
+    }
+    for (const bool first : {true, false}) {
+        files.add("old", first ? sparse : dense);
+        Process process(words_of("compare -f quat --key 1 --columns 2-5 --threads 1 - " + files.path("old")));
+        process.write(first ? dense : sparse);
+        const auto peak = [&] {
+            process.wait_until_read();
+            return process.peak_memory_kib();
+        }();
+        CHECK(missing(process.finish().out, {"rows      10\n"}) == "");
+        CHECK((is_sanitized || peak < 9'000)); // of 5 MB of rows
+    }
+    // rows that are no partners, and what is no row, behind one whose next must be seen
+    files.add("old", "1.1 1 0 0 0\n3 1 0 0 0\n");
+    for (const std::string between : {"# remark\n", "0 1 0 0 0\n"}) {
+        Process process(
+            words_of("compare -f quat --key 1 --columns 2-5 --key-within 0.5 --on-error skip --threads 1 - " +
+                     files.path("old")),
+            {.errors_file = "/dev/null"});
+        process.write("1 1 0 0 0\n" + repeated(between, 5'000));
+        process.wait_until_read();
+        const long before = process.peak_memory_kib();
+        process.write(repeated(between, 200'000));
+        process.write("3 1 0 0 0\n");
+        process.wait_until_read();
+        CHECK((is_sanitized || process.peak_memory_kib() <= before + 4096));
+        CHECK(missing(process.finish().out, {"rows      2\n"}) == "");
     }
 }
 
@@ -327,4 +384,52 @@ TEST_CASE("what cannot be compared is refused") {
     CHECK(missing(files("-f rotvec -t quat @new @old").err, {"are two FILEs, and one is read"}) == "");
     const auto directory = files("compare -f rotvec @new /");
     CHECK(directory.exit_code == 2);
+}
+
+TEST_CASE("a reader that closes the pipe ends a comparison and an identification quietly") {
+    // Catches an unfinished check that is called a failed one.
+    Files files;
+    files.add("old", repeated("0.5 -0.5 0.5 0.5\n", 1000));
+    for (const std::string& arguments : {"compare -f quat --format csv - " + files.path("old"),
+                                         "compare -f quat - " + files.path("old"), std::string("identify -t quat")}) {
+        Process process(words_of(arguments));
+        process.close_output(); // before there is anything to write
+        process.write(repeated(arguments.starts_with("c") ? "0.5 -0.5 0.5 0.5\n" : "0 0 1 1 0 0 0\n", 1000));
+        const auto result = process.finish();
+        INFO(arguments);
+        CHECK(result.exit_code == 0);
+        CHECK(result.err == "");
+    }
+}
+
+TEST_CASE("a diagnostic of the reference is told of it") {
+    // Catches a defect that is looked for in the wrong file.
+    Files files;
+    files.add("new", "1 0 0 0\n1.0001 0 0 0\n1 0 0 0\n").add("old", "# 1\n1 0 0 0\n1 0 0 0\n1.0002 0 0 0\n");
+    const auto rows = files("compare -f quat --diagnostics rows @new @old").err;
+    CHECK(count_rows(rows) == 2);
+    CHECK(missing(rows, {"new:2: normalized: defect 0.0001;", "old:4: normalized: defect 0.0002;"}) == "");
+    CHECK(missing(files("compare -f quat @new @old").err,
+                  {"new: normalized: 1 row, first at line 2", "old: normalized: 1 row, first at line 4"}) == "");
+    CHECK(missing(files("compare -f quat --format csv --diagnostics columns -p 2 @new @old").out,
+                  {"inf 1 0 -\n", "inf 1 0.0001 normalized\n", "inf 1 0.0002 normalized\n"}) == "");
+}
+
+TEST_CASE("errors of the reference's options name them") {
+    // Catches a message about a text that nobody typed.
+    Files files;
+    files.add("new", "1 1 0 0 0\n").add("old", "1 1 0 0 0\n");
+    const auto error = [&](const std::string& options) {
+        return files("compare -f quat " + options + " @new @old").err;
+    };
+    CHECK(error("--columns 2-5 --reference-key 1") == "");
+    CHECK(missing(error("--columns 2-5 --reference-columns 1,2"), {"--reference-columns: '1,2' selects 2"}) == "");
+    CHECK(missing(error("--columns 2-5 --reference-columns qx,qy,qz,qw"), {"--reference-columns 'qx,qy,qz,qw' is"}) ==
+          "");
+    CHECK(missing(error("--key 1 --columns 2-4"), {"--columns: '2-4' selects 3 columns where quat has 4 numbers"}) ==
+          "");
+    CHECK(missing(error("--columns 2-5 -t rotvec"), {"--columns (of REFERENCE too): '2-5' selects 4"}) == "");
+    CHECK(run("compare -f quat --columns 1-4 --reference-columns 5-8 --format csv 1 0 0 0 -1 0 0 0").out ==
+          "1 0 0 0 -1 0 0 0 0\n");
+    CHECK(error("--columns 2-5 --as nonsense").find("--as 'nonsense'") != std::string::npos);
 }

@@ -136,7 +136,7 @@ TEST_CASE("survey of nothing names no set") {
         const auto result = run("survey -f quat", input);
         CHECK(result.exit_code == 1);
         CHECK(result.out == "none\n");
-        CHECK(missing(result.err, {"rotconv: -: ", "no attitude"}) == "");
+        CHECK(missing(result.err, {"there was no row with an attitude"}) == "");
         CHECK(run("survey -f quat --format json", input).out == "{\"rows\": 0, \"smallest\": \"none\"}\n");
     }
 }
