@@ -17,6 +17,7 @@ struct Settings {
     bool sensitivity = false;                        ///< margin, condition and the exact defect for every row
     std::optional<Rotation> left{};                  ///< R becomes left R: other reference axes...
     std::optional<Rotation> right{};                 ///< ...or R right: other body axes
+    bool fast = false; ///< plain double arithmetic, right to a few eps, in the place of numbers rounded once
 };
 
 /// What is to be told of one converted row.
@@ -36,6 +37,7 @@ struct Report {
 [[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept;
 
 struct Codec;
+class ReadBatch;
 
 /// A way from one representation to another, resolved once and then run over batches of rows.
 /// Thread-safe: running it changes nothing in it.
@@ -48,7 +50,8 @@ public:
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
 
     /// Converts rows of from().size() numbers each into rows of to().size() numbers. The numbers of a row with an error
-    /// become nan. No number becomes -0.
+    /// become nan. But with Settings::fast each number is the double nearest to the exact function of the numbers read.
+    /// No number becomes -0.
     /// @param reports become those of the rows with an error or diagnostics, or with Settings::sensitivity of all rows,
     /// in their order. Most rows have none; a vector that is used again is not allocated again
     /// @pre out.size() >= rows * to().size()
@@ -58,6 +61,9 @@ private:
     /// At most `batch_rows` rows, of which the first is row `first` of the run.
     void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
                    std::vector<Report>& reports) const;
+
+    /// Reads them, and writes their numbers in the representation's own order.
+    void convert(ReadBatch& readings, std::size_t rows, double* numbers, DiagnosticSet* diagnostics) const;
 
     Spec from_;
     Spec to_;

@@ -81,6 +81,8 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     const auto other_numbers = part_of(in, inputs(), from_.size(), reference_.size(), rows);
     ReadBatch attitudes(from_, numbers.data(), rows);
     ReadBatch references(reference_, other_numbers.data(), rows);
+    attitudes.read(from_, rows);
+    references.read(reference_, rows);
     if (from_.passive) {
         attitudes.invert(rows);
     }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "exact_batch.hpp"
 #include "read_batch.hpp"
 #include "representations/constant_turns.hpp"
 
@@ -58,23 +59,34 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     }
 }
 
-void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
-                           std::vector<Report>& reports) const {
-    ReadBatch readings(from_, in, rows);
+void Conversion::convert(ReadBatch& readings, std::size_t rows, double* numbers, DiagnosticSet* diagnostics) const {
+    const ConstantTurns turns(settings_, to_.passive);
+    if (!settings_.fast) {
+        const ExactBatch batch{&from_, &to_, settings_.lock_margin, turns.left(), turns.right()};
+        exact_conversion()(batch, readings.own(), rows, readings, numbers, diagnostics);
+        return;
+    }
+    readings.read(from_, rows);
     if (from_.passive != to_.passive) {
         readings.invert(rows);
     }
-    if (const ConstantTurns turns(settings_, to_.passive); turns.any()) {
+    if (turns.any()) {
         turns.turn(readings, rows);
     }
+    out_codec_->write(to_, settings_.lock_margin, readings, rows, numbers, diagnostics);
+}
+
+void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
+                           std::vector<Report>& reports) const {
+    ReadBatch readings(from_, in, rows);
     std::array<DiagnosticSet, batch_rows> diagnostics;
     const std::size_t width = to_.size();
     if (to_.is_reordered()) {
         std::array<double, batch_rows * most_numbers> numbers; // NOLINT(*-member-init)
-        out_codec_->write(to_, settings_.lock_margin, readings, rows, numbers.data(), diagnostics.data());
+        convert(readings, rows, numbers.data(), diagnostics.data());
         to_written_order(to_, numbers.data(), rows, out);
     } else {
-        out_codec_->write(to_, settings_.lock_margin, readings, rows, out, diagnostics.data());
+        convert(readings, rows, out, diagnostics.data());
         drop_minus_zero(out, rows * width);
     }
     const double largest_defect = settings_.sensitivity ? -1.0 : std::min(settings_.tolerance, reported_defect);

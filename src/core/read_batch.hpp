@@ -9,7 +9,7 @@
 
 namespace rotconv {
 
-/// A batch of rows of a SPEC, read: its attitudes, not yet inverted where the SPEC is passive.
+/// A batch of rows of a SPEC, to be read: its attitudes, not yet inverted where the SPEC is passive.
 class ReadBatch : public Readings {
 public:
     /// @param in as written, at most `batch_rows` rows, which must outlive this
@@ -20,8 +20,12 @@ public:
             to_own_order(spec, in, rows, own_order_.data());
             own_ = own_order_.data();
         }
-        codec_->read(spec, own_, rows, *this);
     }
+
+    /// The numbers in the representation's own order.
+    [[nodiscard]] const double* own() const noexcept { return own_; }
+
+    void read(const Spec& spec, std::size_t rows) noexcept { codec_->read(spec, own_, rows, *this); }
 
     /// The inverses.
     void invert(std::size_t rows) noexcept {
@@ -50,7 +54,7 @@ public:
 
 private:
     const Codec* codec_;
-    const double* own_; ///< the numbers in the representation's own order
+    const double* own_;
     std::size_t size_;
     std::array<double, batch_rows * most_numbers> own_order_;
 };

@@ -17,6 +17,8 @@ Rotation product(const Rotation& a, const Rotation& b) noexcept {
     return square >= 0.25 && square < 4.0 ? plain : Rotation::from_components(w, x, y, z);
 }
 
+ExactQuaternion exact(const Rotation& q) noexcept { return {{q.w(), q.x(), q.y(), q.z()}, {}}; }
+
 std::optional<Rotation> inverse_of(const std::optional<Rotation>& rotation) noexcept {
     return rotation ? std::optional(rotation->inverse()) : std::nullopt;
 }
@@ -26,7 +28,10 @@ std::optional<Rotation> inverse_of(const std::optional<Rotation>& rotation) noex
 // (L R S)' = S' R' L'
 ConstantTurns::ConstantTurns(const Settings& settings, bool passive) noexcept
     : left_(passive ? inverse_of(settings.right) : settings.left),
-      right_(passive ? inverse_of(settings.left) : settings.right) {}
+      right_(passive ? inverse_of(settings.left) : settings.right) {
+    exact_left_ = left_ ? exact(*left_) : exact_left_;
+    exact_right_ = right_ ? exact(*right_) : exact_right_;
+}
 
 void ConstantTurns::turn(Rotations& rotations, std::size_t rows) const noexcept {
     if (left_) {

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cmath>
+
+// The sources of this folder are compiled twice where that pays, for every processor and for those that have fused
+// multiply-add as an instruction, each time in a namespace of its own, so that no function of one takes the place of
+// one of the other. Both give the same numbers.
+#ifndef ROTCONV_EXACT
+#define ROTCONV_EXACT exact_plain
+#endif
+
+#if defined(__FMA__) || defined(__aarch64__)
+#define ROTCONV_HAS_FMA 1
+#else
+#define ROTCONV_HAS_FMA 0
+#endif
+
+/// Of functions that stand in loops over rows, which vectorise only where all is inline.
+#if defined(__GNUC__)
+#define ROTCONV_INLINE __attribute__((always_inline)) inline
+#else
+#define ROTCONV_INLINE inline
+#endif
+
+namespace rotconv::ROTCONV_EXACT {
+
+/// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: 106 bits. hi is the sum rounded to double. Needs
+/// -ffp-contract=off. The bounds below hold where products and their low parts neither overflow nor underflow:
+/// operands between 2^-450 and 2^450, or 0. See Wide for others.
+struct Real {
+    double hi = 0.0;
+    double lo = 0.0;
+
+    constexpr Real() noexcept = default;
+    constexpr Real(double value) noexcept : hi(value) {}
+    constexpr Real(double high, double low) noexcept : hi(high), lo(low) {}
+};
+
+/// a + b exactly (Knuth 1969).
+ROTCONV_INLINE Real exact_sum(double a, double b) noexcept {
+    const double sum = a + b;
+    const double b_seen = sum - a;
+    return {sum, (a - (sum - b_seen)) + (b - b_seen)};
+}
+
+/// a + b exactly where |a| >= |b| or a is 0 (Dekker 1971).
+ROTCONV_INLINE Real exact_sum_of_ordered(double a, double b) noexcept {
+    const double sum = a + b;
+    return {sum, b - (sum - a)};
+}
+
+/// a b exactly, for products above 2^-960: by a fused multiply-add, else Dekker's way with Veltkamp's split (1971), for
+/// factors below 2^996.
+ROTCONV_INLINE Real exact_product(double a, double b) noexcept {
+    const double product = a * b;
+#if ROTCONV_HAS_FMA
+    return {product, __builtin_fma(a, b, -product)};
+#else
+    constexpr double splitter = 134217729.0; // 2^27 + 1
+    const double a_big = splitter * a;
+    const double a_hi = a_big - (a_big - a);
+    const double a_lo = a - a_hi;
+    const double b_big = splitter * b;
+    const double b_hi = b_big - (b_big - b);
+    const double b_lo = b - b_hi;
+    return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
+#endif
+}
+
+ROTCONV_INLINE Real operator-(Real a) noexcept { return {-a.hi, -a.lo}; }
+
+/// To 3 x 2^-106, whatever cancels.
+ROTCONV_INLINE Real operator+(Real a, Real b) noexcept {
+    const Real high = exact_sum(a.hi, b.hi);
+    const Real low = exact_sum(a.lo, b.lo);
+    const Real first = exact_sum_of_ordered(high.hi, high.lo + low.hi);
+    return exact_sum_of_ordered(first.hi, first.lo + low.lo);
+}
+ROTCONV_INLINE Real operator-(Real a, Real b) noexcept { return a + -b; }
+
+/// To 2 x 2^-106, whatever cancels.
+ROTCONV_INLINE Real operator+(Real a, double b) noexcept {
+    const Real high = exact_sum(a.hi, b);
+    return exact_sum_of_ordered(high.hi, high.lo + a.lo);
+}
+ROTCONV_INLINE Real operator+(double a, Real b) noexcept { return b + a; }
+ROTCONV_INLINE Real operator-(Real a, double b) noexcept { return a + -b; }
+ROTCONV_INLINE Real operator-(double a, Real b) noexcept { return -b + a; }
+
+/// To 7 x 2^-106; exact where both factors are doubles.
+ROTCONV_INLINE Real operator*(Real a, Real b) noexcept {
+    const Real high = exact_product(a.hi, b.hi);
+    return exact_sum_of_ordered(high.hi, high.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+/// To 3 x 2^-106.
+ROTCONV_INLINE Real operator*(Real a, double b) noexcept {
+    const Real high = exact_product(a.hi, b);
+    return exact_sum_of_ordered(high.hi, high.lo + a.lo * b);
+}
+ROTCONV_INLINE Real operator*(double a, Real b) noexcept { return b * a; }
+
+/// Times a power of two: exact.
+ROTCONV_INLINE Real scaled(Real a, double power_of_two) noexcept { return {a.hi * power_of_two, a.lo * power_of_two}; }
+
+/// To 16 x 2^-106. Not finite where b is 0.
+ROTCONV_INLINE Real operator/(Real a, Real b) noexcept {
+    const double high = a.hi / b.hi;
+    const Real back = exact_product(high, b.hi);
+    const double rest = ((a.hi - back.hi) - back.lo) + (a.lo - high * b.lo);
+    return exact_sum_of_ordered(high, rest / b.hi);
+}
+
+/// To 4 x 2^-106; 0 of 0.
+ROTCONV_INLINE Real root(Real a) noexcept {
+    const double high = __builtin_sqrt(a.hi);
+    const Real square = exact_product(high, high);
+    const double rest = ((a.hi - square.hi) - square.lo) + a.lo;
+    return exact_sum_of_ordered(high, a.hi > 0.0 ? rest / (2.0 * high) : 0.0);
+}
+
+ROTCONV_INLINE Real square(Real a) noexcept { return a * a; }
+
+/// `yes` or `no`; both are worked out.
+ROTCONV_INLINE Real choose(bool condition, Real yes, Real no) noexcept {
+    return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
+}
+
+} // namespace rotconv::ROTCONV_EXACT

@@ -1,0 +1,7 @@
+#include "codec.hpp"
+
+namespace rotconv::ROTCONV_EXACT {
+
+constinit const ExactCodec codecs::mrp{};
+
+} // namespace rotconv::ROTCONV_EXACT
