@@ -132,7 +132,7 @@ std::vector<exact::Real> near_quarter_turns() {
 } // namespace
 
 // Would catch: a digit of a table, a term of a series, a product that loses its low part.
-TEST_CASE("sine and cosine are right to 2^-101, in radians and degrees") {
+TEST_CASE("sine and cosine are right to 2^-103, in radians and degrees") {
     Source source;
     std::vector<exact::Real> turns;
     std::vector<exact::Real> small;

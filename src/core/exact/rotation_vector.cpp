@@ -1,7 +1,73 @@
+#include "axis_half_angle.hpp"
 #include "codec.hpp"
+#include "elementary.hpp"
+#include "scaling.hpp"
 
 namespace rotconv::ROTCONV_EXACT {
+namespace {
 
-constinit const ExactCodec codecs::rotvec{};
+void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    const AngleUnit unit = spec.unit;
+    double x[batch_rows];
+    double y[batch_rows];
+    double z[batch_rows];
+    double back[batch_rows];
+    Column length;
+    Column half{};
+    Column cosine;
+    Column sine;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double own_x = numbers[3 * i];
+        const double own_y = numbers[3 * i + 1];
+        const double own_z = numbers[3 * i + 2];
+        const bool finite = all_finite(own_x, own_y, own_z);
+        readings.error[i] = finite ? Error::none : Error::not_finite;
+        readings.defect[i] = 0.0;
+        x[i] = finite ? own_x : 0.0;
+        y[i] = finite ? own_y : 0.0;
+        z[i] = finite ? own_z : 0.0;
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Scale scale = scale_to_unit(largest_magnitude(x[i], y[i], z[i]));
+        x[i] *= scale.there;
+        y[i] *= scale.there;
+        z[i] *= scale.there;
+        back[i] = scale.back;
+        length.set(i, root(exact_product(x[i], x[i]) + exact_product(y[i], y[i]) + exact_product(z[i], z[i])));
+        half.set(i, scaled(length[i], 0.5 * back[i]));
+    }
+    sine_cosine(half, rows, unit, cosine, sine);
+    const Real half_unit = unit == AngleUnit::degrees ? scaled(radians_per_degree, 0.5) : Real(0.5);
+    for (std::size_t i = 0; i < rows; ++i) {
+        // of very small vectors sin(x) = x; their products are kept away from underflow
+        const bool tiny = back[i] < 0x1p-200;
+        const Real ratio = choose(tiny, half_unit, sine[i] / choose(tiny, 1.0, length[i]));
+        const double factor = tiny ? back[i] : 1.0;
+        readings.w.set(i, cosine[i]);
+        readings.x.set(i, scaled(ratio * x[i], factor));
+        readings.y.set(i, scaled(ratio * y[i], factor));
+        readings.z.set(i, scaled(ratio * z[i], factor));
+    }
+}
+
+void write(const Spec& spec, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
+           DiagnosticSet* diagnostics) noexcept {
+    AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
+    parts.take_apart(rotations, rows);
+    parts.find_angles(rows, spec.unit);
+    for (std::size_t i = 0; i < rows; ++i) {
+        const Real ratio = parts.angle[i] / choose(parts.length.hi[i] == 0.0, 1.0, parts.length[i]);
+        numbers[3 * i] = (ratio * parts.x[i]).hi * parts.angle_back[i];
+        numbers[3 * i + 1] = (ratio * parts.y[i]).hi * parts.angle_back[i];
+        numbers[3 * i + 2] = (ratio * parts.z[i]).hi * parts.angle_back[i];
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        diagnostics[i] = {DiagnosticKind::half_turn, is_half_turn(parts.w.hi[i], parts.length.hi[i], parts.back[i])};
+    }
+}
+
+} // namespace
+
+constinit const ExactCodec codecs::rotvec{.read = read, .write = write};
 
 } // namespace rotconv::ROTCONV_EXACT

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "double_double.hpp"
+
+namespace rotconv::ROTCONV_EXACT {
+
+/// A power of two and its inverse.
+struct Scale {
+    double there;
+    double back;
+};
+
+/// Brings a magnitude between 2^-1000 and 2^1000 into [1/2, 1), by 2^1000 at most.
+[[nodiscard]] ROTCONV_INLINE Scale scale_to_unit(double magnitude) noexcept {
+    const double at_least = magnitude > 0x1p-1000 ? magnitude : 0x1p-1000;
+    const double limited = at_least < 0x1p1000 ? at_least : 0x1p1000;
+    const std::uint64_t exponent = __builtin_bit_cast(std::uint64_t, limited) & 0x7ff0000000000000U;
+    return {__builtin_bit_cast(double, 0x7fd0000000000000U - exponent),
+            __builtin_bit_cast(double, exponent + 0x0010000000000000U)};
+}
+
+[[nodiscard]] ROTCONV_INLINE double larger_of(double a, double b) noexcept { return a > b ? a : b; }
+
+[[nodiscard]] ROTCONV_INLINE double largest_magnitude(double x, double y, double z) noexcept {
+    return larger_of(larger_of(__builtin_fabs(x), __builtin_fabs(y)), __builtin_fabs(z));
+}
+
+[[nodiscard]] ROTCONV_INLINE bool all_finite(double x, double y, double z) noexcept {
+    return (x - x) + (y - y) + (z - z) == 0.0;
+}
+
+} // namespace rotconv::ROTCONV_EXACT
