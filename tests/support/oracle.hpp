@@ -10,11 +10,14 @@
 
 #include <rotconv/spec.hpp>
 
-/// The attitudes that numbers stand for, in 36 digits, from the definitions and not from rotconv's formulas: matrices
-/// are multiplied, inverted and exponentiated; the polar factor comes from Newton's iteration.
+/// The attitudes that numbers stand for, in 36 digits or more, from the definitions and not from rotconv's formulas:
+/// matrices are multiplied, inverted and exponentiated; the polar factor comes from Newton's iteration.
 namespace oracle {
 
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<36>, boost::multiprecision::et_off>;
+template <unsigned digits> using Digits =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<digits>, boost::multiprecision::et_off>;
+
+using Real = Digits<36>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
 using Quaternion = Eigen::Quaternion<Real>;
@@ -31,8 +34,18 @@ Quaternion attitude(const rotconv::Spec& spec, std::span<const Real> numbers);
 /// The numbers of an attitude, rounded once to double: input for tests. Not for euler and rpy, where the angles are
 /// chosen.
 std::vector<double> numbers(const rotconv::Spec& spec, const Quaternion& attitude);
-/// The same before rounding.
+/// The same before rounding, for all representations; with a lock margin of 1e-15.
 std::vector<Real> exact_numbers(const rotconv::Spec& spec, const Quaternion& attitude);
+
+/// A number rounded once.
+struct Rounded {
+    double value = 0.0;
+    bool certain = true; ///< false where it is a tie, as far as 700 digits tell
+};
+
+/// What a conversion of the row is to print: worked out in more and more digits until the rounding of each number is
+/// certain.
+std::vector<Rounded> converted(const rotconv::Spec& from, const rotconv::Spec& to, std::span<const double> numbers);
 
 /// The unit quaternion of an axis (any length) and an angle.
 Quaternion about(const Vector3& axis, const Real& angle);

@@ -94,12 +94,15 @@ newton_step(const double (&m)[9], const Q (&q)[4], const double (&near)[4], Smal
     const Small dy = 0.5 * ((inverse.xy * a + inverse.yy * b) + inverse.yz * c);
     const Small dz = 0.5 * ((inverse.xz * a + inverse.yz * b) + inverse.zz * c);
 
-    // q (0, d/2). A symmetric matrix's half-turn stays one.
-    const bool is_symmetric = nearly(k.wx) == 0.0 && nearly(k.wy) == 0.0 && nearly(k.wz) == 0.0;
-    correction[0] = is_symmetric && near[0] == 0.0 ? Small(0.0) : Small(-(x * dx + y * dy + z * dz));
-    correction[1] = w * dx + (y * dz - z * dy);
-    correction[2] = w * dy + (z * dx - x * dz);
-    correction[3] = w * dz + (x * dy - y * dx);
+    // q (0, d/2). A component that K does not couple to the others stays 0, as at a symmetric matrix's half-turn.
+    const auto stays = [&](double component, const T& first, const T& second, const T& third) {
+        return component == 0.0 && nearly(first) == 0.0 && nearly(second) == 0.0 && nearly(third) == 0.0;
+    };
+    const Small none = 0.0;
+    correction[0] = stays(near[0], k.wx, k.wy, k.wz) ? none : none - (x * dx + y * dy + z * dz);
+    correction[1] = stays(near[1], k.wx, k.xy, k.xz) ? none : w * dx + (y * dz - z * dy);
+    correction[2] = stays(near[2], k.wy, k.xy, k.yz) ? none : w * dy + (z * dx - x * dz);
+    correction[3] = stays(near[3], k.wz, k.xz, k.yz) ? none : w * dz + (x * dy - y * dx);
 }
 
 /// Any proper matrix, from the plain answer on, until nothing is left to correct.
