@@ -317,6 +317,7 @@ template <class Rough, class Fine> bool round_all(const Spec& to, const std::vec
     bool all = true;
     for (std::size_t i = 0; i < fine.size(); ++i) {
         out[i].value = rounded(to, i, fine[i]);
+        out[i].rest = static_cast<double>(Fine(fine[i] - Fine(out[i].value)));
         if (isfinite(fine[i]) && fine[i] != Fine(rough[i])) {
             const Fine doubt = 100 * abs(Fine(fine[i] - Fine(rough[i])));
             out[i].certain = rounded(to, i, Fine(fine[i] - doubt)) == out[i].value &&

@@ -40,6 +40,7 @@ std::vector<Real> exact_numbers(const rotconv::Spec& spec, const Quaternion& att
 /// A number rounded once.
 struct Rounded {
     double value = 0.0;
+    double rest = 0.0;   ///< what the exact number has more
     bool certain = true; ///< false where it is a tie, as far as 700 digits tell
 };
 
