@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -10,13 +11,30 @@
 
 namespace rotconv {
 
+/// An attitude that others are turned by, to 106 bits.
+struct ConstantTurn {
+    ConstantTurn(const Rotation& constant, const std::array<double, 4>& more = {}) noexcept
+        : rotation(constant), rest(more) {}
+
+    /// That of one row of numbers.
+    /// @pre read_attitude() has a rotation of it
+    [[nodiscard]] static ConstantTurn of_numbers(const Spec& spec, std::span<const double> numbers) noexcept;
+
+    [[nodiscard]] ConstantTurn inverse() const noexcept {
+        return {rotation.inverse(), {rest[0], -rest[1], -rest[2], -rest[3]}};
+    }
+
+    Rotation rotation;
+    std::array<double, 4> rest; ///< what w, x, y, z have more than those of the rotation
+};
+
 /// What a conversion gives up, what it looks for, and how it turns the attitudes.
 struct Settings {
     double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool sensitivity = false;                        ///< margin, condition and the exact defect for every row
-    std::optional<Rotation> left{};                  ///< R becomes left R: other reference axes...
-    std::optional<Rotation> right{};                 ///< ...or R right: other body axes
+    std::optional<ConstantTurn> left{};              ///< R becomes left R: other reference axes...
+    std::optional<ConstantTurn> right{};             ///< ...or R right: other body axes
     bool fast = false; ///< plain double arithmetic, right to a few eps, in the place of numbers rounded once
 };
 

@@ -108,7 +108,7 @@ void define(CLI::App& app, RawOptions& texts) {
     define_output(app, texts);
     define_lock_margin(app, texts);
     app.add_option("--method", texts.method,
-                   "A published formula in the place of rotconv's own; see rotconv list methods")
+                   "A published formula in the place of rotconv's own, or fast: plain double; see rotconv list methods")
         ->type_name("NAME");
     app.require_subcommand(0, 1);
 }
@@ -124,9 +124,9 @@ std::string help(CLI::App& app, RawOptions& texts) {
     return app.help();
 }
 
-/// The published method of the pair, or null for rotconv's own.
+/// The published method of the pair, or null for rotconv's own two.
 const Method* method_of(const Spec& from, const Spec& to, const std::string& text) {
-    if (text == "default") {
+    if (text == "default" || text == fast_method) {
         return nullptr;
     }
     const Method* method = find_method(from.name, to.name, text);
@@ -139,7 +139,8 @@ const Method* method_of(const Spec& from, const Spec& to, const std::string& tex
 RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const Spec to = spec_of("--to", texts.to, texts.degrees);
-    const Settings settings = settings_of(texts);
+    Settings settings = settings_of(texts);
+    settings.fast = texts.method == fast_method;
     const Method* const method = method_of(from, to, texts.method);
     const Conversion own(from, to, settings);
     auto operation = method == nullptr ? stream::conversion_operation(own)

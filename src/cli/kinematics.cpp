@@ -115,7 +115,7 @@ RowsCommand propagate_command(const RawOptions& texts, const Operands& operands)
         rows.settings.substeps = static_cast<std::size_t>(count_of("--substeps", texts.substeps, 1'000'000));
     }
     if (!texts.initial.empty()) {
-        rows.settings.initial = attitude_of("--initial", texts.initial, texts.degrees, settings.tolerance);
+        rows.settings.initial = attitude_of("--initial", texts.initial, texts.degrees, settings.tolerance).rotation;
     }
     auto operation = stream::propagation_operation(rows);
     if (texts.continuous) {

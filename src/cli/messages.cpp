@@ -186,15 +186,17 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
     const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
     const auto rows = methods_of(from, to);
     if (rows.empty()) {
-        return fmt::format("{}: from {} only the default is known", quoted(text), pair);
+        return fmt::format("{}: from {} only the default and fast are known", quoted(text), pair);
     }
     std::vector<std::string_view> legal;
     std::ranges::transform(rows, std::back_inserter(legal), &Method::name);
+    legal.push_back(fast_method);
     std::string message =
         fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair, suggestion(text, legal));
     for (const Method& method : rows) {
         message += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }
+    message += fmt::format("\n  {:<18} {}", fast_method, rows.front().domain);
     return message;
 }
 

@@ -180,7 +180,7 @@ Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     return degrees ? spec.in_degrees() : spec;
 }
 
-Rotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
+ConstantTurn attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
     const auto colon = text.rfind(':');
     if (colon == std::string::npos) {
         throw Usage(fmt::format("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, messages::quoted(text)));
@@ -215,7 +215,7 @@ Rotation attitude_of(std::string_view option, const std::string& text, bool degr
         error.defect = reports.front().defect;
         refuse(stream::RowError::What::attitude);
     }
-    return *read_attitude(spec, std::span(numbers).first(spec.size()));
+    return ConstantTurn::of_numbers(spec, std::span(numbers).first(spec.size()));
 }
 
 double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite) {

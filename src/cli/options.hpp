@@ -99,7 +99,8 @@ template <class Value> Value choose(std::string_view what, std::string_view text
 
 [[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
 /// The attitude of "SPEC: NUMBERS".
-[[nodiscard]] Rotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance);
+[[nodiscard]] ConstantTurn attitude_of(std::string_view option, const std::string& text, bool degrees,
+                                       double tolerance);
 /// A number that is not negative; `default_value` where the option was not given.
 [[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
 /// A whole number from 1 to `most`; 0 where the option was not given.

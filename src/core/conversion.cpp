@@ -47,6 +47,16 @@ Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcep
     return reading && spec.passive ? Reading(reading->inverse(), reading.defect()) : reading;
 }
 
+ConstantTurn ConstantTurn::of_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
+    std::array<double, most_numbers> own{};
+    to_own_order(spec, numbers.data(), 1, own.data());
+    ExactQuaternion q{};
+    exact_functions().read(spec, own.data(), q);
+    const ConstantTurn turn(Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]),
+                            {q.lo[0], q.lo[1], q.lo[2], q.lo[3]});
+    return spec.passive ? turn.inverse() : turn;
+}
+
 Conversion::Conversion(const Spec& from, const Spec& to, const Settings& settings)
     : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {}
 
@@ -63,7 +73,7 @@ void Conversion::convert(ReadBatch& readings, std::size_t rows, double* numbers,
     const ConstantTurns turns(settings_, to_.passive);
     if (!settings_.fast) {
         const ExactBatch batch{&from_, &to_, settings_.lock_margin, turns.left(), turns.right()};
-        exact_conversion()(batch, readings.own(), rows, readings, numbers, diagnostics);
+        exact_functions().convert(batch, readings.own(), rows, readings, numbers, diagnostics);
         return;
     }
     readings.read(from_, rows);

@@ -3,21 +3,21 @@
 namespace rotconv {
 
 namespace exact_plain {
-ConvertExactly convert;
+extern const ExactFunctions functions;
 } // namespace exact_plain
 
 #ifdef ROTCONV_EXACT_FMA
 namespace exact_fma {
-ConvertExactly convert;
+extern const ExactFunctions functions;
 } // namespace exact_fma
 #endif
 
-ConvertExactly* exact_conversion() noexcept {
+const ExactFunctions& exact_functions() noexcept {
 #ifdef ROTCONV_EXACT_FMA
     static const bool has_fma = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-    return has_fma ? exact_fma::convert : exact_plain::convert;
+    return has_fma ? exact_fma::functions : exact_plain::functions;
 #else
-    return exact_plain::convert;
+    return exact_plain::functions;
 #endif
 }
 

@@ -23,13 +23,18 @@ struct ExactBatch {
     const ExactQuaternion* right; ///< or from the right
 };
 
-/// Converts rows, at most `batch_rows`, from one representation's own order to the other's, each number rounded once.
-/// @param readings become the attitudes that are written, rounded, with the defects and errors of the rows
-/// @param diagnostics empty at first
-using ConvertExactly = void(const ExactBatch& batch, const double* in, std::size_t rows, Readings& readings,
-                            double* out, DiagnosticSet* diagnostics) noexcept;
+/// The functions of one kind of processor.
+struct ExactFunctions {
+    /// Converts rows, at most `batch_rows`, from one representation's own order to the other's, each number rounded
+    /// once. `readings` become the attitudes that are written, rounded, with the defects and errors of the rows;
+    /// `diagnostics` are empty at first.
+    void (*convert)(const ExactBatch& batch, const double* in, std::size_t rows, Readings& readings, double* out,
+                    DiagnosticSet* diagnostics) noexcept;
+    /// Reads one row of a SPEC, not yet inverted where that is passive.
+    void (*read)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
+};
 
-/// The function of the kind that this processor is best at. All give the same numbers.
-[[nodiscard]] ConvertExactly* exact_conversion() noexcept;
+/// Those that this processor is best at. All give the same numbers.
+[[nodiscard]] const ExactFunctions& exact_functions() noexcept;
 
 } // namespace rotconv

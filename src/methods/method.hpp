@@ -12,6 +12,9 @@ namespace rotconv {
 /// A method's answer that is further than this (radians) from the attitude is reported.
 inline constexpr double reported_method_error = 1e-6;
 
+/// The method of every pair that is rotconv's own way in plain double arithmetic: Settings::fast.
+inline constexpr std::string_view fast_method = "fast";
+
 /// A published way from one representation to another, written as it was published, weaknesses included. rotconv's own
 /// way is the row `default` of each pair, whose function is null.
 struct Method {

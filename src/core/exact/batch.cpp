@@ -5,7 +5,7 @@
 
 namespace rotconv::ROTCONV_EXACT {
 
-ConvertExactly convert;
+extern const ExactFunctions functions;
 
 namespace {
 
@@ -53,23 +53,15 @@ void turn(const ExactQuaternion& by, bool from_the_left, Rotations& rotations, s
     rotations.as_given = false;
 }
 
-} // namespace
-
-void read_plain(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    rotconv::Readings plain; // NOLINT(*-member-init)
-    codec_of(spec.name).read(spec, numbers, rows, plain);
-    for (std::size_t i = 0; i < rows; ++i) {
-        readings.set(i, plain.w.data()[i], plain.x.data()[i], plain.y.data()[i], plain.z.data()[i]);
-        readings.defect[i] = plain.defect.data()[i];
-        readings.error[i] = plain.error.data()[i];
-    }
+void read_rows(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    const ExactCodec& codec = exact_codec_of(spec.name);
+    (codec.read != nullptr ? codec.read : read_plain)(spec, numbers, rows, readings);
 }
 
 void convert(const ExactBatch& batch, const double* in, std::size_t rows, rotconv::Readings& rounded, double* out,
              DiagnosticSet* diagnostics) noexcept {
     Readings readings; // NOLINT(*-member-init)
-    const ExactCodec& from = exact_codec_of(batch.from->name);
-    (from.read != nullptr ? from.read : read_plain)(*batch.from, in, rows, readings);
+    read_rows(*batch.from, in, rows, readings);
     if (batch.from->passive != batch.to->passive) {
         for (std::size_t i = 0; i < rows; ++i) {
             readings.w.set(i, -readings.w[i]);
@@ -92,5 +84,29 @@ void convert(const ExactBatch& batch, const double* in, std::size_t rows, rotcon
         rounded.error.data()[i] = readings.error[i];
     }
 }
+
+void read_row(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept {
+    Readings readings; // NOLINT(*-member-init)
+    read_rows(spec, numbers, 1, readings);
+    const Real q[4] = {readings.w[0], readings.x[0], readings.y[0], readings.z[0]};
+    for (std::size_t k = 0; k < 4; ++k) {
+        attitude.hi[k] = q[k].hi;
+        attitude.lo[k] = q[k].lo;
+    }
+}
+
+} // namespace
+
+void read_plain(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+    rotconv::Readings plain; // NOLINT(*-member-init)
+    codec_of(spec.name).read(spec, numbers, rows, plain);
+    for (std::size_t i = 0; i < rows; ++i) {
+        readings.set(i, plain.w.data()[i], plain.x.data()[i], plain.y.data()[i], plain.z.data()[i]);
+        readings.defect[i] = plain.defect.data()[i];
+        readings.error[i] = plain.error.data()[i];
+    }
+}
+
+constinit const ExactFunctions functions{.convert = convert, .read = read_row};
 
 } // namespace rotconv::ROTCONV_EXACT

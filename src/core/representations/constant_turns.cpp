@@ -17,10 +17,13 @@ Rotation product(const Rotation& a, const Rotation& b) noexcept {
     return square >= 0.25 && square < 4.0 ? plain : Rotation::from_components(w, x, y, z);
 }
 
-ExactQuaternion exact(const Rotation& q) noexcept { return {{q.w(), q.x(), q.y(), q.z()}, {}}; }
+ExactQuaternion exact(const ConstantTurn& turn) noexcept {
+    const Rotation& q = turn.rotation;
+    return {{q.w(), q.x(), q.y(), q.z()}, {turn.rest[0], turn.rest[1], turn.rest[2], turn.rest[3]}};
+}
 
-std::optional<Rotation> inverse_of(const std::optional<Rotation>& rotation) noexcept {
-    return rotation ? std::optional(rotation->inverse()) : std::nullopt;
+std::optional<ConstantTurn> inverse_of(const std::optional<ConstantTurn>& turn) noexcept {
+    return turn ? std::optional(turn->inverse()) : std::nullopt;
 }
 
 } // namespace
@@ -36,12 +39,12 @@ ConstantTurns::ConstantTurns(const Settings& settings, bool passive) noexcept
 void ConstantTurns::turn(Rotations& rotations, std::size_t rows) const noexcept {
     if (left_) {
         for (std::size_t i = 0; i < rows; ++i) {
-            rotations.set(i, product(*left_, rotations.at(i)));
+            rotations.set(i, product(left_->rotation, rotations.at(i)));
         }
     }
     if (right_) {
         for (std::size_t i = 0; i < rows; ++i) {
-            rotations.set(i, product(rotations.at(i), *right_));
+            rotations.set(i, product(rotations.at(i), right_->rotation));
         }
     }
 }

@@ -23,8 +23,8 @@ public:
     void turn(Rotations& rotations, std::size_t rows) const noexcept;
 
 private:
-    std::optional<Rotation> left_;
-    std::optional<Rotation> right_;
+    std::optional<ConstantTurn> left_;
+    std::optional<ConstantTurn> right_;
     ExactQuaternion exact_left_{};
     ExactQuaternion exact_right_{};
 };
