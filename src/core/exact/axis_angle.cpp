@@ -36,7 +36,7 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& r
         const double x = own[0] * scale.there * rest.there;
         const double y = own[1] * scale.there * rest.there;
         const double z = own[2] * scale.there * rest.there;
-        const Real length = root(exact_product(x, x) + exact_product(y, y) + exact_product(z, z));
+        const Real length = root(sum_of_squares(x, y, z));
         // of very small angles sin(x) = x; their products are kept away from underflow
         const bool tiny = __builtin_fabs(half.hi[i]) < 0x1p-200;
         const Real factor = choose(tiny, unit_factor * (0.5 * (own[3] * (tiny ? 0x1p600 : 1.0))), sine[i]);

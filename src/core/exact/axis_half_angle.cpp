@@ -19,7 +19,7 @@ void AxisHalfAngles::take_apart(const Rotations& rotations, std::size_t rows) no
         y.set(i, own_y);
         z.set(i, own_z);
         w.set(i, scaled(rotations.w[i], sign));
-        length.set(i, root(square(own_x) + square(own_y) + square(own_z)));
+        length.set(i, root(quick_sum(quick_sum(square(own_x), square(own_y)), square(own_z))));
         back[i] = scale.back;
     }
 }

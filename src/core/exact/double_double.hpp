@@ -87,6 +87,18 @@ ROTCONV_INLINE Real operator+(double a, Real b) noexcept { return b + a; }
 ROTCONV_INLINE Real operator-(Real a, double b) noexcept { return a + -b; }
 ROTCONV_INLINE Real operator-(double a, Real b) noexcept { return -b + a; }
 
+/// To 2^-104 of the larger operand, for sums that do not cancel or whose operands are no better.
+ROTCONV_INLINE Real quick_sum(Real a, Real b) noexcept {
+    const Real high = exact_sum(a.hi, b.hi);
+    return exact_sum_of_ordered(high.hi, high.lo + (a.lo + b.lo));
+}
+
+/// The same where |a| >= 2 |b| or a is 0.
+ROTCONV_INLINE Real quick_sum_of_ordered(Real a, Real b) noexcept {
+    const Real high = exact_sum_of_ordered(a.hi, b.hi);
+    return exact_sum_of_ordered(high.hi, high.lo + (a.lo + b.lo));
+}
+
 /// To 7 x 2^-106; exact where both factors are doubles.
 ROTCONV_INLINE Real operator*(Real a, Real b) noexcept {
     const Real high = exact_product(a.hi, b.hi);

@@ -250,16 +250,16 @@ ROTCONV_INLINE SineCosine small_sine_cosine(Real angle) noexcept {
     const double sine_tail =
         0x1.71de3a556c734p-19 +
         s.hi * (-0x1.ae64567f544e4p-26 + s.hi * (0x1.6124613a86d09p-33 + s.hi * -0x1.ae7f3e733b81fp-41));
-    const Real sine_3 = Real(-0x1.a01a01a01a01ap-13, -0x1.a01a01a01a01ap-73) + s.hi * sine_tail;
-    const Real sine_2 = Real(0x1.1111111111111p-7, 0x1.1111111111111p-63) + s * sine_3;
-    const Real sine_1 = Real(-0x1.5555555555555p-3, -0x1.5555555555555p-57) + s * sine_2;
+    const Real sine_3 = quick_sum_of_ordered({-0x1.a01a01a01a01ap-13, -0x1.a01a01a01a01ap-73}, s.hi * sine_tail);
+    const Real sine_2 = quick_sum_of_ordered({0x1.1111111111111p-7, 0x1.1111111111111p-63}, s * sine_3);
+    const Real sine_1 = quick_sum_of_ordered({-0x1.5555555555555p-3, -0x1.5555555555555p-57}, s * sine_2);
     const double cosine_tail =
         0x1.a01a01a01a01ap-16 +
         s.hi * (-0x1.27e4fb7789f5cp-22 + s.hi * (0x1.1eed8eff8d898p-29 + s.hi * -0x1.93974a8c07c9dp-37));
-    const Real cosine_3 = Real(-0x1.6c16c16c16c17p-10, 0x1.f49f49f49f49fp-65) + s.hi * cosine_tail;
-    const Real cosine_2 = Real(0x1.5555555555555p-5, 0x1.5555555555555p-59) + s * cosine_3;
-    const Real cosine_1 = -0.5 + s * cosine_2;
-    return {angle + angle * (s * sine_1), 1.0 + s * cosine_1};
+    const Real cosine_3 = quick_sum_of_ordered({-0x1.6c16c16c16c17p-10, 0x1.f49f49f49f49fp-65}, s.hi * cosine_tail);
+    const Real cosine_2 = quick_sum_of_ordered({0x1.5555555555555p-5, 0x1.5555555555555p-59}, s * cosine_3);
+    const Real cosine_1 = quick_sum_of_ordered(-0.5, s * cosine_2);
+    return {quick_sum_of_ordered(angle, angle * (s * sine_1)), quick_sum_of_ordered(1.0, s * cosine_1)};
 }
 
 } // namespace
@@ -301,8 +301,8 @@ void sine_cosine(const Column& angles, std::size_t rows, AngleUnit unit, Column&
     }
     for (std::size_t i = 0; i < rows; ++i) {
         const SineCosine small = small_sine_cosine(rest[i]);
-        cosines.set(i, table_cosine[i] * small.cosine - table_sine[i] * small.sine);
-        sines.set(i, table_sine[i] * small.cosine + table_cosine[i] * small.sine);
+        cosines.set(i, quick_sum(table_cosine[i] * small.cosine, -(table_sine[i] * small.sine)));
+        sines.set(i, quick_sum(table_sine[i] * small.cosine, table_cosine[i] * small.sine));
     }
 }
 
@@ -333,17 +333,17 @@ void angles_of(const Column& x, const Column& y, std::size_t rows, AngleUnit uni
     }
     for (std::size_t i = 0; i < rows; ++i) {
         const double c = count[i] * 0x1p-6;
-        const Real tangent = (smaller[i] - larger[i] * c) / (larger[i] + smaller[i] * c);
+        const Real tangent = quick_sum(smaller[i], larger[i] * -c) / quick_sum_of_ordered(larger[i], smaller[i] * c);
         const double true_size = tangent.hi * unscale[i];
         const Real s = choose(unscale[i] == 1.0, tangent * tangent, true_size * true_size);
         const double tail =
             0x1.c71c71c71c71cp-4 +
             s.hi * (-0x1.745d1745d1746p-4 +
                     s.hi * (0x1.3b13b13b13b14p-4 + s.hi * (-0x1.1111111111111p-4 + s.hi * 0x1.e1e1e1e1e1e1ep-5)));
-        const Real third = Real(-0x1.2492492492492p-3, -0x1.2492492492492p-57) + s.hi * tail;
-        const Real second = Real(0x1.999999999999ap-3, -0x1.999999999999ap-57) + s * third;
-        const Real first = Real(-0x1.5555555555555p-2, -0x1.5555555555555p-56) + s * second;
-        smaller.set(i, from_table[i] + (tangent + tangent * (s * first)));
+        const Real third = quick_sum_of_ordered({-0x1.2492492492492p-3, -0x1.2492492492492p-57}, s.hi * tail);
+        const Real second = quick_sum_of_ordered({0x1.999999999999ap-3, -0x1.999999999999ap-57}, s * third);
+        const Real first = quick_sum_of_ordered({-0x1.5555555555555p-2, -0x1.5555555555555p-56}, s * second);
+        smaller.set(i, quick_sum_of_ordered(from_table[i], quick_sum_of_ordered(tangent, tangent * (s * first))));
     }
     if (unit == AngleUnit::degrees) {
         for (std::size_t i = 0; i < rows; ++i) {
@@ -359,7 +359,7 @@ void angles_of(const Column& x, const Column& y, std::size_t rows, AngleUnit uni
         const Real acute = scaled(smaller[i], unscale[i]);
         // from 0, from a half-turn backwards, or from a quarter turn either way
         const double halves = flat ? (back ? 1.0 : 0.0) : 0.5;
-        const Real angle = scaled(half_turn, halves) + scaled(acute, flat == back ? -1.0 : 1.0);
+        const Real angle = quick_sum_of_ordered(scaled(half_turn, halves), scaled(acute, flat == back ? -1.0 : 1.0));
         angles.set(i, scaled(angle, y.hi[i] < 0.0 ? -1.0 : 1.0));
     }
 }

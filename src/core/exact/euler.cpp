@@ -93,7 +93,7 @@ struct ScaledVector {
         const Scale scale = scale_to_unit(largest_magnitude(x_.hi, y_.hi, 0.0));
         x = scaled(x_, scale.there);
         y = scaled(y_, scale.there);
-        length = scaled(root(square(x) + square(y)), scale.back);
+        length = scaled(root(quick_sum(square(x), square(y))), scale.back);
     }
 
     Real x, y, length;

@@ -19,7 +19,7 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
         const double y = finite ? own[1] * f * rest : 0.0;
         const double z = finite ? own[2] * f * rest : 0.0;
         const double one = f * rest;
-        const Real square = exact_product(x, x) + exact_product(y, y) + exact_product(z, z);
+        const Real square = sum_of_squares(x, y, z);
         const double norm = one * one + square.hi;
         const double to_range = norm < 0.5 ? 2.0 : (norm >= 2.0 ? 0.5 : 1.0);
         readings.set(i, scaled(one * one - square, to_range), x * (2.0 * one * to_range), y * (2.0 * one * to_range),
@@ -32,8 +32,8 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
     AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
     parts.take_apart(rotations, rows);
     for (std::size_t i = 0; i < rows; ++i) {
-        const Real norm = root(square(parts.w[i]) + square(scaled(parts.length[i], parts.back[i])));
-        const Real divisor = norm + parts.w[i];
+        const Real norm = root(quick_sum(square(parts.w[i]), square(scaled(parts.length[i], parts.back[i]))));
+        const Real divisor = quick_sum(norm, parts.w[i]);
         numbers[3 * i] = (parts.x[i] / divisor).hi * parts.back[i];
         numbers[3 * i + 1] = (parts.y[i] / divisor).hi * parts.back[i];
         numbers[3 * i + 2] = (parts.z[i] / divisor).hi * parts.back[i];

@@ -33,7 +33,7 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& r
         y[i] *= scale.there;
         z[i] *= scale.there;
         back[i] = scale.back;
-        length.set(i, root(exact_product(x[i], x[i]) + exact_product(y[i], y[i]) + exact_product(z[i], z[i])));
+        length.set(i, root(sum_of_squares(x[i], y[i], z[i])));
         half.set(i, scaled(length[i], 0.5 * back[i]));
     }
     sine_cosine(half, rows, unit, cosine, sine);

@@ -27,6 +27,10 @@ struct Scale {
     return larger_of(larger_of(__builtin_fabs(x), __builtin_fabs(y)), __builtin_fabs(z));
 }
 
+[[nodiscard]] ROTCONV_INLINE Real sum_of_squares(double x, double y, double z) noexcept {
+    return quick_sum(quick_sum(exact_product(x, x), exact_product(y, y)), exact_product(z, z));
+}
+
 [[nodiscard]] ROTCONV_INLINE bool all_finite(double x, double y, double z) noexcept {
     return (x - x) + (y - y) + (z - z) == 0.0;
 }
