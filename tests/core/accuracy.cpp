@@ -95,9 +95,11 @@ double limit_to(const Spec& to) {
     return std::ranges::find_if(ways(), [&](const Way& way) { return way.from == "quat" && way.to == name; })->limit;
 }
 
-Convert own(const Spec& from, const Spec& to) {
+namespace {
+
+Convert conversion_of(const Spec& from, const Spec& to, bool is_fast) {
     const rotconv::Conversion conversion(
-        from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .sensitivity = false});
+        from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .fast = is_fast});
     return [conversion](std::span<const double> row) {
         std::vector<double> result(conversion.to().size());
         std::vector<rotconv::Report> reports;
@@ -105,6 +107,12 @@ Convert own(const Spec& from, const Spec& to) {
         return result;
     };
 }
+
+} // namespace
+
+Convert own(const Spec& from, const Spec& to) { return conversion_of(from, to, false); }
+
+Convert fast(const Spec& from, const Spec& to) { return conversion_of(from, to, true); }
 
 Rows inputs(const Spec& from, const Spec& to, int size) {
     if (from.name == RepresentationId::euler || from.name == RepresentationId::rpy) {
@@ -154,7 +162,7 @@ Worst worst_of(const Way& way, int size, rotconv::AngleUnit unit) {
     const auto count = static_cast<int>(std::max(froms.size(), tos.size()));
     for (const Spec& from : froms) {
         for (const Spec& to : tos) {
-            const Worst found = worst_error(from, to, own(from, to), inputs(from, to, count > 1 ? size / 12 : size));
+            const Worst found = worst_error(from, to, fast(from, to), inputs(from, to, count > 1 ? size / 12 : size));
             if (found.error > worst.error) {
                 worst = found;
             }

@@ -7,7 +7,8 @@
 
 #include <rotconv/spec.hpp>
 
-/// The accuracy that conversions are held to, and how it is checked: one table, one way to measure.
+/// The accuracy that conversions in plain double arithmetic are held to, and how it is checked: one table, one way to
+/// measure.
 namespace accuracy {
 
 /// A way between the quaternion and a representation.
@@ -44,6 +45,8 @@ using Convert = std::function<std::vector<double>(std::span<const double>)>;
 
 /// rotconv's own, with a lock margin of 0 and any tolerance.
 Convert own(const rotconv::Spec& from, const rotconv::Spec& to);
+/// The same in plain double arithmetic, which the limits are of.
+Convert fast(const rotconv::Spec& from, const rotconv::Spec& to);
 
 /// Input rows for a way: all strata, about `size` rows in each. Rows of numbers that have no finite form in `from` are
 /// left out.
