@@ -205,7 +205,7 @@ template <class Real> struct Definitions {
             own = {r(1, 0) / d, r(2, 0) / d, r(0, 1) / d, r(1, 1) / d, r(2, 1) / d};
             break;
         }
-        case RepresentationId::quat: own = {w, v.x(), v.y(), v.z()}; break;
+        case RepresentationId::quat: own = {q.w(), q.x(), q.y(), q.z()}; break;
         case RepresentationId::axis_angle:
             own = length == 0 ? std::vector<Real>{1, 0, 0, 0}
                               : std::vector<Real>{v.x() / length, v.y() / length, v.z() / length, angle};
@@ -307,7 +307,18 @@ template <class Real> double rounded(const Spec& spec, std::size_t place, const 
 template <unsigned digits>
 std::vector<Digits<digits>> exactly(const Spec& from, const Spec& to, std::span<const double> row) {
     using Exact = Definitions<Digits<digits>>;
-    return Exact::exact_numbers(to, Exact::attitude(from, row));
+    auto numbers = Exact::exact_numbers(to, Exact::attitude(from, row));
+    if (to.name == RepresentationId::quat) { // its sign
+        auto own = Exact::own_order(to, std::span<const Digits<digits>>(numbers));
+        const auto leader =
+            std::find_if(own.begin(), own.end(), [](const auto& x) { return abs(x) >= Exact::noise(); });
+        if (*leader < 0) {
+            for (auto& number : numbers) {
+                number = -number;
+            }
+        }
+    }
+    return numbers;
 }
 
 /// Rounds the second numbers, and is certain where what distinguishes them from the first does not count.

@@ -50,7 +50,6 @@ void turn(const ExactQuaternion& by, bool from_the_left, Rotations& rotations, s
         multiply(from_the_left ? constant : own, from_the_left ? own : constant, product);
         rotations.set(i, product[0], product[1], product[2], product[3]);
     }
-    rotations.as_given = false;
 }
 
 void read_rows(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {

@@ -16,9 +16,11 @@ struct Unit {
     }
 };
 
-/// | |q| - 1 | <= 4 eps.
-bool is_unit(const double* q) noexcept {
-    const Real own[4] = {q[0], q[1], q[2], q[3]};
+/// Doubles with | |q| - 1 | <= 4 eps.
+bool is_unit(const Real (&own)[4]) noexcept {
+    if (own[0].lo != 0.0 || own[1].lo != 0.0 || own[2].lo != 0.0 || own[3].lo != 0.0) {
+        return false; // turned by something else than a quarter
+    }
     const double excess = (squared_norm(own) - 1.0).hi;
     constexpr double rounding = 4 * 0x1p-52;
     return __builtin_fabs(excess - rounding * rounding) <= 2.0 * rounding;
@@ -35,10 +37,10 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
     for (std::size_t i = 0; i < rows; ++i) {
         double* const q = numbers + 4 * i;
         if (rotations.as_given) {
-            const double given[4] = {rotations.w.hi[i], rotations.x.hi[i], rotations.y.hi[i], rotations.z.hi[i]};
+            const Real given[4] = {rotations.w[i], rotations.x[i], rotations.y[i], rotations.z[i]};
             if (is_unit(given)) {
                 for (std::size_t k = 0; k < 4; ++k) {
-                    q[k] = given[k];
+                    q[k] = given[k].hi;
                 }
             }
         }

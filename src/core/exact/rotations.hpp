@@ -25,7 +25,7 @@ struct Column {
 /// and both signs of q are the same attitude.
 struct Rotations {
     Column w, x, y, z;
-    /// They are the quaternions that were read, and keep their bits where they are unit to 4 eps.
+    /// They come from quaternions, which keep their bits where they are doubles and unit to 4 eps.
     bool as_given = false;
 
     void set(std::size_t row, Real w_, Real x_, Real y_, Real z_) noexcept {
