@@ -27,7 +27,7 @@ struct Rotations;
 ///
 /// It is twice the angle of (|v|, |s|) where (s, v) is the product of one quaternion and the other's inverse, formed
 /// with products of 106 bits: 0 where the numbers of one SPEC are the same, and to their own digits where quaternions
-/// near the identity differ by as little as 1e-150. Otherwise what reading rounds is what remains.
+/// near the identity differ by as little as 1e-150. Attitudes are read to 106 bits and rounded: 4 eps at most.
 /// Thread-safe: running it changes nothing in it.
 class Comparison {
 public:

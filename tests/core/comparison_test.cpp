@@ -192,3 +192,22 @@ TEST_CASE("what there is to tell of a comparison") {
     CHECK(reports[0].diagnostics.has(DiagnosticKind::normalized));
     CHECK(reports[0].reference_defect == Approx(0.0005));
 }
+
+// Would catch: readings in plain double, which are 3 eps off at worst. Found by a search against 100 digits.
+TEST_CASE("the worst pairs that are known") {
+    const auto off = [](const std::string& from, const std::string& reference, const std::vector<double>& row,
+                        const char* exact) {
+        return std::fabs(static_cast<double>(oracle::Real(angle(from, reference, row)) - oracle::Real(exact))) /
+               oracle::eps;
+    };
+    CHECK(off("euler:ZXZ:deg", "euler:zxy:deg",
+              {-115.97181282900598, 84.51266649599391, 56.81278270258725, 79.10026189600794, -60.15714879681814,
+               71.33506731015248},
+              "2.204655493634867914649") <= 2.0);
+    CHECK(off("dcm", "dcm",
+              {0.05967861064548287, -0.9203638981063897, 0.38683430498968696, 0.8810760833574959, 0.23033706991598452,
+               0.41241762633185935, -0.4689718290299471, 0.3165536185595954, 0.8248275691408398, 0.7013792019178384,
+               0.6584704827508465, 0.2729172733121113, -0.7125743917636419, 0.6571167789514122, 0.24583587214221572,
+               -0.017462908837396974, -0.3668980175084839, 0.9300972459397382},
+              "2.198473003591359054873") <= 2.0);
+}
