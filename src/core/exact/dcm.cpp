@@ -22,9 +22,26 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
     write_rows<Matrix>(rotations, rows, numbers);
 }
 
-/// The small number that Newton's step needs of a residual: a double, but where that would underflow.
-ROTCONV_INLINE double small(Real value) noexcept { return value.hi; }
-inline Wide small(const Wide& value) noexcept { return value; }
+/// k0 q0 + k1 q1 + k2 q2 + k3 q3 - mu q: what is small beside the products, with their own error of 2^-104.
+ROTCONV_INLINE double residual(Real k0, double q0, Real k1, double q1, Real k2, double q2, Real k3, double q3,
+                               double mu, double q) noexcept {
+    const Real first = exact_product(k0.hi, q0);
+    const Real second = exact_product(k1.hi, q1);
+    const Real third = exact_product(k2.hi, q2);
+    const Real fourth = exact_product(k3.hi, q3);
+    const Real fifth = exact_product(-mu, q);
+    const Real two = exact_sum(first.hi, fifth.hi); // the large ones cancel first
+    const Real three = exact_sum(two.hi, second.hi);
+    const Real four = exact_sum(third.hi, fourth.hi);
+    const Real all = exact_sum(three.hi, four.hi);
+    return all.hi + (((all.lo + two.lo) + (three.lo + four.lo)) +
+                     (((first.lo + fifth.lo) + (second.lo + third.lo)) +
+                      ((fourth.lo + k0.lo * q0) + ((k1.lo * q1 + k2.lo * q2) + k3.lo * q3))));
+}
+inline Wide residual(const Wide& k0, const Wide& q0, const Wide& k1, const Wide& q1, const Wide& k2, const Wide& q2,
+                     const Wide& k3, const Wide& q3, double mu, const Wide& q) noexcept {
+    return ((k0 * q0 - Wide(mu) * q) + k1 * q1) + (k2 * q2 + k3 * q3);
+}
 
 /// The inverse of a symmetric matrix.
 struct Inverse {
@@ -45,12 +62,12 @@ struct Inverse {
 
 /// One Newton step towards the unit quaternion that maximises trace(R(q)' M), where q is near it: the correction, in
 /// parts that are small as q's own components are, so that small angles keep their relative accuracy. T is the
-/// scalar of the residual, Q that of q, which is not normalised.
+/// scalar of K, Small that of q, which is not normalised, and of what is small.
 ///
 /// With S = R(q)' M the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12), and
 /// the right side is the vector part of q* (K - mu) q/|q|^2 for any mu. Near q's own eigenvalue nothing large is left.
-template <class T, class Q, class Small> ROTCONV_INLINE void
-newton_step(const double (&m)[9], const Q (&q)[4], const double (&near)[4], Small (&correction)[4]) noexcept {
+template <class T, class Small> ROTCONV_INLINE void
+newton_step(const double (&m)[9], const Small (&q)[4], const double (&near)[4], Small (&correction)[4]) noexcept {
     const Davenport<T> k(m);
     double r[9];
     const double ww = near[0] * near[0];
@@ -77,10 +94,10 @@ newton_step(const double (&m)[9], const Q (&q)[4], const double (&near)[4], Smal
                           -0.5 * (entry(0, 2) + entry(2, 0)), -0.5 * (entry(1, 2) + entry(2, 1)));
     const double mu = 1.0 + (s_xx + s_yy + s_zz) / norm;
 
-    const Small rest_w = small(((k.ww * q[0] + k.wx * q[1]) + (k.wy * q[2] + k.wz * q[3])) - T(mu) * q[0]);
-    const Small rest_x = small(((k.wx * q[0] - T(mu) * q[1]) + k.xx * q[1]) + (k.xy * q[2] + k.xz * q[3]));
-    const Small rest_y = small(((k.wy * q[0] - T(mu) * q[2]) + k.yy * q[2]) + (k.xy * q[1] + k.yz * q[3]));
-    const Small rest_z = small(((k.wz * q[0] - T(mu) * q[3]) + k.zz * q[3]) + (k.xz * q[1] + k.yz * q[2]));
+    const Small rest_w = residual(k.ww, q[0], k.wx, q[1], k.wy, q[2], k.wz, q[3], mu, q[0]);
+    const Small rest_x = residual(k.wx, q[0], k.xx, q[1], k.xy, q[2], k.xz, q[3], mu, q[1]);
+    const Small rest_y = residual(k.wy, q[0], k.yy, q[2], k.xy, q[1], k.yz, q[3], mu, q[2]);
+    const Small rest_z = residual(k.wz, q[0], k.zz, q[3], k.xz, q[1], k.yz, q[2], mu, q[3]);
 
     // Half of d.
     const Small w = near[0];
@@ -121,7 +138,7 @@ void refine(const double* numbers, Real (&q)[4]) noexcept {
         const Wide own[4] = {q[0], q[1], q[2], q[3]};
         const double near[4] = {q[0].hi, q[1].hi, q[2].hi, q[3].hi};
         Wide correction[4];
-        newton_step<Wide, Wide, Wide>(m, own, near, correction);
+        newton_step<Wide>(m, own, near, correction);
         double size = 0.0;
         for (const Wide& part : correction) {
             size += __builtin_fabs(part.rounded());

@@ -34,23 +34,28 @@ template <class T> ROTCONV_INLINE void scaled_matrix_of(const T (&q)[4], T (&m)[
     m[8] = (ww - xx) + (zz - yy);
 }
 
+/// a + b, of doubles without a rounding.
+ROTCONV_INLINE Real total(double a, double b) noexcept { return exact_sum(a, b); }
+template <class T> ROTCONV_INLINE T total(const T& a, const T& b) noexcept { return a + b; }
+
 /// Davenport's K of a matrix, plus the identity; see numerics/davenport.hpp.
 template <class T> struct Davenport {
     template <class Entry> ROTCONV_INLINE explicit Davenport(const Entry (&m)[9]) noexcept {
-        const T first = 1.0 + T(m[0]);
-        const T second = 1.0 - T(m[0]);
-        const T sum = T(m[4]) + T(m[8]);
-        const T difference = T(m[4]) - T(m[8]);
+        const Entry one(1.0);
+        const T first = total(one, m[0]);
+        const T second = total(one, Entry(-m[0]));
+        const T sum = total(m[4], m[8]);
+        const T difference = total(m[4], Entry(-m[8]));
         ww = first + sum;
         xx = first - sum;
         yy = second + difference;
         zz = second - difference;
-        wx = T(m[7]) - T(m[5]);
-        wy = T(m[2]) - T(m[6]);
-        wz = T(m[3]) - T(m[1]);
-        xy = T(m[1]) + T(m[3]);
-        xz = T(m[2]) + T(m[6]);
-        yz = T(m[5]) + T(m[7]);
+        wx = total(m[7], Entry(-m[5]));
+        wy = total(m[2], Entry(-m[6]));
+        wz = total(m[3], Entry(-m[1]));
+        xy = total(m[1], m[3]);
+        xz = total(m[2], m[6]);
+        yz = total(m[5], m[7]);
     }
 
     /// A quarter of the column with the largest diagonal element: the quaternion of a rotation, of length 1/2 to 1.
