@@ -145,7 +145,10 @@ ROTCONV_INLINE Steps steps_in_radians(Real angle) noexcept {
 ROTCONV_INLINE Steps steps_in_degrees(Real angle) noexcept {
     constexpr double step_in_degrees = 2.8125;
     const double count = (angle.hi * (1.0 / step_in_degrees) + rounding) - rounding;
-    return {count, exact_sum(angle.hi - count * step_in_degrees, angle.lo) * radians_per_degree};
+    // the product's low part is kept away from underflow
+    const bool tiny = __builtin_fabs(angle.hi) < 0x1p-300;
+    const Real rest = scaled(exact_sum(angle.hi - count * step_in_degrees, angle.lo), tiny ? 0x1p600 : 1.0);
+    return {count, scaled(rest * radians_per_degree, tiny ? 0x1p-600 : 1.0)};
 }
 
 struct Binary {
