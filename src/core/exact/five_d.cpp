@@ -15,9 +15,10 @@ struct FiveNumbers {
         constexpr Real more{0x1.3504f333f9de6p+1, 0x1.21165f626cdd5p-53};
         T m[9];
         scaled_matrix_of(q, m);
-        const T turning = square(q[0]) + square(q[1]);
-        const T tilting = square(q[2]) + square(q[3]);
-        const T inverse = T(1.0) / (turning * T(less) + tilting * T(more)); // sqrt 2 - r11, without cancellation
+        const T turning = quick_sum(square(q[0]), square(q[1]));
+        const T tilting = quick_sum(square(q[2]), square(q[3]));
+        const T inverse =
+            T(1.0) / quick_sum(turning * T(less), tilting * T(more)); // sqrt 2 - r11, without cancellation
         numbers[0] = m[3] * inverse;
         numbers[1] = m[6] * inverse;
         numbers[2] = m[1] * inverse;

@@ -8,7 +8,7 @@ namespace rotconv::ROTCONV_EXACT {
 // Matrices are nine numbers, row by row.
 
 template <class T> ROTCONV_INLINE T squared_norm(const T (&q)[4]) noexcept {
-    return (square(q[0]) + square(q[1])) + (square(q[2]) + square(q[3]));
+    return quick_sum(quick_sum(square(q[0]), square(q[1])), quick_sum(square(q[2]), square(q[3])));
 }
 
 /// The matrix of q/|q|, times |q|^2.
@@ -34,9 +34,9 @@ template <class T> ROTCONV_INLINE void scaled_matrix_of(const T (&q)[4], T (&m)[
     m[8] = (ww - xx) + (zz - yy);
 }
 
-/// a + b, of doubles without a rounding.
+/// a + b to 2^-104 of the larger; of doubles without a rounding.
 ROTCONV_INLINE Real total(double a, double b) noexcept { return exact_sum(a, b); }
-template <class T> ROTCONV_INLINE T total(const T& a, const T& b) noexcept { return a + b; }
+template <class T> ROTCONV_INLINE T total(const T& a, const T& b) noexcept { return quick_sum(a, b); }
 
 /// Davenport's K of a matrix, plus the identity; see numerics/davenport.hpp.
 template <class T> struct Davenport {
@@ -46,10 +46,10 @@ template <class T> struct Davenport {
         const T second = total(one, Entry(-m[0]));
         const T sum = total(m[4], m[8]);
         const T difference = total(m[4], Entry(-m[8]));
-        ww = first + sum;
-        xx = first - sum;
-        yy = second + difference;
-        zz = second - difference;
+        ww = quick_sum(first, sum);
+        xx = quick_sum(first, -sum);
+        yy = quick_sum(second, difference);
+        zz = quick_sum(second, -difference);
         wx = total(m[7], Entry(-m[5]));
         wy = total(m[2], Entry(-m[6]));
         wz = total(m[3], Entry(-m[1]));
@@ -72,6 +72,14 @@ template <class T> struct Davenport {
     T ww, xx, yy, zz, wx, wy, wz, xy, xz, yz;
 };
 
+/// To 2^-104 of the larger product.
+template <class T> ROTCONV_INLINE void quick_cross(const T (&a)[3], const T (&b)[3], T (&product)[3]) noexcept {
+    product[0] = quick_sum(a[1] * b[2], -(a[2] * b[1]));
+    product[1] = quick_sum(a[2] * b[0], -(a[0] * b[2]));
+    product[2] = quick_sum(a[0] * b[1], -(a[1] * b[0]));
+}
+
+/// With the digits that nearly parallel vectors have.
 template <class T> ROTCONV_INLINE void cross(const T (&a)[3], const T (&b)[3], T (&product)[3]) noexcept {
     product[0] = a[1] * b[2] - a[2] * b[1];
     product[1] = a[2] * b[0] - a[0] * b[2];
@@ -79,7 +87,7 @@ template <class T> ROTCONV_INLINE void cross(const T (&a)[3], const T (&b)[3], T
 }
 
 template <class T> ROTCONV_INLINE void normalize(T (&a)[3]) noexcept {
-    const T inverse = T(1.0) / root((square(a[0]) + square(a[1])) + square(a[2]));
+    const T inverse = T(1.0) / root(quick_sum(quick_sum(square(a[0]), square(a[1])), square(a[2])));
     for (T& component : a) {
         component = component * inverse;
     }
@@ -93,7 +101,7 @@ template <class T> ROTCONV_INLINE void gram_schmidt(const T (&first)[3], const T
     cross(first, second, z);
     normalize(x);
     normalize(z);
-    cross(z, x, y);
+    quick_cross(z, x, y);
     const T m[9] = {x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]};
     Davenport<T>(m).take_pivot_column(q);
 }
