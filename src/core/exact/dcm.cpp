@@ -182,8 +182,8 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& r
         }
         // A plain answer is right to rounding where the defect is small; that of another matrix may be off by more.
         bool one_step = readings.defect[i] <= 0.04;
-        for (std::size_t k = 0; k < 9; ++k) {
-            one_step = one_step && is_ordinary(columns[k][i]);
+        for (const auto& column : columns) {
+            one_step = one_step && is_ordinary(column[i]);
         }
         if (one_step) [[likely]] {
             readings.set(i, exact.w[i], exact.x[i], exact.y[i], exact.z[i]);

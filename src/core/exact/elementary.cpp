@@ -193,7 +193,7 @@ Steps steps_in_large_radians(double angle) noexcept {
         fraction[i] = static_cast<std::uint64_t>(product);
         carry = static_cast<std::uint64_t>(product >> 64U);
     }
-    const double count = static_cast<double>((fraction[0] + (std::uint64_t{1} << 57U)) >> 58U);
+    const auto count = static_cast<double>((fraction[0] + (std::uint64_t{1} << 57U)) >> 58U);
     const auto signed_first = static_cast<std::int64_t>(fraction[0] << 6U); // of the rest, in units of 2^-64 step
     Real rest = 0.0;
     for (int i = words - 1; i > 0; --i) {
@@ -203,8 +203,7 @@ Steps steps_in_large_radians(double angle) noexcept {
                                        static_cast<double>(shifted & 0xffffffffU)),
                              power_of_two(-64 * (i + 1)));
     }
-    const std::int64_t with_carry =
-        static_cast<std::int64_t>(static_cast<std::uint64_t>(signed_first) | (fraction[1] >> 58U));
+    const auto with_carry = static_cast<std::int64_t>(static_cast<std::uint64_t>(signed_first) | (fraction[1] >> 58U));
     rest = rest + scaled(exact_sum(static_cast<double>(with_carry >> 32) * 0x1p32,
                                    static_cast<double>(static_cast<std::uint64_t>(with_carry) & 0xffffffffU)),
                          0x1p-64);
