@@ -30,11 +30,12 @@ Pair pair_of(RepresentationId from, RepresentationId to) {
     return pair;
 }
 
-/// rotconv's own way, in blocks as a stream has them.
+/// rotconv's own way in plain double arithmetic, in blocks as a stream has them.
 class Own {
 public:
     Own(const Spec& from, const Spec& to)
-        : conversion_(from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0}) {}
+        : conversion_(from, to,
+                      {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .fast = true}) {}
 
     void run(const double* in, std::size_t rows, double* out) {
         const std::size_t inputs = conversion_.from().size();
