@@ -14,7 +14,8 @@ extern const ExactFunctions functions;
 
 const ExactFunctions& exact_functions() noexcept {
 #ifdef ROTCONV_EXACT_FMA
-    static const bool has_fma = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+    static const bool has_fma =
+        static_cast<bool>(__builtin_cpu_supports("avx2")) && static_cast<bool>(__builtin_cpu_supports("fma"));
     return has_fma ? exact_fma::functions : exact_plain::functions;
 #else
     return exact_plain::functions;

@@ -277,22 +277,22 @@ TEST_CASE("the known attitudes of identify may stand in another file") {
         return (folder / name).string();
     };
     const auto unknown = file("unknown", "t,x,who,y,z\n1,10,a,20,30\n2,-100,b,50,70\n3,80,c,-30,-150\n");
-    std::string quaternions;
+    std::string known;
     for (const std::string row : {"10 20 30", "-100 50 70", "80 -30 -150"}) {
-        quaternions += run("-f euler:ZYX:deg -t quat -- " + row).out;
+        known += run("-f euler:ZYX:deg -t quat -- " + row).out;
     }
-    const auto reference = file("reference", "# remark\n" + quaternions);
+    const auto reference = file("reference", "# remark\n" + known);
     const auto answer = [](const Result& result) { return last_line(result.out); };
     CHECK(answer(run({"identify", "-t", "quat", "--columns", "x,y,z", "--reference-columns", "1-4", unknown,
                       reference})) == "-f euler:ZYX:deg --columns 2,4,5");
     const auto plain = file("plain", "10 20 30\n-100 50 70\n80 -30 -150\n");
     CHECK(answer(run({"identify", "-t", "quat", plain, reference})) == "-f euler:ZYX:deg --columns 1-3");
-    CHECK(answer(run({"identify", "-t", "quat", plain, "-"}, quaternions)) == "-f euler:ZYX:deg --columns 1-3");
+    CHECK(answer(run({"identify", "-t", "quat", plain, "-"}, known)) == "-f euler:ZYX:deg --columns 1-3");
 
     std::string keyed = "0.5 1 0 0 0\n";
-    for (std::size_t i = 0, at = 0; at < quaternions.size(); ++i) {
-        const auto end = quaternions.find('\n', at);
-        keyed += std::to_string(i + 1) + ".0 " + quaternions.substr(at, end - at) + "\n";
+    for (std::size_t i = 0, at = 0; at < known.size(); ++i) {
+        const auto end = known.find('\n', at);
+        keyed += std::to_string(i + 1) + ".0 " + known.substr(at, end - at) + "\n";
         at = end + 1;
     }
     const auto with_keys = file("keys", keyed);
