@@ -1,5 +1,6 @@
 #include "pair_reader.hpp"
 
+#include <compare>
 #include <cstring>
 #include <utility>
 
@@ -13,9 +14,9 @@ constexpr std::size_t enough_rows = 256;
 constexpr std::size_t most_rows = 2048;
 /// Texts that a job with few rows may hold: the rows between them may have been left out.
 constexpr std::size_t most_texts = 8;
-/// Lines, and texts of them, past which the row ahead is not looked for.
+/// Lines, and bytes of them, past which the row ahead is not looked for.
 constexpr std::size_t most_lines_ahead = 4096;
-constexpr std::size_t most_texts_ahead = 16;
+constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
 } // namespace
 
@@ -28,10 +29,19 @@ void PairReader::Side::read_block(Output& output) {
     }
     const auto block = std::make_shared<IoBlock>();
     ended = !blocks.read(*block);
+    if (block->text.empty()) {
+        return;
+    }
+    if (2 * block->text.size() < block->bytes.size()) { // it may wait with thousands of others
+        Buffer bytes;
+        append(bytes, block->text);
+        block->bytes = std::move(bytes);
+        block->text = {block->bytes.data(), block->bytes.size()};
+    }
     texts.push_back(block);
     rest = block->text;
     line = block->first_line;
-    if (!has_layout && !rest.empty()) {
+    if (!has_layout) {
         has_layout = header.read(rest, line, output);
     }
     if (header.error()) {
@@ -54,6 +64,7 @@ void PairReader::Side::take_line() {
         find_key(next);
     }
     rows_waiting += !next.passed && !next.error ? 1U : 0U;
+    bytes_waiting += next.line.text.size();
     waiting.push_back(std::move(next));
 }
 
@@ -93,9 +104,11 @@ void PairReader::Side::find_key(Waiting& row) {
 
 PairReader::At PairReader::Side::look(std::size_t ahead) {
     while (rows_waiting <= ahead) {
+        if (ahead > 0 && (waiting.size() > most_lines_ahead || bytes_waiting > most_bytes_ahead)) {
+            return At::end;
+        }
         if (rest.empty()) {
-            const bool too_far = ahead > 0 && (waiting.size() > most_lines_ahead || texts.size() > most_texts_ahead);
-            return ended || too_far ? At::end : At::dry;
+            return ended ? At::end : At::dry;
         }
         take_line();
     }
@@ -116,8 +129,13 @@ void PairReader::Side::drop_row(bool is_paired) {
         unpaired.first_line = first.number;
     }
     disposed = std::move(first.key);
-    waiting.pop_front();
+    drop_line();
     --rows_waiting;
+}
+
+void PairReader::Side::drop_line() {
+    bytes_waiting -= waiting.front().line.text.size();
+    waiting.pop_front();
 }
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
@@ -125,9 +143,7 @@ PairReader::PairReader(Source& source, Source& reference, const Options& options
       references_(reference, pairing_->reference, pairing_->by_key, block_size) {}
 
 bool PairReader::read(Job& job) {
-    for (const Side* side : {&rows_, &references_}) {
-        job.pairs.texts.insert(job.pairs.texts.end(), side->texts.begin(), side->texts.end());
-    }
+    keep_texts(job);
     for (bool has_read = false;;) {
         const At row = rows_.look(0);
         const At reference = references_.look(0);
@@ -157,12 +173,16 @@ void PairReader::fill(Side& side, Job& job) {
     Output nowhere;
     side.read_block(&side == &rows_ ? job.output : nowhere);
     if (job.pairs.rows.empty()) {
-        job.pairs.texts.clear();
-        for (const Side* each : {&rows_, &references_}) {
-            job.pairs.texts.insert(job.pairs.texts.end(), each->texts.begin(), each->texts.end());
-        }
-    } else {
+        keep_texts(job);
+    } else if (!side.texts.empty()) {
         job.pairs.texts.push_back(side.texts.back());
+    }
+}
+
+void PairReader::keep_texts(Job& job) const {
+    job.pairs.texts.clear();
+    for (const Side* side : {&rows_, &references_}) {
+        job.pairs.texts.insert(job.pairs.texts.end(), side->texts.begin(), side->texts.end());
     }
 }
 
@@ -186,7 +206,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
                 pairs.rows.push_back({.row = first.line, .number = first.number, .passed = true});
             }
             pairs.bytes += first.line.text.size() + 1;
-            waiting.pop_front();
+            side->drop_line();
         }
     }
 }
@@ -207,12 +227,12 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
         return nullptr;
     }
     const auto order = rows_.row().key <=> references_.row().key;
-    if (!pairing_->by_key || order == 0) {
+    if (!pairing_->by_key || std::is_eq(order)) {
         pair(job);
         return nullptr;
     }
-    Side& low = order < 0 ? rows_ : references_;
-    Side& high = order < 0 ? references_ : rows_;
+    Side& low = std::is_lt(order) ? rows_ : references_;
+    Side& high = std::is_lt(order) ? references_ : rows_;
     const Decimal& low_key = low.row().key;
     const Decimal& high_key = high.row().key;
     const Decimal apart = high_key - low_key;

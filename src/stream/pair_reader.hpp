@@ -18,7 +18,7 @@ namespace rotconv::stream {
 
 /// Reads two streams side by side and pairs their rows: those of the same number, or those whose keys are each the
 /// other's nearest, of equals the earlier. It looks one row ahead, past a few thousand other lines at most, so that
-/// memory stays flat.
+/// memory stays flat. In what pieces the streams arrive makes no difference.
 class PairReader final : public JobReader {
 public:
     /// @pre options.pairing
@@ -59,8 +59,9 @@ private:
         [[nodiscard]] const Decimal& next_key() const;
         void read_block(Output& output);
         void take_line();
-        void find_key(Waiting& line);
+        void find_key(Waiting& row);
         void drop_row(bool is_paired);
+        void drop_line();
         [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || blocks.is_ready(); }
         [[nodiscard]] std::optional<StreamError> error() const {
@@ -78,6 +79,7 @@ private:
         bool has_layout = false;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
+        std::size_t bytes_waiting = 0;   ///< of those lines
         std::size_t rows_waiting = 0;    ///< that may be paired
         std::optional<Decimal> newest;   ///< of the keys that increased
         std::optional<Decimal> disposed; ///< the last key before the first waiting row
@@ -95,6 +97,8 @@ private:
     void hand_on_alone(Job& job, bool of_both);
     /// Reads a block of that side for the job.
     void fill(Side& side, Job& job);
+    /// Gives the job the texts that lines of either side stand in.
+    void keep_texts(Job& job) const;
 
     const Pairing* pairing_;
     Side rows_;

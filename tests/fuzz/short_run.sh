@@ -7,7 +7,7 @@ rm -rf "$folder"
 mkdir -p "$folder/corpus"
 cd "$folder"
 [ -z "$seeds" ] || cp "$seeds"/* corpus
-"$fuzzer" $dictionary -max_total_time="$seconds" -max_len=4096 -timeout=10 -print_final_stats=1 corpus >log 2>&1 || {
+"$fuzzer" $dictionary -max_total_time="$seconds" -max_len=4096 -timeout=10 -seed=1 -print_final_stats=1 corpus >log 2>&1 || {
     tail -n 60 log
     exit 1
 }
