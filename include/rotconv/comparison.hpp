@@ -21,7 +21,7 @@ struct ComparisonSettings {
     Frame frame = Frame::body; ///< its axes: R_REF' R of the reference's body, R R_REF' of the reference axes
 };
 
-struct Rotations;
+template <class T> struct BasicRotations;
 
 /// The angle between two attitudes R and R_REF of a row, whatever their representations.
 ///
@@ -49,7 +49,8 @@ private:
     void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
                    std::vector<Report>& reports) const;
     /// Behind each angle; brings `relative` to the norm of a Rotation first.
-    void write_relative(Rotations& relative, std::size_t rows, double* out, DiagnosticSet* diagnostics) const noexcept;
+    void write_relative(BasicRotations<double>& relative, std::size_t rows, double* out,
+                        DiagnosticSet* diagnostics) const noexcept;
 
     Spec from_;
     Spec reference_;

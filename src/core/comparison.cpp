@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "exact_batch.hpp"
-#include "numerics/double_double.hpp"
+#include "batch.hpp"
+#include "numerics/products.hpp"
 #include "read_batch.hpp"
 #include "representations/half_turn.hpp"
 
@@ -50,7 +50,7 @@ void read_rounded(const Spec& spec, ReadBatch& attitudes, std::size_t rows) noex
     static constexpr Spec quat{};
     std::array<double, 4 * batch_rows> numbers; // NOLINT(*-member-init)
     std::array<DiagnosticSet, batch_rows> diagnostics;
-    exact_functions().convert({&spec, &quat, 0.0, nullptr, nullptr}, attitudes.own(), rows, attitudes, numbers.data(),
+    batch_functions().convert({&spec, &quat, 0.0, nullptr, nullptr}, attitudes.own(), rows, attitudes, numbers.data(),
                               diagnostics.data());
 }
 
@@ -137,7 +137,7 @@ void Comparison::write_relative(Rotations& relative, std::size_t rows, double* o
     std::array<double, batch_rows * most_numbers> own;
     std::array<double, batch_rows * most_numbers> written;
     // NOLINTEND(*-member-init)
-    codec_of(to.name).write(to, settings_.reading.lock_margin, relative, rows, own.data(), diagnostics);
+    batch_functions().write(to, settings_.reading.lock_margin, relative, rows, own.data(), diagnostics);
     to_written_order(to, own.data(), rows, written.data());
     for (std::size_t i = 0; i < rows; ++i) {
         std::copy_n(written.data() + i * to.size(), to.size(), out + i * outputs() + 1);

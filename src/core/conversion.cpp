@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "exact_batch.hpp"
+#include "batch.hpp"
 #include "read_batch.hpp"
 #include "representations/constant_turns.hpp"
 
@@ -43,7 +43,7 @@ bool any_remarkable(const Readings& readings, const DiagnosticSet* diagnostics, 
 Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept {
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
-    const Reading reading = codec_of(spec.name).read_row(spec, own.data());
+    const Reading reading = read_row(spec, own.data());
     return reading && spec.passive ? Reading(reading->inverse(), reading.defect()) : reading;
 }
 
@@ -51,7 +51,7 @@ ConstantTurn ConstantTurn::of_numbers(const Spec& spec, std::span<const double> 
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
     ExactQuaternion q{};
-    exact_functions().read(spec, own.data(), q);
+    batch_functions().read_exactly(spec, own.data(), q);
     const ConstantTurn turn(Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]),
                             {q.lo[0], q.lo[1], q.lo[2], q.lo[3]});
     return spec.passive ? turn.inverse() : turn;
@@ -73,7 +73,7 @@ void Conversion::convert(ReadBatch& readings, std::size_t rows, double* numbers,
     const ConstantTurns turns(settings_, to_.passive);
     if (!settings_.fast) {
         const ExactBatch batch{&from_, &to_, settings_.lock_margin, turns.left(), turns.right()};
-        exact_functions().convert(batch, readings.own(), rows, readings, numbers, diagnostics);
+        batch_functions().convert(batch, readings.own(), rows, readings, numbers, diagnostics);
         return;
     }
     readings.read(from_, rows);
@@ -83,7 +83,7 @@ void Conversion::convert(ReadBatch& readings, std::size_t rows, double* numbers,
     if (turns.any()) {
         turns.turn(readings, rows);
     }
-    out_codec_->write(to_, settings_.lock_margin, readings, rows, numbers, diagnostics);
+    batch_functions().write(to_, settings_.lock_margin, readings, rows, numbers, diagnostics);
 }
 
 void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,

@@ -103,7 +103,7 @@ std::vector<double> generic_numbers(const Spec& spec) {
     for (const Rotation& rotation : {Rotation::near_unit(0.83, 0.31, -0.42, 0.17), //
                                      Rotation::near_unit(0.29, -0.37, 0.71, 0.53)}) {
         std::array<double, most_numbers> row{};
-        codec_of(spec.name).write_row(spec.in_degrees(), rotation, row.data());
+        write_row(spec.in_degrees(), rotation, row.data());
         numbers.insert(numbers.end(), row.begin(), row.begin() + static_cast<std::ptrdiff_t>(spec.size()));
     }
     return numbers;

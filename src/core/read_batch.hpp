@@ -25,7 +25,7 @@ public:
     /// The numbers in the representation's own order.
     [[nodiscard]] const double* own() const noexcept { return own_; }
 
-    void read(const Spec& spec, std::size_t rows) noexcept { codec_->read(spec, own_, rows, *this); }
+    void read(const Spec& spec, std::size_t rows) noexcept { batch_functions().read(spec, own_, rows, *this); }
 
     /// The inverses.
     void invert(std::size_t rows) noexcept {

@@ -70,11 +70,11 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
     std::array<double, batch_rows * most_numbers> numbers; // NOLINT(*-member-init): written before it is read
     to_own_order(from(), in, rows, numbers.data());
     Readings attitudes; // NOLINT(*-member-init)
-    codec_of(from().name).read(from(), numbers.data(), rows, attitudes);
+    batch_functions().read(from(), numbers.data(), rows, attitudes);
     if (turns_.any()) { // the methods start from numbers
         turns_.turn(attitudes, rows);
         std::array<DiagnosticSet, batch_rows> diagnostics; // NOLINT(*-member-init)
-        codec_of(from().name).write(from(), 0.0, attitudes, rows, numbers.data(), diagnostics.data());
+        batch_functions().write(from(), 0.0, attitudes, rows, numbers.data(), diagnostics.data());
     }
     if (inverse) {
         for (std::size_t i = 0; i < rows; ++i) {
@@ -91,7 +91,7 @@ void MethodConversion::run_batch(const double* in, std::size_t first, std::size_
         std::for_each_n(answers.begin(), rows * out_size, [](double& v) { v *= degrees_per_radian; });
     }
     Readings answered; // NOLINT(*-member-init)
-    codec_of(to().name).read(to(), answers.data(), rows, answered);
+    batch_functions().read(to(), answers.data(), rows, answered);
 
     for (std::size_t i = 0; i < rows; ++i) {
         Report report{.row = first + i};

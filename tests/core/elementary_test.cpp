@@ -10,12 +10,12 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "../../src/core/exact/elementary.hpp"
+#include "../../src/core/numerics/elementary.hpp"
 #include "catch.hpp"
 
 namespace {
 
-namespace exact = rotconv::ROTCONV_EXACT;
+namespace exact = rotconv;
 using rotconv::AngleUnit;
 using rotconv::batch_rows;
 
@@ -43,7 +43,7 @@ template <unsigned digits> double worst_of_sine_cosine(const std::vector<exact::
     double worst = -1e9;
     for (std::size_t first = 0; first < angles.size(); first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, angles.size() - first);
-        exact::Column columns[3];
+        exact::Column<exact::Real> columns[3];
         for (std::size_t i = 0; i < rows; ++i) {
             columns[0].set(i, angles[first + i]);
         }
@@ -80,7 +80,7 @@ template <unsigned digits> double worst_of_angles(const std::vector<Vector>& vec
     double worst = -1e9;
     for (std::size_t first = 0; first < vectors.size(); first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, vectors.size() - first);
-        exact::Column columns[3];
+        exact::Column<exact::Real> columns[3];
         for (std::size_t i = 0; i < rows; ++i) {
             columns[0].set(i, vectors[first + i].x);
             columns[1].set(i, vectors[first + i].y);
@@ -170,11 +170,11 @@ TEST_CASE("sine and cosine of large angles and near multiples of a quarter turn 
 // Would catch: a quarter turn that leaves a rest.
 TEST_CASE("multiples of 90 degrees have a sine or cosine of 0 and the other of 1") {
     for (int k = -400; k <= 400; ++k) {
-        exact::Column columns[3];
+        exact::Column<exact::Real> columns[3];
         columns[0].set(0, 90.0 * k);
         exact::sine_cosine(columns[0], 1, AngleUnit::degrees, columns[1], columns[2]);
-        const exact::Column& one = k % 2 == 0 ? columns[1] : columns[2];
-        const exact::Column& zero = k % 2 == 0 ? columns[2] : columns[1];
+        const exact::Column<exact::Real>& one = k % 2 == 0 ? columns[1] : columns[2];
+        const exact::Column<exact::Real>& zero = k % 2 == 0 ? columns[2] : columns[1];
         INFO(k);
         CHECK(std::fabs(one.hi[0]) == 1.0);
         CHECK(one.lo[0] == 0.0);

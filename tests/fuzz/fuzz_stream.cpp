@@ -356,8 +356,8 @@ fuzz::Calculate calculate_of(const RowOperation& operation, bool diagnostic_colu
         answer.failed = report.error != Error::none;
         answer.of_reference = report.of_reference;
         if (columns) {
-            answer.numbers.insert(answer.numbers.end(),
-                                  {report.sensitivity.margin, report.sensitivity.condition, report.defect});
+            answer.numbers.insert(answer.numbers.end(), {report.sensitivity.margin, report.sensitivity.condition,
+                                                         std::max(report.defect, report.reference_defect)});
         }
         for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
             if (const auto kind = static_cast<DiagnosticKind>(i); report.diagnostics.has(kind)) {

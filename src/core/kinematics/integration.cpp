@@ -9,6 +9,7 @@
 
 #include <rotconv/rates.hpp>
 
+#include "../numerics/elementary.hpp"
 #include "../representations/codec.hpp"
 
 namespace rotconv {
@@ -85,7 +86,7 @@ Stepper::Stepper(const Spec& set, Integrator integrator, bool renormalise) noexc
 Error Stepper::start(const Rotation& rotation) noexcept {
     const Rotation kept = set_.passive ? rotation.inverse() : rotation;
     numbers_.setZero();
-    codec_of(set_.name).write_row(set_, kept, numbers_.data());
+    write_row(set_, kept, numbers_.data());
     error_ = numbers_.allFinite() ? Error::none : Error::singular;
     return error_;
 }
@@ -144,8 +145,9 @@ void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
 
 void Stepper::turn_by(const Vector3d& turn) noexcept {
     const double half = 0.5 * turn.norm();
-    const double w = std::cos(half);
-    const Vector3d v = (half == 0.0 ? 0.5 : 0.5 * (std::sin(half) / half)) * turn;
+    const auto sides = sine_cosine<double>(half, AngleUnit::radians);
+    const double w = sides.cosine;
+    const Vector3d v = (half == 0.0 ? 0.5 : 0.5 * (sides.sine / half)) * turn;
     const Vector3d kept = numbers_.segment<3>(1);
     const double kept_w = numbers_[0];
     numbers_[0] = kept_w * w - kept.dot(v);
@@ -153,10 +155,9 @@ void Stepper::turn_by(const Vector3d& turn) noexcept {
 }
 
 Error Stepper::renormalise() noexcept {
-    const Codec& codec = codec_of(set_.name);
-    const Reading reading = codec.read_row(set_, numbers_.data());
+    const Reading reading = read_row(set_, numbers_.data());
     if (reading) {
-        codec.write_row(set_, *reading, numbers_.data());
+        write_row(set_, *reading, numbers_.data());
     }
     return reading.error();
 }
@@ -166,7 +167,7 @@ Reading Stepper::attitude() const noexcept {
         return error_;
     }
     const Codec& codec = codec_of(set_.name);
-    const Reading reading = codec.read_row(set_, numbers_.data());
+    const Reading reading = read_row(set_, numbers_.data());
     if (!reading) {
         return reading;
     }

@@ -64,7 +64,7 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
     const double* const given = in + spec_.size(); // rates, or an angular velocity
 
     const Codec& codec = codec_of(spec_.name);
-    const Reading reading = codec.read_row(spec_, numbers.data());
+    const Reading reading = read_row(spec_, numbers.data());
     RateReport report{.error = reading.error(), .defect = reading.defect()};
     if (!reading) {
         return report;

@@ -5,6 +5,7 @@
 
 #include <rotconv/quaternion.hpp>
 
+#include "../numerics/elementary.hpp"
 #include "../representations/codec.hpp"
 
 namespace rotconv {
@@ -24,11 +25,9 @@ Rotation rotation_of(const Unit& q) noexcept { return Rotation::near_unit(q[0], 
 
 Numbers numbers_of(const Spec& set, const Unit& q) noexcept {
     Numbers numbers = Numbers::Zero();
-    codec_of(set.name).write_row(set, rotation_of(q), numbers.data());
+    write_row(set, rotation_of(q), numbers.data());
     return numbers;
 }
-
-double length_of(const Unit& q) noexcept { return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); }
 
 /// The shortest rotation between two unit quaternions.
 struct Arc {
@@ -39,9 +38,11 @@ struct Arc {
     Arc(const Unit& a, const Unit& b) noexcept
         : from(a), to((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]) < 0.0 ? Unit(-b) : b) {}
 
-    /// The rotation angle, from the chord 2 sin(angle/4).
-    [[nodiscard]] double angle() const noexcept { return 4.0 * std::asin(std::min(0.5 * length_of(to - from), 1.0)); }
-    [[nodiscard]] Unit middle() const noexcept { return (from + to) / length_of(from + to); }
+    /// The rotation angle, from the chords 2 sin(angle/4) and 2 cos(angle/4).
+    [[nodiscard]] double angle() const noexcept {
+        return 4.0 * angle_of((to + from).stableNorm(), (to - from).stableNorm(), AngleUnit::radians).hi;
+    }
+    [[nodiscard]] Unit middle() const noexcept { return (from + to).stableNormalized(); }
 };
 
 /// As Survey says: halves the arc, keeping the half with the larger step.

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "double_double.hpp"
+#include "products.hpp"
 
 namespace rotconv {
 
@@ -53,18 +53,8 @@ public:
 
     /// The same with exact products, each component rounded once: for the last step, whose rounding remains.
     [[nodiscard]] Four exact_power_step(const Four& q) const noexcept {
-        const Split w = split(q[0]);
-        const Split x = split(q[1]);
-        const Split y = split(q[2]);
-        const Split z = split(q[3]);
         const auto row = [&](double kw, double kx, double ky, double kz) {
-            const Split sw = split(kw);
-            const Split sx = split(kx);
-            const Split sy = split(ky);
-            const Split sz = split(kz);
-            return 0.25 * (((sw.high * w.high + sx.high * x.high) + (sy.high * y.high + sz.high * z.high)) +
-                           ((rest_of_product(sw, w) + rest_of_product(sx, x)) +
-                            (rest_of_product(sy, y) + rest_of_product(sz, z))));
+            return 0.25 * sum_of_products(kw, q[0], kx, q[1], ky, q[2], kz, q[3]);
         };
         return {row(ww, wx, wy, wz), row(wx, xx, xy, xz), row(wy, xy, yy, yz), row(wz, xz, yz, zz)};
     }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+
+#include "real.hpp"
 
 /// For a function that loops over columns of numbers: it is compiled twice, for every x86-64 processor and for those
 /// with AVX2, and the program's start chooses. Nothing is contracted, so that both give the same bytes.
@@ -19,19 +20,41 @@ namespace rotconv {
 /// Rows that are worked on together: loops over them vectorise, and what they hold stays in the first cache.
 inline constexpr std::size_t batch_rows = 128;
 
-/// One number of each row of a batch.
-using BatchColumn = std::array<double, batch_rows>;
+/// One number of each row of a batch; not set at first.
+template <class T> struct Column;
+
+template <> struct Column<double> {
+    double
+        hi[batch_rows]; // NOLINT(*-avoid-c-arrays): nothing inline of the standard library in sources of many targets
+
+    ROTCONV_INLINE double operator[](std::size_t row) const noexcept { return hi[row]; }
+    ROTCONV_INLINE double& operator[](std::size_t row) noexcept { return hi[row]; }
+    ROTCONV_INLINE void set(std::size_t row, double value) noexcept { hi[row] = value; }
+};
+
+template <> struct Column<Real> {
+    // NOLINTBEGIN(*-avoid-c-arrays)
+    double hi[batch_rows];
+    double lo[batch_rows];
+    // NOLINTEND(*-avoid-c-arrays)
+
+    ROTCONV_INLINE Real operator[](std::size_t row) const noexcept { return {hi[row], lo[row]}; }
+    ROTCONV_INLINE void set(std::size_t row, Real value) noexcept {
+        hi[row] = value.hi;
+        lo[row] = value.lo;
+    }
+};
+
+using BatchColumn = Column<double>;
 
 /// Takes rows of N numbers apart, since compilers do not gather numbers that stand far from each other.
-template <std::size_t N>
-[[nodiscard]] std::array<BatchColumn, N> to_columns(const double* numbers, std::size_t rows) noexcept {
-    std::array<BatchColumn, N> columns; // NOLINT(*-member-init): as many rows as there are
+template <std::size_t N> // NOLINTNEXTLINE(*-avoid-c-arrays)
+ROTCONV_INLINE void to_columns(const double* numbers, std::size_t rows, double (&columns)[N][batch_rows]) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t k = 0; k < N; ++k) {
             columns[k][i] = numbers[N * i + k];
         }
     }
-    return columns;
 }
 
 } // namespace rotconv

@@ -10,37 +10,10 @@
 #include "half_turn.hpp"
 
 namespace rotconv::cayley {
-namespace {
-
-double infinite_along(double component) noexcept {
-    return component == 0.0 ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), component);
-}
-
-ROTCONV_TARGET_CLONES void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations,
-                                 std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        numbers[3 * i] = rotations.x[i] / rotations.w[i];
-        numbers[3 * i + 1] = rotations.y[i] / rotations.w[i];
-        numbers[3 * i + 2] = rotations.z[i] / rotations.w[i];
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        double* const c = numbers + 3 * i;
-        const bool finite = Eigen::Map<const Eigen::Vector3d>(c).allFinite();
-        diagnostics[i] = {DiagnosticKind::infinite, !finite};
-        if (!finite) {
-            const Rotation q = rotations.at(i).canonical();
-            c[0] = infinite_along(q.x());
-            c[1] = infinite_along(q.y());
-            c[2] = infinite_along(q.z());
-        }
-    }
-}
-
-} // namespace
 
 Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept {
     Eigen::Vector3d c;
-    codecs::cayley.write_row({}, rotation, c.data());
+    write_row({.name = RepresentationId::cayley}, rotation, c.data());
     return c;
 }
 
@@ -70,7 +43,7 @@ constexpr auto own_presets =
     std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}, {"stuelpnagel", passive}});
 
 double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
-    return 2.0 * std::atan2(1.0, Eigen::Map<const Vector3d>(c).norm());
+    return 2.0 * angle_of(Eigen::Map<const Vector3d>(c).norm(), 1.0, AngleUnit::radians).hi;
 }
 
 } // namespace
@@ -87,7 +60,6 @@ constinit const Codec codecs::cayley{.representation = {.name = RepresentationId
                                                         .singular_attitude = "a half-turn",
                                                         .formula = "tan(theta/2) n; R = (I + [c])(I - [c])^-1"},
                                      .read = read_each<Vector3d, cayley::to_rotation>,
-                                     .write = cayley::write,
                                      .sensitivity = sensitivity_of<cayley::sensitivity>,
                                      .rate = rate_of<Vector3d, cayley::rate>,
                                      .angular_velocity = angular_velocity_of<Vector3d, cayley::angular_velocity>,

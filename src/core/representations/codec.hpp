@@ -10,7 +10,7 @@
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
-#include "rotation_batch.hpp"
+#include "../batch.hpp"
 
 namespace rotconv {
 
@@ -19,13 +19,10 @@ namespace rotconv {
 struct Codec {
     Representation representation{};
 
-    /// Reads a batch of rows, at most `batch_rows` of them.
+    /// Reads a batch of rows, at most `batch_rows` of them; null where BatchCodec does.
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept = nullptr;
-    /// The defect in full, where `read` returns a bound only; null elsewhere.
+    /// The defect in full, where reading returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;
-    /// Writes a batch of rows and finds what there is to remark on each; the sets are empty at first.
-    void (*write)(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows, double* numbers,
-                  DiagnosticSet* diagnostics) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
 
     /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones; of
@@ -51,20 +48,6 @@ struct Codec {
     double (*distance_to_singularity)(const Spec& spec, const double* numbers) noexcept = nullptr;
     /// Other numbers of the same attitude, where these are about to leave the range of output; null where they cannot.
     void (*switch_chart)(double* numbers) noexcept = nullptr;
-
-    /// One row.
-    [[nodiscard]] Reading read_row(const Spec& spec, const double* numbers) const noexcept {
-        Readings one; // NOLINT(*-member-init)
-        read(spec, numbers, 1, one);
-        return one.reading(0);
-    }
-
-    /// One row; with a lock margin of 0 nothing is given up to lock.
-    void write_row(const Spec& spec, const Rotation& rotation, double* numbers,
-                   double lock_margin = 0.0) const noexcept {
-        DiagnosticSet diagnostics;
-        write(spec, lock_margin, OneRotation(rotation), 1, numbers, &diagnostics);
-    }
 
     [[nodiscard]] double distance(const Spec& spec, const double* numbers) const noexcept {
         return distance_to_singularity == nullptr ? greatest_distance : distance_to_singularity(spec, numbers);
@@ -102,15 +85,7 @@ void read_each(const Spec& spec, const double* numbers, std::size_t rows, Readin
     }
 }
 
-// NOLINTBEGIN(readability-non-const-parameter): the maps write through them
-template <class Numbers, auto from_rotation> void write_each(const Spec& /*spec*/, double /*lock_margin*/,
-                                                             const Rotations& rotations, std::size_t rows,
-                                                             double* numbers, DiagnosticSet* /*diagnostics*/) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        Eigen::Map<Numbers>{numbers + i* Numbers::SizeAtCompileTime} = from_rotation(rotations.at(i));
-    }
-}
-
+// NOLINTBEGIN(readability-non-const-parameter): the map writes through it
 template <class Numbers, auto rate, auto value_of = plain<Numbers>>
 void rate_of(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
     Eigen::Map<Numbers>{rates} = rate(value_of(spec, numbers), w, frame);

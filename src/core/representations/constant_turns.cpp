@@ -1,6 +1,6 @@
 #include "constant_turns.hpp"
 
-#include "../numerics/double_double.hpp"
+#include "../numerics/products.hpp"
 
 namespace rotconv {
 namespace {

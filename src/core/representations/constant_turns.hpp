@@ -5,8 +5,7 @@
 
 #include <rotconv/conversion.hpp>
 
-#include "../exact_batch.hpp"
-#include "rotation_batch.hpp"
+#include "../batch.hpp"
 
 namespace rotconv {
 

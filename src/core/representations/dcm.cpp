@@ -132,7 +132,8 @@ Reading read_unclean(const double* numbers, double square) noexcept {
 
 ROTCONV_TARGET_CLONES
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    const auto m = to_columns<9>(numbers, rows);
+    double m[9][batch_rows]; // NOLINT(*-avoid-c-arrays, *-member-init)
+    to_columns(numbers, rows, m);
     BatchColumn square; // NOLINT(*-member-init): written before it is read
     for (std::size_t i = 0; i < rows; ++i) {
         const PowerStep step({m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i], m[8][i]});
@@ -147,29 +148,6 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
         readings.error[i] = Error::none;
         if (!(square[i] <= clean_square)) [[unlikely]] {
             readings.set(i, read_unclean(numbers + 9 * i, square[i]));
-        }
-    }
-}
-
-ROTCONV_TARGET_CLONES
-void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* /*diagnostics*/) noexcept {
-    std::array<BatchColumn, 9> m;                      // NOLINT(*-member-init): as many rows as there are
-    std::array<std::uint64_t, batch_rows> by_division; // NOLINT(*-member-init)
-    for (std::size_t i = 0; i < rows; ++i) {
-        const ScaledMatrix scaled(rotations.w[i], rotations.x[i], rotations.y[i], rotations.z[i]);
-        const double inverse = 1.0 / scaled.squared_norm;
-        for (std::size_t k = 0; k < 9; ++k) {
-            m[k][i] = scaled.entries[k] * inverse;
-        }
-        by_division[i] = scaled.may_be_one() ? 1U : 0U;
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t k = 0; k < 9; ++k) {
-            numbers[9 * i + k] = m[k][i];
-        }
-        if (by_division[i] != 0) [[unlikely]] {
-            Eigen::Map<RowMajor>{numbers + 9 * i} = from_rotation(rotations.at(i));
         }
     }
 }
@@ -244,7 +222,6 @@ constinit const Codec codecs::dcm{
                        .formula = "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"},
     .read = dcm::read,
     .exact_defect = defect_of<RowMajor, dcm::defect>,
-    .write = dcm::write,
     .sensitivity = sensitivity_of<dcm::sensitivity>,
     .rate = rate_of<RowMajor, dcm::rate>,
     .angular_velocity = angular_velocity_of<RowMajor, dcm::angular_velocity>};

@@ -17,8 +17,7 @@ using std::numbers::sqrt2;
 
 /// The columns of Hopf's numbers.
 ROTCONV_TARGET_CLONES
-TwoColumns columns_of(const double* numbers, std::size_t rows) noexcept {
-    TwoColumns m; // NOLINT(*-member-init): as many rows as there are
+void columns_of(const double* numbers, std::size_t rows, TwoColumns& m) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         const double* const y = numbers + 5 * i;
         const double square = ((y[0] * y[0] + y[1] * y[1]) + (y[2] * y[2] + y[3] * y[3])) + y[4] * y[4];
@@ -30,7 +29,6 @@ TwoColumns columns_of(const double* numbers, std::size_t rows) noexcept {
         m[4][i] = factor * y[3];
         m[5][i] = factor * y[4];
     }
-    return m;
 }
 
 /// y times a power of two f, so that y'y cannot overflow: (f^2 y'y - f^2, 2 f fy) is parallel to the two columns.
@@ -63,25 +61,22 @@ Reading read_any(const Vector5& y) noexcept {
 }
 
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    read_columns(columns_of(numbers, rows), rows, readings,
+    TwoColumns m; // NOLINT(*-member-init): as many rows as there are
+    columns_of(numbers, rows, m);
+    read_columns(m, rows, readings,
                  [numbers](std::size_t i) { return read_any(Eigen::Map<const Vector5>(numbers + 5 * i)); });
 }
 
 } // namespace
 
-Reading to_rotation(const Vector5& y) noexcept { return codecs::five_d.read_row({}, y.data()); }
+Reading to_rotation(const Vector5& y) noexcept { return read_row({.name = RepresentationId::five_d}, y.data()); }
 
 double defect(const Vector5& y) noexcept { return two_column::defect(Scaled(y).columns()); }
 
 Vector5 from_rotation(const Rotation& rotation) noexcept {
-    const double w = rotation.w();
-    const double x = rotation.x();
-    const double y = rotation.y();
-    const double z = rotation.z();
-    Vector5 numerator;
-    numerator << 2.0 * (x * y + w * z), 2.0 * (x * z - w * y), 2.0 * (x * y - w * z), (w * w + y * y) - (x * x + z * z),
-        2.0 * (y * z + w * x);
-    return numerator / ((sqrt2 - 1.0) * (w * w + x * x) + (sqrt2 + 1.0) * (y * y + z * z));
+    Vector5 y;
+    write_row({.name = RepresentationId::five_d}, rotation, y.data());
+    return y;
 }
 
 Sensitivity sensitivity(const Rotation& rotation) noexcept {
@@ -118,7 +113,6 @@ constinit const Codec codecs::five_d{
                        .formula = "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"},
     .read = five_d::read,
     .exact_defect = defect_of<five_d::Vector5, five_d::defect>,
-    .write = write_each<five_d::Vector5, five_d::from_rotation>,
     .sensitivity = sensitivity_of<five_d::sensitivity>,
     .rate = rate_of<five_d::Vector5, five_d::rate>,
     .angular_velocity = angular_velocity_of<five_d::Vector5, five_d::angular_velocity>};

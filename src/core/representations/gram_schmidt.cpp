@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "../numerics/double_double.hpp"
+#include "../numerics/products.hpp"
 #include "../numerics/scaling.hpp"
 
 namespace rotconv {

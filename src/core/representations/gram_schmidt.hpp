@@ -14,7 +14,7 @@ namespace rotconv {
 [[nodiscard]] Reading gram_schmidt(Eigen::Vector3d first, Eigen::Vector3d second) noexcept;
 
 /// Two columns of each row, the first above the second.
-using TwoColumns = std::array<BatchColumn, 6>;
+using TwoColumns = double[6][batch_rows]; // NOLINT(*-avoid-c-arrays)
 
 /// Gram-Schmidt on columns that are orthonormal but for `square`, the sum of the squares of what is missing. It leaves
 /// an orthogonal matrix, and one power step its polar factor, where that is at most clean_square.

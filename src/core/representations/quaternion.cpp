@@ -9,22 +9,6 @@
 
 namespace rotconv::quaternion {
 
-namespace {
-
-ROTCONV_TARGET_CLONES
-void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* /*diagnostics*/) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        const Eigen::Quaterniond q = from_rotation(rotations.at(i));
-        numbers[4 * i] = q.w();
-        numbers[4 * i + 1] = q.x();
-        numbers[4 * i + 2] = q.y();
-        numbers[4 * i + 3] = q.z();
-    }
-}
-
-} // namespace
-
 Reading to_rotation_of_any_size(const Eigen::Quaterniond& q) noexcept {
     if (!q.coeffs().allFinite()) {
         return Error::not_finite;
@@ -100,7 +84,6 @@ constinit const Codec codecs::quat{
                        .formula = "w = cos(theta/2), (x, y, z) = sin(theta/2) n"},
     .read = read_each<Eigen::Vector4d, quaternion::to_rotation, value_of>,
     .exact_defect = [](const double* v) noexcept { return quaternion::defect(value_of({}, v)); },
-    .write = quaternion::write,
     .sensitivity = sensitivity_of<quaternion::sensitivity>,
     .nearest = nearest,
     .rate =

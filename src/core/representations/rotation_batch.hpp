@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include <rotconv/reading.hpp>
@@ -9,42 +8,55 @@
 
 namespace rotconv {
 
-/// The attitudes of a batch; not set at first.
-struct Rotations {
-    BatchColumn w, x, y, z;
+/// The attitudes of a batch; not set at first. As in Rotation the quaternions are not normalised, |q|^2 is in [1/4, 4),
+/// and both signs of q are the same attitude. T is the scalar, double or Real.
+template <class T> struct BasicRotations {
+    Column<T> w, x, y, z;
+    /// They come from quaternions, which keep their bits where they are doubles and unit to 4 eps.
+    bool as_given = false;
 
-    [[nodiscard]] Rotation at(std::size_t row) const noexcept {
-        return Rotation::near_unit(w[row], x[row], y[row], z[row]);
+    ROTCONV_INLINE void set(std::size_t row, T w_, T x_, T y_, T z_) noexcept {
+        w.set(row, w_);
+        x.set(row, x_);
+        y.set(row, y_);
+        z.set(row, z_);
+    }
+    ROTCONV_INLINE void set(std::size_t row, const T (&q)[4]) noexcept { set(row, q[0], q[1], q[2], q[3]); }
+
+    ROTCONV_INLINE void get(std::size_t row, T (&q)[4]) const noexcept {
+        q[0] = w[row];
+        q[1] = x[row];
+        q[2] = y[row];
+        q[3] = z[row];
     }
 
-    void set(std::size_t row, const Rotation& rotation) noexcept {
-        w[row] = rotation.w();
-        x[row] = rotation.x();
-        y[row] = rotation.y();
-        z[row] = rotation.z();
+    /// Rounded.
+    [[nodiscard]] ROTCONV_INLINE Rotation at(std::size_t row) const noexcept {
+        return Rotation::near_unit(w.hi[row], x.hi[row], y.hi[row], z.hi[row]);
     }
-};
-
-/// A batch of one row.
-struct OneRotation : Rotations {
-    // NOLINTNEXTLINE(*-member-init): the other rows
-    explicit OneRotation(const Rotation& rotation) noexcept { set(0, rotation); }
+    ROTCONV_INLINE void set(std::size_t row, const Rotation& rotation) noexcept {
+        set(row, rotation.w(), rotation.x(), rotation.y(), rotation.z());
+    }
 };
 
 /// A batch of what numbers describe; see Reading.
-struct Readings : Rotations {
-    BatchColumn defect;
-    std::array<Error, batch_rows> error;
+template <class T> struct BasicReadings : BasicRotations<T> {
+    double defect[batch_rows]; // NOLINT(*-avoid-c-arrays)
+    Error error[batch_rows];   // NOLINT(*-avoid-c-arrays)
 
-    void set(std::size_t row, const Reading& reading) noexcept {
-        Rotations::set(row, reading ? *reading : Rotation()); // something finite in any case
+    using BasicRotations<T>::set;
+    ROTCONV_INLINE void set(std::size_t row, const Reading& reading) noexcept {
+        set(row, reading ? *reading : Rotation()); // something finite in any case
         defect[row] = reading.defect();
         error[row] = reading.error();
     }
 
-    [[nodiscard]] Reading reading(std::size_t row) const noexcept {
-        return error[row] == Error::none ? Reading(at(row), defect[row]) : Reading(error[row]);
+    [[nodiscard]] ROTCONV_INLINE Reading reading(std::size_t row) const noexcept {
+        return error[row] == Error::none ? Reading(this->at(row), defect[row]) : Reading(error[row]);
     }
 };
+
+using Rotations = BasicRotations<double>;
+using Readings = BasicReadings<double>;
 
 } // namespace rotconv

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "../batch/scaling.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/scaling.hpp"
 #include "codec.hpp"
@@ -23,13 +24,15 @@ Reading read_any(const Columns& m) noexcept {
 }
 
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    read_columns(to_columns<6>(numbers, rows), rows, readings,
+    TwoColumns m; // NOLINT(*-member-init): as many rows as there are
+    to_columns(numbers, rows, m);
+    read_columns(m, rows, readings,
                  [numbers](std::size_t i) { return read_any(Eigen::Map<const Columns>(numbers + 6 * i)); });
 }
 
 } // namespace
 
-Reading to_rotation(const Columns& m) noexcept { return codecs::two_column.read_row({}, m.data()); }
+Reading to_rotation(const Columns& m) noexcept { return read_row({.name = RepresentationId::two_column}, m.data()); }
 
 // From the eigenvalues of M'M - I.
 double defect(const Columns& m) noexcept {
@@ -40,7 +43,7 @@ double defect(const Columns& m) noexcept {
     const double b = scaled.col(1).squaredNorm() - unit * unit;
     const double c = scaled.col(0).dot(scaled.col(1));
     const double mean = 0.5 * (a + b);
-    const double radius = std::hypot(0.5 * (a - b), c);
+    const double radius = ScaledVector(0.5 * (a - b), c).length;
     const auto from_one = [unit](double square_excess) {
         return std::fabs(square_excess) / (unit + std::sqrt(std::max(0.0, unit * unit + square_excess)));
     };
@@ -82,7 +85,6 @@ constinit const Codec codecs::two_column{
                        .formula = "columns 1 and 2 of R; the third is their cross product"},
     .read = two_column::read,
     .exact_defect = defect_of<Columns, two_column::defect>,
-    .write = write_each<Columns, two_column::from_rotation>,
     .sensitivity = sensitivity_of<two_column::sensitivity>,
     .rate = rate_of<Columns, two_column::rate>,
     .angular_velocity = angular_velocity_of<Columns, two_column::angular_velocity>};

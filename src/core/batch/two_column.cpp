@@ -3,7 +3,8 @@
 #include "matrix.hpp"
 #include "rows.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
 struct TwoColumns {
@@ -12,11 +13,11 @@ struct TwoColumns {
     template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[6]) noexcept {
         T m[9];
         scaled_matrix_of(q, m);
-        const T inverse = T(1.0) / squared_norm(q);
         for (std::size_t k = 0; k < 3; ++k) {
-            numbers[k] = m[3 * k] * inverse;
-            numbers[3 + k] = m[3 * k + 1] * inverse;
+            numbers[k] = m[3 * k];
+            numbers[3 + k] = m[3 * k + 1];
         }
+        divide(numbers, squared_norm(q));
     }
 
     /// The columns themselves.
@@ -28,13 +29,15 @@ struct TwoColumns {
     }
 };
 
-void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* /*diagnostics*/) noexcept {
+template <class T> void write(const Spec& /*spec*/, double /*lock_margin*/, const BasicRotations<T>& rotations,
+                              std::size_t rows, double* numbers, DiagnosticSet* /*diagnostics*/) noexcept {
     write_rows<TwoColumns>(rotations, rows, numbers);
 }
 
 } // namespace
 
-constinit const ExactCodec codecs::two_column{.read = read_columns<TwoColumns>, .write = write};
+constinit const BatchCodec batch_codecs::two_column{.fast = {.read = nullptr, .write = write<double>},
+                                                    .exact = {.read = read_columns<TwoColumns>, .write = write<Real>}};
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

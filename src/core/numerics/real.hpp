@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-// The sources of this folder are compiled twice where that pays, for every processor and for those that have fused
-// multiply-add as an instruction, each time in a namespace of its own, so that no function of one takes the place of
-// one of the other. Both give the same numbers.
-#ifndef ROTCONV_EXACT
-#define ROTCONV_EXACT exact_plain
+// The sources of ../batch and the elementary functions are compiled twice where that pays, for every processor and for
+// those that have fused multiply-add as an instruction, each time in a namespace of its own, so that no function of one
+// takes the place of one of the other. Both give the same numbers. All else is compiled for every processor.
+#ifndef ROTCONV_TARGET
+#define ROTCONV_TARGET any_processor
 #endif
 
 #if defined(__FMA__) || defined(__aarch64__)
@@ -22,7 +22,8 @@
 #define ROTCONV_INLINE inline
 #endif
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 
 /// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: 106 bits. hi is the sum rounded to double. Needs
 /// -ffp-contract=off. The bounds below hold where products and their low parts neither overflow nor underflow:
@@ -31,9 +32,9 @@ struct Real {
     double hi = 0.0;
     double lo = 0.0;
 
-    constexpr Real() noexcept = default;
-    constexpr Real(double value) noexcept : hi(value) {}
-    constexpr Real(double high, double low) noexcept : hi(high), lo(low) {}
+    ROTCONV_INLINE constexpr Real() noexcept = default;
+    ROTCONV_INLINE constexpr Real(double value) noexcept : hi(value) {}
+    ROTCONV_INLINE constexpr Real(double high, double low) noexcept : hi(high), lo(low) {}
 };
 
 /// a + b exactly (Knuth 1969).
@@ -137,4 +138,31 @@ ROTCONV_INLINE Real choose(bool condition, Real yes, Real no) noexcept {
     return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
 }
 
-} // namespace rotconv::ROTCONV_EXACT
+// The same for doubles, so that a formula may be written once for both: each rounds once.
+
+ROTCONV_INLINE double quick_sum(double a, double b) noexcept { return a + b; }
+ROTCONV_INLINE double quick_sum_of_ordered(double a, double b) noexcept { return a + b; }
+ROTCONV_INLINE double scaled(double a, double power_of_two) noexcept { return a * power_of_two; }
+ROTCONV_INLINE double root(double a) noexcept { return __builtin_sqrt(a); }
+ROTCONV_INLINE double square(double a) noexcept { return a * a; }
+ROTCONV_INLINE double choose(bool condition, double yes, double no) noexcept { return condition ? yes : no; }
+
+/// a^2 to 106 bits; of a double exactly.
+ROTCONV_INLINE Real exact_square(double a) noexcept { return exact_product(a, a); }
+ROTCONV_INLINE Real exact_square(Real a) noexcept { return a * a; }
+
+/// The nearest double.
+ROTCONV_INLINE double nearly(double a) noexcept { return a; }
+ROTCONV_INLINE double nearly(Real a) noexcept { return a.hi; }
+
+/// a <= b.
+ROTCONV_INLINE bool is_at_most(double a, double b) noexcept { return a <= b; }
+ROTCONV_INLINE bool is_at_most(Real a, Real b) noexcept { return a.hi < b.hi || (a.hi == b.hi && a.lo <= b.lo); }
+
+/// A number in fewer digits.
+template <class T> ROTCONV_INLINE T rounded_to(Real a) noexcept = delete;
+template <> ROTCONV_INLINE double rounded_to<double>(Real a) noexcept { return a.hi; }
+template <> ROTCONV_INLINE Real rounded_to<Real>(Real a) noexcept { return a; }
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 
-#include "double_double.hpp"
+#include "../numerics/real.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 
 /// A power of two and its inverse.
 struct Scale {
@@ -27,6 +28,18 @@ struct Scale {
     return larger_of(larger_of(__builtin_fabs(x), __builtin_fabs(y)), __builtin_fabs(z));
 }
 
+/// A vector times a power of two, the larger component of size 1/2 to 1, and its length without it.
+template <class T> struct ScaledVector {
+    ROTCONV_INLINE ScaledVector(T x_, T y_) noexcept {
+        const Scale scale = scale_to_unit(largest_magnitude(nearly(x_), nearly(y_), 0.0));
+        x = scaled(x_, scale.there);
+        y = scaled(y_, scale.there);
+        length = scaled(root(quick_sum(square(x), square(y))), scale.back);
+    }
+
+    T x, y, length;
+};
+
 [[nodiscard]] ROTCONV_INLINE Real sum_of_squares(double x, double y, double z) noexcept {
     return quick_sum(quick_sum(exact_product(x, x), exact_product(y, y)), exact_product(z, z));
 }
@@ -35,4 +48,5 @@ struct Scale {
     return (x - x) + (y - y) + (z - z) == 0.0;
 }
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

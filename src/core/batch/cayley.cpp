@@ -1,17 +1,18 @@
 #include "codec.hpp"
 #include "rows.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
 struct Quotients {
     static constexpr std::size_t size = 3;
 
     template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[3]) noexcept {
-        const T inverse = T(1.0) / q[0];
-        numbers[0] = q[1] * inverse;
-        numbers[1] = q[2] * inverse;
-        numbers[2] = q[3] * inverse;
+        for (std::size_t k = 0; k < 3; ++k) {
+            numbers[k] = q[k + 1];
+        }
+        divide(numbers, q[0]);
     }
 };
 
@@ -19,8 +20,8 @@ double infinite_along(double component) noexcept {
     return component == 0.0 ? 0.0 : __builtin_copysign(__builtin_inf(), component);
 }
 
-void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* diagnostics) noexcept {
+template <class T> void write(const Spec& /*spec*/, double /*lock_margin*/, const BasicRotations<T>& rotations,
+                              std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
     write_rows<Quotients>(rotations, rows, numbers);
     for (std::size_t i = 0; i < rows; ++i) {
         double* const c = numbers + 3 * i;
@@ -29,8 +30,7 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
         diagnostics[i] = {DiagnosticKind::infinite, infinite != 0.0};
         if (infinite != 0.0) [[unlikely]] {
             const double q[4] = {rotations.w.hi[i], rotations.x.hi[i], rotations.y.hi[i], rotations.z.hi[i]};
-            const double vector_leader = q[1] != 0.0 ? q[1] : (q[2] != 0.0 ? q[2] : q[3]);
-            const double sign = (q[0] != 0.0 ? q[0] : vector_leader) < 0.0 ? -1.0 : 1.0;
+            const double sign = printed_sign(q[0], q[1], q[2], q[3]);
             for (std::size_t k = 0; k < 3; ++k) {
                 c[k] = infinite_along(q[k + 1] * sign);
             }
@@ -41,6 +41,8 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
 } // namespace
 
 // Reading rounds nothing.
-constinit const ExactCodec codecs::cayley{.read = nullptr, .write = write};
+constinit const BatchCodec batch_codecs::cayley{.fast = {.read = nullptr, .write = write<double>},
+                                                .exact = {.read = nullptr, .write = write<Real>}};
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -2,10 +2,12 @@
 #include "codec.hpp"
 #include "scaling.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
-void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+template <class T>
+void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, BasicReadings<T>& readings) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         const double* const own = numbers + 3 * i;
         const bool finite = all_finite(own[0], own[1], own[2]);
@@ -22,21 +24,21 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
         const Real square = sum_of_squares(x, y, z);
         const double norm = one * one + square.hi;
         const double to_range = norm < 0.5 ? 2.0 : (norm >= 2.0 ? 0.5 : 1.0);
-        readings.set(i, scaled(one * one - square, to_range), x * (2.0 * one * to_range), y * (2.0 * one * to_range),
-                     z * (2.0 * one * to_range));
+        const double twice = 2.0 * one * to_range;
+        readings.set(i, rounded_to<T>(scaled(one * one - square, to_range)), x * twice, y * twice, z * twice);
     }
 }
 
-void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* diagnostics) noexcept {
-    AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
+template <class T> void write(const Spec& /*spec*/, double /*lock_margin*/, const BasicRotations<T>& rotations,
+                              std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
+    AxisHalfAngles<T> parts;
     parts.take_apart(rotations, rows);
     for (std::size_t i = 0; i < rows; ++i) {
-        const Real norm = root(quick_sum(square(parts.w[i]), square(scaled(parts.length[i], parts.back[i]))));
-        const Real divisor = quick_sum(norm, parts.w[i]);
-        numbers[3 * i] = (parts.x[i] / divisor).hi * parts.back[i];
-        numbers[3 * i + 1] = (parts.y[i] / divisor).hi * parts.back[i];
-        numbers[3 * i + 2] = (parts.z[i] / divisor).hi * parts.back[i];
+        const Real norm = root(quick_sum(exact_square(parts.w[i]), square(scaled(parts.length[i], parts.back[i]))));
+        const Real inverse = 1.0 / quick_sum(norm, parts.w[i]);
+        numbers[3 * i] = (parts.x[i] * inverse).hi * parts.back[i];
+        numbers[3 * i + 1] = (parts.y[i] * inverse).hi * parts.back[i];
+        numbers[3 * i + 2] = (parts.z[i] * inverse).hi * parts.back[i];
     }
     for (std::size_t i = 0; i < rows; ++i) {
         diagnostics[i] = {DiagnosticKind::half_turn, is_half_turn(parts.w.hi[i], parts.length.hi[i], parts.back[i])};
@@ -45,6 +47,8 @@ void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotati
 
 } // namespace
 
-constinit const ExactCodec codecs::mrp{.read = read, .write = write};
+constinit const BatchCodec batch_codecs::mrp{.fast = {.read = read<double>, .write = write<double>},
+                                             .exact = {.read = read<Real>, .write = write<Real>}};
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

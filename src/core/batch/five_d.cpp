@@ -3,7 +3,8 @@
 #include "matrix.hpp"
 #include "rows.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
 struct FiveNumbers {
@@ -17,13 +18,13 @@ struct FiveNumbers {
         scaled_matrix_of(q, m);
         const T turning = quick_sum(square(q[0]), square(q[1]));
         const T tilting = quick_sum(square(q[2]), square(q[3]));
-        const T inverse =
-            T(1.0) / quick_sum(turning * T(less), tilting * T(more)); // sqrt 2 - r11, without cancellation
-        numbers[0] = m[3] * inverse;
-        numbers[1] = m[6] * inverse;
-        numbers[2] = m[1] * inverse;
-        numbers[3] = m[4] * inverse;
-        numbers[4] = m[7] * inverse;
+        numbers[0] = m[3];
+        numbers[1] = m[6];
+        numbers[2] = m[1];
+        numbers[3] = m[4];
+        numbers[4] = m[7];
+        // sqrt 2 - r11, without cancellation
+        divide(numbers, quick_sum(turning * rounded_to<T>(less), tilting * rounded_to<T>(more)));
     }
 
     /// Parallel to Hopf's columns.
@@ -38,13 +39,15 @@ struct FiveNumbers {
     }
 };
 
-void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* /*diagnostics*/) noexcept {
+template <class T> void write(const Spec& /*spec*/, double /*lock_margin*/, const BasicRotations<T>& rotations,
+                              std::size_t rows, double* numbers, DiagnosticSet* /*diagnostics*/) noexcept {
     write_rows<FiveNumbers>(rotations, rows, numbers);
 }
 
 } // namespace
 
-constinit const ExactCodec codecs::five_d{.read = read_columns<FiveNumbers>, .write = write};
+constinit const BatchCodec batch_codecs::five_d{.fast = {.read = nullptr, .write = write<double>},
+                                                .exact = {.read = read_columns<FiveNumbers>, .write = write<Real>}};
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

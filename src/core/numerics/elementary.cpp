@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
 /// sin(k pi/64) for k = 0 ... 32.
@@ -123,15 +124,15 @@ constexpr Real step{step_parts[0], step_parts[1]};
 /// Added and taken off again, it rounds a double below 2^51 to a whole number.
 constexpr double rounding = 0x1.8p52;
 
-/// An angle as so many steps of pi/64, of which 64, a half-turn, are taken off at will, and a rest in radians of at
-/// most half a step, or a little more.
+/// An angle as so many steps of pi/64, of which 128, a turn, are taken off at will, and a rest in radians of at most
+/// half a step, or a little more.
 struct Steps {
     double count;
     Real rest;
 };
 
 /// Of angles below 2^12. The product of the count with each part of pi/64 is exact.
-ROTCONV_INLINE Steps steps_in_radians(Real angle) noexcept {
+ROTCONV_INLINE Steps steps_in_radians(Real angle, Real /*scalar*/) noexcept {
     const double count = (angle.hi * 0x1.45f306dc9c883p+4 + rounding) - rounding;
     const Real first = exact_product(count, step_parts[0]);
     const Real second = exact_product(count, -step_parts[1]);
@@ -141,6 +142,15 @@ ROTCONV_INLINE Steps steps_in_radians(Real angle) noexcept {
     return {count, (near + angle.lo) + (third + count * -step_parts[3])};
 }
 
+/// The same to 2^-100 or, where more than 40 digits cancel, as many fewer.
+ROTCONV_INLINE Steps steps_in_radians(Real angle, double /*scalar*/) noexcept {
+    const double count = (angle.hi * 0x1.45f306dc9c883p+4 + rounding) - rounding;
+    const Real first = exact_product(count, step_parts[0]);
+    const Real near = exact_sum(angle.hi - first.hi, -first.lo);
+    const Real rest = quick_sum(near, exact_product(count, -step_parts[1]));
+    return {count, exact_sum_of_ordered(rest.hi, rest.lo + (angle.lo + count * -step_parts[2]))};
+}
+
 /// Of angles below 2^44: a step is 2.8125 degrees, of which multiples are doubles.
 ROTCONV_INLINE Steps steps_in_degrees(Real angle) noexcept {
     constexpr double step_in_degrees = 2.8125;
@@ -148,7 +158,7 @@ ROTCONV_INLINE Steps steps_in_degrees(Real angle) noexcept {
     // the product's low part is kept away from underflow
     const bool tiny = __builtin_fabs(angle.hi) < 0x1p-300;
     const Real rest = scaled(exact_sum(angle.hi - count * step_in_degrees, angle.lo), tiny ? 0x1p600 : 1.0);
-    return {count, scaled(rest * radians_per_degree, tiny ? 0x1p-600 : 1.0)};
+    return {count, scaled(rest * exact_radians_per_degree, tiny ? 0x1p-600 : 1.0)};
 }
 
 struct Binary {
@@ -172,38 +182,38 @@ double power_of_two(int exponent) noexcept {
     return value;
 }
 
-/// Of any double of 1 or more: the digits of angle/pi from the last whole one on, by way of 320 digits of 1/pi (Payne
-/// and Hanek 1983).
+/// Of any double of 1 or more: the digits of angle/(2 pi) behind the point, by way of 320 digits of 1/pi (Payne and
+/// Hanek 1983).
 Steps steps_in_large_radians(double angle) noexcept {
     const Binary binary = binary_of(angle);
     constexpr int words = 5;
-    std::uint64_t fraction[words]; // of 1/pi times 2^exponent, in words of falling weight
+    std::uint64_t fraction[words]; // of 1/(2 pi) times 2^exponent, in words of falling weight
     for (int i = 0; i < words; ++i) {
-        const int first = binary.exponent + 64 * i; // the place of the word's first digit, from 0
-        const int word = (first + 64) / 64 - 1;     // first / 64, rounded down
+        const int first = binary.exponent - 1 + 64 * i; // the place of the word's first digit, from 0
+        const int word = (first + 64) / 64 - 1;         // first / 64, rounded down
         const auto shift = static_cast<unsigned>(first - 64 * word);
         const std::uint64_t high = word < 0 ? 0 : inverse_of_pi[word];
         const std::uint64_t low = inverse_of_pi[word + 1];
         fraction[i] = shift == 0 ? high : (high << shift) | (low >> (64U - shift));
     }
     __extension__ using Wide = unsigned __int128;
-    std::uint64_t carry = 0; // what it is at the end is whole half-turns
+    std::uint64_t carry = 0; // what it is at the end is whole turns
     for (int i = words - 1; i >= 0; --i) {
         const Wide product = static_cast<Wide>(fraction[i]) * binary.digits + carry;
         fraction[i] = static_cast<std::uint64_t>(product);
         carry = static_cast<std::uint64_t>(product >> 64U);
     }
-    const auto count = static_cast<double>((fraction[0] + (std::uint64_t{1} << 57U)) >> 58U);
-    const auto signed_first = static_cast<std::int64_t>(fraction[0] << 6U); // of the rest, in units of 2^-64 step
+    const auto count = static_cast<double>(((fraction[0] >> 1U) + (std::uint64_t{1} << 55U)) >> 56U);
+    const auto signed_first = static_cast<std::int64_t>(fraction[0] << 7U); // of the rest, in units of 2^-64 step
     Real rest = 0.0;
     for (int i = words - 1; i > 0; --i) {
         const std::uint64_t shifted =
-            i + 1 < words ? (fraction[i] << 6U) | (fraction[i + 1] >> 58U) : fraction[i] << 6U;
+            i + 1 < words ? (fraction[i] << 7U) | (fraction[i + 1] >> 57U) : fraction[i] << 7U;
         rest = rest + scaled(exact_sum(static_cast<double>(shifted >> 32U) * 0x1p32,
                                        static_cast<double>(shifted & 0xffffffffU)),
                              power_of_two(-64 * (i + 1)));
     }
-    const auto with_carry = static_cast<std::int64_t>(static_cast<std::uint64_t>(signed_first) | (fraction[1] >> 58U));
+    const auto with_carry = static_cast<std::int64_t>(static_cast<std::uint64_t>(signed_first) | (fraction[1] >> 57U));
     rest = rest + scaled(exact_sum(static_cast<double>(with_carry >> 32) * 0x1p32,
                                    static_cast<double>(static_cast<std::uint64_t>(with_carry) & 0xffffffffU)),
                          0x1p-64);
@@ -237,17 +247,22 @@ Steps steps_in_large(Real angle, AngleUnit unit) noexcept {
         return steps_in_degrees(exact_sum(without_turns(angle.hi), without_turns(angle.lo)));
     }
     const Steps high = steps_in_large_radians(angle.hi);
-    return sum_of(high,
-                  __builtin_fabs(angle.lo) >= 1.0 ? steps_in_large_radians(angle.lo) : steps_in_radians(angle.lo));
+    return sum_of(high, __builtin_fabs(angle.lo) >= 1.0 ? steps_in_large_radians(angle.lo)
+                                                        : steps_in_radians(angle.lo, Real()));
 }
 
-/// Of angles up to 0.05.
-struct SineCosine {
-    Real sine, cosine;
-};
+/// Of any angle.
+Steps steps_of_any(Real angle, AngleUnit unit) noexcept {
+    const bool in_degrees = unit == AngleUnit::degrees;
+    if (!(__builtin_fabs(angle.hi) < (in_degrees ? 0x1p44 : 0x1p12))) {
+        return steps_in_large(angle, unit);
+    }
+    return in_degrees ? steps_in_degrees(angle) : steps_in_radians(angle, Real());
+}
 
-/// Taylor's series, in full length as far as the digits of a double would not do.
-ROTCONV_INLINE SineCosine small_sine_cosine(Real angle) noexcept {
+/// Taylor's series of an angle up to 0.05: the sine and the cosine less 1, in full length as far as the digits of a
+/// double would not do.
+ROTCONV_INLINE SineCosine<Real> small_sine_cosine(Real angle) noexcept {
     const Real s = angle * angle;
     const double sine_tail =
         0x1.71de3a556c734p-19 +
@@ -264,11 +279,129 @@ ROTCONV_INLINE SineCosine small_sine_cosine(Real angle) noexcept {
     return {quick_sum_of_ordered(angle, angle * (s * sine_1)), quick_sum_of_ordered(1.0, s * cosine_1)};
 }
 
+/// The sine and cosine of a sum, from those of the steps and the rest.
+ROTCONV_INLINE SineCosine<Real> turned(const SineCosine<Real>& steps, Real rest, Real /*scalar*/) noexcept {
+    const SineCosine<Real> small = small_sine_cosine(rest);
+    return {quick_sum(steps.sine * small.cosine, steps.cosine * small.sine),
+            quick_sum(steps.cosine * small.cosine, -(steps.sine * small.sine))};
+}
+
+/// Only what is beside the steps' own sine and cosine is rounded.
+ROTCONV_INLINE SineCosine<double> turned(const SineCosine<Real>& steps, Real rest, double /*scalar*/) noexcept {
+    const double r = rest.hi;
+    const double s = r * r;
+    const double beyond =
+        rest.lo + r * s * (-0x1.5555555555555p-3 + s * (0x1.1111111111111p-7 + s * -0x1.a01a01a01a01ap-13));
+    const double less = s * (-0.5 + s * (0x1.5555555555555p-5 + s * -0x1.6c16c16c16c17p-10));
+    const double sine = steps.sine.hi;
+    const double cosine = steps.cosine.hi;
+    return {sine + (cosine * r + (steps.sine.lo + (cosine * beyond + sine * less))),
+            cosine + ((steps.cosine.lo - sine * beyond) + (cosine * less - sine * r))};
+}
+
+/// Of all numbers of steps in a turn.
+struct TurnTable {
+    constexpr TurnTable() noexcept {
+        for (int i = 0; i < 128; ++i) {
+            const int in_half_turn = i & 63;
+            const bool obtuse = in_half_turn > 32;
+            const int from_axis = obtuse ? 64 - in_half_turn : in_half_turn;
+            const double sine_sign = i > 63 ? -1.0 : 1.0;
+            const double cosine_sign = obtuse == (i > 63) ? 1.0 : -1.0;
+            for (int part = 0; part < 2; ++part) {
+                parts[i][part] = sine_sign * sine_table[from_axis][part];
+                parts[i][2 + part] = cosine_sign * sine_table[32 - from_axis][part];
+            }
+        }
+    }
+
+    double parts[128][4]{}; ///< of the sine and of the cosine
+};
+
+constexpr TurnTable turn_table;
+
+ROTCONV_INLINE SineCosine<Real> sine_cosine_of_steps(double count) noexcept {
+    const double(&parts)[4] = turn_table.parts[static_cast<unsigned>(static_cast<std::int64_t>(count)) & 127U];
+    return {{parts[0], parts[1]}, {parts[2], parts[3]}};
+}
+
+/// A tangent's numerator and denominator, both of at most a quarter turn, the numerator times a power of two where it
+/// is very small beside the other, for then it is the angle and is kept away from underflow.
+template <class T> struct Tangent {
+    T near, far;
+    double unscale; ///< takes the power back
+    double count;   ///< of steps of 1/64 in the tangent
+};
+
+template <class T> ROTCONV_INLINE Tangent<T> tangent_from_nearer_axis(T x, T y) noexcept {
+    const T x_size = choose(nearly(x) < 0.0, -x, x);
+    const T y_size = choose(nearly(y) < 0.0, -y, y);
+    const bool flat = is_at_most(y_size, x_size);
+    const T near = choose(flat, y_size, x_size);
+    const T far = choose(flat, x_size, y_size);
+    const bool tiny = nearly(near) < nearly(far) * 0x1p-200;
+    const T divisor = choose(nearly(far) == 0.0, T(1.0), far);
+    const T scaled_near = scaled(near, tiny ? 0x1p600 : 1.0);
+    return {scaled_near, divisor, tiny ? 0x1p-600 : 1.0,
+            ((tiny ? 0.0 : nearly(near)) / nearly(divisor) * 64.0 + rounding) - rounding};
+}
+
+/// The arc tangent of what is left of a tangent after its steps: (near - far c)/(far + near c).
+ROTCONV_INLINE Real rest_of_arc_tangent(const Tangent<Real>& t) noexcept {
+    const double c = t.count * 0x1p-6;
+    const Real tangent = quick_sum(t.near, t.far * -c) / quick_sum_of_ordered(t.far, t.near * c);
+    const double true_size = tangent.hi * t.unscale;
+    const Real s = choose(t.unscale == 1.0, tangent * tangent, true_size * true_size);
+    const double tail =
+        0x1.c71c71c71c71cp-4 +
+        s.hi * (-0x1.745d1745d1746p-4 +
+                s.hi * (0x1.3b13b13b13b14p-4 + s.hi * (-0x1.1111111111111p-4 + s.hi * 0x1.e1e1e1e1e1e1ep-5)));
+    const Real third = quick_sum_of_ordered({-0x1.2492492492492p-3, -0x1.2492492492492p-57}, s.hi * tail);
+    const Real second = quick_sum_of_ordered({0x1.999999999999ap-3, -0x1.999999999999ap-57}, s * third);
+    const Real first = quick_sum_of_ordered({-0x1.5555555555555p-2, -0x1.5555555555555p-56}, s * second);
+    return quick_sum_of_ordered(tangent, tangent * (s * first));
+}
+
+ROTCONV_INLINE Real rest_of_arc_tangent(const Tangent<double>& t) noexcept {
+    const double c = t.count * 0x1p-6;
+    const Real product = exact_product(t.far, c);
+    const double tangent = ((t.near - product.hi) - product.lo) / (t.far + t.near * c);
+    const double true_size = tangent * t.unscale;
+    const double s = true_size * true_size;
+    return {tangent, tangent * s *
+                         (-0x1.5555555555555p-2 +
+                          s * (0x1.999999999999ap-3 + s * (-0x1.2492492492492p-3 + s * 0x1.c71c71c71c71cp-4)))};
+}
+
+/// The angle of (x, y), from the one that is counted from the nearer axis.
+template <class T> ROTCONV_INLINE Real from_x_axis(T x, T y, Real acute, double unscale, Real half_turn) noexcept {
+    const T x_size = choose(nearly(x) < 0.0, -x, x);
+    const T y_size = choose(nearly(y) < 0.0, -y, y);
+    const bool flat = is_at_most(y_size, x_size);
+    const bool back = nearly(x) < 0.0;
+    // from 0, from a half-turn backwards, or from a quarter turn either way
+    const double halves = flat ? (back ? 1.0 : 0.0) : 0.5;
+    const Real angle =
+        quick_sum_of_ordered(scaled(half_turn, halves), scaled(acute, flat == back ? -unscale : unscale));
+    return scaled(angle, nearly(y) < 0.0 ? -1.0 : 1.0);
+}
+
+ROTCONV_INLINE Real arc_tangent_of_steps(double count) noexcept {
+    const auto place = static_cast<unsigned>(static_cast<std::int64_t>(count));
+    return {arc_tangent_table[place][0], arc_tangent_table[place][1]};
+}
+
 } // namespace
 
-void sine_cosine(const Column& angles, std::size_t rows, AngleUnit unit, Column& cosines, Column& sines) noexcept {
+template <class T> SineCosine<T> sine_cosine(Real angle, AngleUnit unit) noexcept {
+    const Steps steps = steps_of_any(angle, unit);
+    return turned(sine_cosine_of_steps(steps.count), steps.rest, T());
+}
+
+template <class T> void sine_cosine(const Column<Real>& angles, std::size_t rows, AngleUnit unit, Column<T>& cosines,
+                                    Column<T>& sines) noexcept {
     double count[batch_rows];
-    Column rest;
+    Column<Real> rest;
     const double largest = unit == AngleUnit::degrees ? 0x1p44 : 0x1p12;
     if (unit == AngleUnit::degrees) {
         for (std::size_t i = 0; i < rows; ++i) {
@@ -278,92 +411,79 @@ void sine_cosine(const Column& angles, std::size_t rows, AngleUnit unit, Column&
         }
     } else {
         for (std::size_t i = 0; i < rows; ++i) {
-            const Steps steps = steps_in_radians(angles[i]);
+            const Steps steps = steps_in_radians(angles[i], T());
             count[i] = steps.count;
             rest.set(i, steps.rest);
         }
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        if (!(__builtin_fabs(angles.hi[i]) < largest)) {
+        if (!(__builtin_fabs(angles.hi[i]) < largest)) [[unlikely]] {
             const Steps steps = steps_in_large(angles[i], unit);
             count[i] = steps.count;
             rest.set(i, steps.rest);
         }
     }
-    Column table_cosine;
-    Column table_sine;
+    Column<Real> cosine_of_steps;
+    Column<Real> sine_of_steps;
     for (std::size_t i = 0; i < rows; ++i) {
-        const auto place = static_cast<unsigned>(static_cast<std::int64_t>(count[i])) & 63U;
-        const bool obtuse = place > 32U;
-        const unsigned from_axis = obtuse ? 64U - place : place;
-        const unsigned to_axis = 32U - from_axis;
-        const double sign = obtuse ? -1.0 : 1.0;
-        table_sine.set(i, {sine_table[from_axis][0], sine_table[from_axis][1]});
-        table_cosine.set(i, {sign * sine_table[to_axis][0], sign * sine_table[to_axis][1]});
+        const SineCosine<Real> steps = sine_cosine_of_steps(count[i]);
+        sine_of_steps.set(i, steps.sine);
+        cosine_of_steps.set(i, steps.cosine);
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const SineCosine small = small_sine_cosine(rest[i]);
-        cosines.set(i, quick_sum(table_cosine[i] * small.cosine, -(table_sine[i] * small.sine)));
-        sines.set(i, quick_sum(table_sine[i] * small.cosine, table_cosine[i] * small.sine));
+        const SineCosine<T> both = turned(SineCosine<Real>{sine_of_steps[i], cosine_of_steps[i]}, rest[i], T());
+        cosines.set(i, both.cosine);
+        sines.set(i, both.sine);
     }
 }
 
-void angles_of(const Column& x, const Column& y, std::size_t rows, AngleUnit unit, Column& angles) noexcept {
-    // Counted from the nearer axis: tan = smaller/larger, less the nearest k/64 by the formula for a difference.
-    Column smaller;
-    Column larger;
-    Column from_table;
+template <class T> Real angle_of(T x, T y, AngleUnit unit) noexcept {
+    const Tangent<T> tangent = tangent_from_nearer_axis(x, y);
+    const Real acute = quick_sum_of_ordered(arc_tangent_of_steps(tangent.count), rest_of_arc_tangent(tangent));
+    const Real in_unit = unit == AngleUnit::degrees ? acute * exact_degrees_per_radian : acute;
+    return from_x_axis(x, y, in_unit, tangent.unscale, half_turn_in(unit));
+}
+
+template <class T> void angles_of(const Column<T>& x, const Column<T>& y, std::size_t rows, AngleUnit unit,
+                                  Column<Real>& angles) noexcept {
+    Column<T> near;
+    Column<T> far;
+    Column<Real> acute;
     double count[batch_rows];
     double unscale[batch_rows];
     for (std::size_t i = 0; i < rows; ++i) {
-        const Real x_size = choose(x.hi[i] < 0.0, -x[i], x[i]);
-        const Real y_size = choose(y.hi[i] < 0.0, -y[i], y[i]);
-        const bool flat = y_size.hi < x_size.hi || (y_size.hi == x_size.hi && y_size.lo <= x_size.lo);
-        const Real near = choose(flat, y_size, x_size);
-        const Real far = choose(flat, x_size, y_size);
-        // very small tangents are their angles: those are kept away from underflow
-        const bool tiny = near.hi < far.hi * 0x1p-200;
-        unscale[i] = tiny ? 0x1p-600 : 1.0;
-        smaller.set(i, scaled(near, tiny ? 0x1p600 : 1.0));
-        larger.set(i, choose(far.hi == 0.0, 1.0, far));
-        const double ratio = near.hi / larger.hi[i];
-        count[i] = (ratio * 64.0 + rounding) - rounding;
+        const Tangent<T> tangent = tangent_from_nearer_axis<T>(x[i], y[i]);
+        near.set(i, tangent.near);
+        far.set(i, tangent.far);
+        unscale[i] = tangent.unscale;
+        count[i] = tangent.count;
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const auto place = static_cast<unsigned>(static_cast<std::int64_t>(count[i]));
-        from_table.set(i, {arc_tangent_table[place][0], arc_tangent_table[place][1]});
+        acute.set(i, arc_tangent_of_steps(count[i]));
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const double c = count[i] * 0x1p-6;
-        const Real tangent = quick_sum(smaller[i], larger[i] * -c) / quick_sum_of_ordered(larger[i], smaller[i] * c);
-        const double true_size = tangent.hi * unscale[i];
-        const Real s = choose(unscale[i] == 1.0, tangent * tangent, true_size * true_size);
-        const double tail =
-            0x1.c71c71c71c71cp-4 +
-            s.hi * (-0x1.745d1745d1746p-4 +
-                    s.hi * (0x1.3b13b13b13b14p-4 + s.hi * (-0x1.1111111111111p-4 + s.hi * 0x1.e1e1e1e1e1e1ep-5)));
-        const Real third = quick_sum_of_ordered({-0x1.2492492492492p-3, -0x1.2492492492492p-57}, s.hi * tail);
-        const Real second = quick_sum_of_ordered({0x1.999999999999ap-3, -0x1.999999999999ap-57}, s * third);
-        const Real first = quick_sum_of_ordered({-0x1.5555555555555p-2, -0x1.5555555555555p-56}, s * second);
-        smaller.set(i, quick_sum_of_ordered(from_table[i], quick_sum_of_ordered(tangent, tangent * (s * first))));
+        const Real rest = rest_of_arc_tangent(Tangent<T>{near[i], far[i], unscale[i], count[i]});
+        acute.set(i, quick_sum_of_ordered(acute[i], rest));
     }
     if (unit == AngleUnit::degrees) {
         for (std::size_t i = 0; i < rows; ++i) {
-            smaller.set(i, smaller[i] * degrees_per_radian);
+            acute.set(i, acute[i] * exact_degrees_per_radian);
         }
     }
     const Real half_turn = half_turn_in(unit);
     for (std::size_t i = 0; i < rows; ++i) {
-        const Real x_size = choose(x.hi[i] < 0.0, -x[i], x[i]);
-        const Real y_size = choose(y.hi[i] < 0.0, -y[i], y[i]);
-        const bool flat = y_size.hi < x_size.hi || (y_size.hi == x_size.hi && y_size.lo <= x_size.lo);
-        const bool back = x.hi[i] < 0.0;
-        const Real acute = scaled(smaller[i], unscale[i]);
-        // from 0, from a half-turn backwards, or from a quarter turn either way
-        const double halves = flat ? (back ? 1.0 : 0.0) : 0.5;
-        const Real angle = quick_sum_of_ordered(scaled(half_turn, halves), scaled(acute, flat == back ? -1.0 : 1.0));
-        angles.set(i, scaled(angle, y.hi[i] < 0.0 ? -1.0 : 1.0));
+        angles.set(i, from_x_axis<T>(x[i], y[i], acute[i], unscale[i], half_turn));
     }
 }
 
-} // namespace rotconv::ROTCONV_EXACT
+#define ROTCONV_FOR_SCALAR(T)                                                                                          \
+    template SineCosine<T> sine_cosine(Real, AngleUnit) noexcept;                                                      \
+    template void sine_cosine(const Column<Real>&, std::size_t, AngleUnit, Column<T>&, Column<T>&) noexcept;           \
+    template Real angle_of(T, T, AngleUnit) noexcept;                                                                  \
+    template void angles_of(const Column<T>&, const Column<T>&, std::size_t, AngleUnit, Column<Real>&) noexcept;
+ROTCONV_FOR_SCALAR(double)
+ROTCONV_FOR_SCALAR(Real)
+#undef ROTCONV_FOR_SCALAR
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "double_double.hpp"
-#include "wide.hpp"
+#include "../numerics/real.hpp"
+#include "../numerics/wide.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 
 // Matrices are nine numbers, row by row.
 
@@ -118,4 +119,5 @@ template <class T> ROTCONV_INLINE void gram_schmidt(const T (&first)[3], const T
     k.take_pivot_column(q);
 }
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

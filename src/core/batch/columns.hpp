@@ -2,11 +2,12 @@
 
 #include <cstddef>
 
+#include "../numerics/wide.hpp"
 #include "codec.hpp"
 #include "matrix.hpp"
-#include "wide.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 
 /// Whether the squares of products of such numbers keep their low parts: 0, or from 2^-100 to 2^100.
 ROTCONV_INLINE bool is_middling(double value) noexcept {
@@ -17,16 +18,12 @@ ROTCONV_INLINE bool is_middling(double value) noexcept {
 /// Reads rows that stand for two columns, by Gram-Schmidt: Formula::directions(const T (&numbers)[Formula::size],
 /// T (&first)[3], T (&second)[3]). Errors and defects are those of the plain codec.
 template <class Formula>
-void read_columns(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+void read_columns(const Spec& spec, const double* numbers, std::size_t rows, BasicReadings<Real>& readings) noexcept {
     constexpr std::size_t size = Formula::size;
     read_plain(spec, numbers, rows, readings);
     double columns[size][batch_rows];
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t k = 0; k < size; ++k) {
-            columns[k][i] = numbers[size * i + k];
-        }
-    }
-    Rotations exact; // NOLINT(*-member-init): as many rows as there are
+    to_columns(numbers, rows, columns);
+    BasicRotations<Real> exact;
     for (std::size_t i = 0; i < rows; ++i) {
         Real own[size];
         for (std::size_t k = 0; k < size; ++k) {
@@ -37,16 +34,14 @@ void read_columns(const Spec& spec, const double* numbers, std::size_t rows, Rea
         Real q[4];
         Formula::directions(own, first, second);
         gram_schmidt(first, second, q);
-        exact.w.set(i, q[0]);
-        exact.x.set(i, q[1]);
-        exact.y.set(i, q[2]);
-        exact.z.set(i, q[3]);
+        exact.set(i, q);
     }
     for (std::size_t i = 0; i < rows; ++i) {
         if (readings.error[i] != Error::none) {
             continue;
         }
-        Real q[4] = {exact.w[i], exact.x[i], exact.y[i], exact.z[i]};
+        Real q[4];
+        exact.get(i, q);
         bool middling = true;
         for (std::size_t k = 0; k < size; ++k) {
             middling = middling && is_middling(numbers[size * i + k]);
@@ -67,9 +62,10 @@ void read_columns(const Spec& spec, const double* numbers, std::size_t rows, Rea
         }
         const double length = nearly(squared_norm(q));
         if (length >= 0.2 && length <= 2.0) [[likely]] { // else the columns are parallel as far as can be told
-            readings.set(i, q[0], q[1], q[2], q[3]);
+            readings.set(i, q);
         }
     }
 }
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -2,7 +2,8 @@
 #include "matrix.hpp"
 #include "rows.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
 struct Matrix {
@@ -10,15 +11,12 @@ struct Matrix {
 
     template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[9]) noexcept {
         scaled_matrix_of(q, numbers);
-        const T inverse = T(1.0) / squared_norm(q);
-        for (T& number : numbers) {
-            number = number * inverse;
-        }
+        divide(numbers, squared_norm(q));
     }
 };
 
-void write(const Spec& /*spec*/, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* /*diagnostics*/) noexcept {
+template <class T> void write(const Spec& /*spec*/, double /*lock_margin*/, const BasicRotations<T>& rotations,
+                              std::size_t rows, double* numbers, DiagnosticSet* /*diagnostics*/) noexcept {
     write_rows<Matrix>(rotations, rows, numbers);
 }
 
@@ -156,25 +154,19 @@ void refine(const double* numbers, Real (&q)[4]) noexcept {
     }
 }
 
-void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+void read(const Spec& spec, const double* numbers, std::size_t rows, BasicReadings<Real>& readings) noexcept {
     read_plain(spec, numbers, rows, readings);
     double columns[9][batch_rows];
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t k = 0; k < 9; ++k) {
-            columns[k][i] = numbers[9 * i + k];
-        }
-    }
-    Rotations exact; // NOLINT(*-member-init): as many rows as there are
+    to_columns(numbers, rows, columns);
+    BasicRotations<Real> exact;
     for (std::size_t i = 0; i < rows; ++i) {
         const double m[9] = {columns[0][i], columns[1][i], columns[2][i], columns[3][i], columns[4][i],
                              columns[5][i], columns[6][i], columns[7][i], columns[8][i]};
         const double q[4] = {readings.w.hi[i], readings.x.hi[i], readings.y.hi[i], readings.z.hi[i]};
         double correction[4];
         newton_step<Real>(m, q, q, correction);
-        exact.w.set(i, exact_sum(q[0], correction[0]));
-        exact.x.set(i, exact_sum(q[1], correction[1]));
-        exact.y.set(i, exact_sum(q[2], correction[2]));
-        exact.z.set(i, exact_sum(q[3], correction[3]));
+        exact.set(i, exact_sum(q[0], correction[0]), exact_sum(q[1], correction[1]), exact_sum(q[2], correction[2]),
+                  exact_sum(q[3], correction[3]));
     }
     for (std::size_t i = 0; i < rows; ++i) {
         if (readings.error[i] != Error::none) {
@@ -188,15 +180,18 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& r
         if (one_step) [[likely]] {
             readings.set(i, exact.w[i], exact.x[i], exact.y[i], exact.z[i]);
         } else {
-            Real q[4] = {readings.w[i], readings.x[i], readings.y[i], readings.z[i]};
+            Real q[4];
+            readings.get(i, q);
             refine(numbers + 9 * i, q);
-            readings.set(i, q[0], q[1], q[2], q[3]);
+            readings.set(i, q);
         }
     }
 }
 
 } // namespace
 
-constinit const ExactCodec codecs::dcm{.read = read, .write = write};
+constinit const BatchCodec batch_codecs::dcm{.fast = {.read = nullptr, .write = write<double>},
+                                             .exact = {.read = read, .write = write<Real>}};
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -1,21 +1,21 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
-#include "double_double.hpp"
+#include "real.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 
 /// 2^exponent, for a normal result.
 inline double power_of_two(int exponent) noexcept {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+    return __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52U);
 }
 
 /// The exponent of a normal number's leading bit; -1023 for 0.
 inline int exponent_of(double value) noexcept {
-    return static_cast<int>((std::bit_cast<std::uint64_t>(value) >> 52U) & 0x7ffU) - 1023;
+    return static_cast<int>((__builtin_bit_cast(std::uint64_t, value) >> 52U) & 0x7ffU) - 1023;
 }
 
 /// Whether products of such numbers and others of ordinary size keep their low parts: 0, or from 2^-450 to 2^450.
@@ -113,6 +113,7 @@ private:
     int exponent_ = 0; ///< of 2
 };
 
-ROTCONV_INLINE double nearly(Real a) noexcept { return a.hi; }
+template <> inline Wide rounded_to<Wide>(Real a) noexcept { return a; }
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

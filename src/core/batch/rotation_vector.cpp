@@ -1,21 +1,23 @@
+#include "../numerics/elementary.hpp"
 #include "axis_half_angle.hpp"
 #include "codec.hpp"
-#include "elementary.hpp"
 #include "scaling.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
-void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+template <class T>
+void read(const Spec& spec, const double* numbers, std::size_t rows, BasicReadings<T>& readings) noexcept {
     const AngleUnit unit = spec.unit;
     double x[batch_rows];
     double y[batch_rows];
     double z[batch_rows];
     double back[batch_rows];
-    Column length;
-    Column half{};
-    Column cosine;
-    Column sine;
+    Column<Real> length;
+    Column<Real> half;
+    Column<T> cosine;
+    Column<T> sine;
     for (std::size_t i = 0; i < rows; ++i) {
         const double own_x = numbers[3 * i];
         const double own_y = numbers[3 * i + 1];
@@ -37,26 +39,24 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& r
         half.set(i, scaled(length[i], 0.5 * back[i]));
     }
     sine_cosine(half, rows, unit, cosine, sine);
-    const Real half_unit = unit == AngleUnit::degrees ? scaled(radians_per_degree, 0.5) : Real(0.5);
+    const Real half_unit = unit == AngleUnit::degrees ? scaled(exact_radians_per_degree, 0.5) : Real(0.5);
     for (std::size_t i = 0; i < rows; ++i) {
         // of very small vectors sin(x) = x; their products are kept away from underflow
         const bool tiny = back[i] < 0x1p-200;
-        const Real ratio = choose(tiny, half_unit, sine[i] / choose(tiny, 1.0, length[i]));
+        const Real ratio = choose(tiny, half_unit, sine[i] / choose(tiny, Real(1.0), length[i]));
         const double factor = tiny ? back[i] : 1.0;
-        readings.w.set(i, cosine[i]);
-        readings.x.set(i, scaled(ratio * x[i], factor));
-        readings.y.set(i, scaled(ratio * y[i], factor));
-        readings.z.set(i, scaled(ratio * z[i], factor));
+        readings.set(i, cosine[i], rounded_to<T>(scaled(ratio * x[i], factor)),
+                     rounded_to<T>(scaled(ratio * y[i], factor)), rounded_to<T>(scaled(ratio * z[i], factor)));
     }
 }
 
-void write(const Spec& spec, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* diagnostics) noexcept {
-    AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
+template <class T> void write(const Spec& spec, double /*lock_margin*/, const BasicRotations<T>& rotations,
+                              std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
+    AxisHalfAngles<T> parts;
     parts.take_apart(rotations, rows);
     parts.find_angles(rows, spec.unit);
     for (std::size_t i = 0; i < rows; ++i) {
-        const Real ratio = parts.angle[i] / choose(parts.length.hi[i] == 0.0, 1.0, parts.length[i]);
+        const Real ratio = parts.angle[i] / choose(parts.length.hi[i] == 0.0, Real(1.0), parts.length[i]);
         numbers[3 * i] = (ratio * parts.x[i]).hi * parts.angle_back[i];
         numbers[3 * i + 1] = (ratio * parts.y[i]).hi * parts.angle_back[i];
         numbers[3 * i + 2] = (ratio * parts.z[i]).hi * parts.angle_back[i];
@@ -68,6 +68,8 @@ void write(const Spec& spec, double /*lock_margin*/, const Rotations& rotations,
 
 } // namespace
 
-constinit const ExactCodec codecs::rotvec{.read = read, .write = write};
+constinit const BatchCodec batch_codecs::rotvec{.fast = {.read = read<double>, .write = write<double>},
+                                                .exact = {.read = read<Real>, .write = write<Real>}};
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -1,16 +1,18 @@
+#include "../numerics/elementary.hpp"
 #include "axis_half_angle.hpp"
 #include "codec.hpp"
-#include "elementary.hpp"
 #include "scaling.hpp"
 
-namespace rotconv::ROTCONV_EXACT {
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
 namespace {
 
-void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
+template <class T>
+void read(const Spec& spec, const double* numbers, std::size_t rows, BasicReadings<T>& readings) noexcept {
     const AngleUnit unit = spec.unit;
-    Column half{};
-    Column cosine;
-    Column sine;
+    Column<Real> half;
+    Column<T> cosine;
+    Column<T> sine;
     for (std::size_t i = 0; i < rows; ++i) {
         const double* const own = numbers + 4 * i;
         const bool finite = all_finite(own[0], own[1], own[2]) && all_finite(own[3], 0.0, 0.0);
@@ -19,7 +21,7 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& r
         half.set(i, finite ? 0.5 * own[3] : 0.0);
     }
     sine_cosine(half, rows, unit, cosine, sine);
-    const Real unit_factor = unit == AngleUnit::degrees ? radians_per_degree : Real(1.0);
+    const Real unit_factor = unit == AngleUnit::degrees ? exact_radians_per_degree : Real(1.0);
     for (std::size_t i = 0; i < rows; ++i) {
         const double* const own = numbers + 4 * i;
         const bool finite = readings.error[i] == Error::none;
@@ -39,24 +41,24 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, Readings& r
         const Real length = root(sum_of_squares(x, y, z));
         // of very small angles sin(x) = x; their products are kept away from underflow
         const bool tiny = __builtin_fabs(half.hi[i]) < 0x1p-200;
-        const Real factor = choose(tiny, unit_factor * (0.5 * (own[3] * (tiny ? 0x1p600 : 1.0))), sine[i]);
+        const Real factor = choose(tiny, unit_factor * (0.5 * (own[3] * (tiny ? 0x1p600 : 1.0))), Real(sine[i]));
         const double back = tiny ? 0x1p-600 : 1.0;
-        readings.set(i, length * cosine[i], scaled(factor * x, back), scaled(factor * y, back),
-                     scaled(factor * z, back));
+        readings.set(i, rounded_to<T>(length * cosine[i]), rounded_to<T>(scaled(factor * x, back)),
+                     rounded_to<T>(scaled(factor * y, back)), rounded_to<T>(scaled(factor * z, back)));
     }
 }
 
-void write(const Spec& spec, double /*lock_margin*/, const Rotations& rotations, std::size_t rows, double* numbers,
-           DiagnosticSet* diagnostics) noexcept {
-    AxisHalfAngles parts; // NOLINT(*-member-init): written before it is read
+template <class T> void write(const Spec& spec, double /*lock_margin*/, const BasicRotations<T>& rotations,
+                              std::size_t rows, double* numbers, DiagnosticSet* diagnostics) noexcept {
+    AxisHalfAngles<T> parts;
     parts.take_apart(rotations, rows);
     parts.find_angles(rows, spec.unit);
     for (std::size_t i = 0; i < rows; ++i) {
         const bool is_identity = parts.length.hi[i] == 0.0;
-        const Real length = choose(is_identity, 1.0, parts.length[i]);
-        numbers[4 * i] = is_identity ? 1.0 : (parts.x[i] / length).hi;
-        numbers[4 * i + 1] = (parts.y[i] / length).hi;
-        numbers[4 * i + 2] = (parts.z[i] / length).hi;
+        const Real inverse = 1.0 / choose(is_identity, Real(1.0), parts.length[i]);
+        numbers[4 * i] = is_identity ? 1.0 : (parts.x[i] * inverse).hi;
+        numbers[4 * i + 1] = (parts.y[i] * inverse).hi;
+        numbers[4 * i + 2] = (parts.z[i] * inverse).hi;
         numbers[4 * i + 3] = parts.angle.hi[i] * parts.angle_back[i];
     }
     for (std::size_t i = 0; i < rows; ++i) {
@@ -67,6 +69,8 @@ void write(const Spec& spec, double /*lock_margin*/, const Rotations& rotations,
 
 } // namespace
 
-constinit const ExactCodec codecs::axis_angle{.read = read, .write = write};
+constinit const BatchCodec batch_codecs::axis_angle{.fast = {.read = read<double>, .write = write<double>},
+                                                    .exact = {.read = read<Real>, .write = write<Real>}};
 
-} // namespace rotconv::ROTCONV_EXACT
+} // namespace ROTCONV_TARGET
+} // namespace rotconv
