@@ -58,8 +58,8 @@ inline Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept {
     const double squared_norm = q.squared_norm();
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     const double norm = std::sqrt(squared_norm);
-    const double divisor = std::fabs(squared_norm - 1.0) <= rounding ? 1.0 : norm;
-    return {q.w() / divisor, q.x() / divisor, q.y() / divisor, q.z() / divisor};
+    const double inverse = std::fabs(squared_norm - 1.0) <= rounding ? 1.0 : 1.0 / norm;
+    return {q.w() * inverse, q.x() * inverse, q.y() * inverse, q.z() * inverse};
 }
 
 } // namespace rotconv::quaternion

@@ -1,5 +1,7 @@
 #include "batch.hpp"
 
+#include <array>
+
 namespace rotconv {
 
 extern const BatchFunctions functions_of_any_processor;
@@ -18,17 +20,15 @@ const BatchFunctions& batch_functions() noexcept {
 }
 
 Reading read_row(const Spec& spec, const double* numbers) noexcept {
-    Readings one; // NOLINT(*-member-init)
-    batch_functions().read(spec, numbers, 1, one);
-    return one.reading(0);
+    std::array<double, 4> q{};
+    double defect = 0.0;
+    const Error error = batch_functions().read_one(spec, numbers, q.data(), defect);
+    return error == Error::none ? Reading(Rotation::near_unit(q[0], q[1], q[2], q[3]), defect) : Reading(error);
 }
 
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin) noexcept {
-    Rotations one; // NOLINT(*-member-init): the other rows
-    one.set(0, rotation);
-    DiagnosticSet diagnostics;
-    batch_functions().write(spec, lock_margin, one, 1, numbers, &diagnostics);
-    return diagnostics;
+    const std::array<double, 4> q{rotation.w(), rotation.x(), rotation.y(), rotation.z()};
+    return batch_functions().write_one(spec, lock_margin, q.data(), numbers);
 }
 
 } // namespace rotconv

@@ -33,6 +33,9 @@ struct BatchFunctions {
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept;
     void (*write)(const Spec& spec, double lock_margin, const Rotations& rotations, std::size_t rows, double* numbers,
                   DiagnosticSet* diagnostics) noexcept;
+    /// The same of one row, q as w, x, y, z.
+    Error (*read_one)(const Spec& spec, const double* numbers, double* q, double& defect) noexcept;
+    DiagnosticSet (*write_one)(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept;
     /// From one representation to the other, each number rounded once. `readings` become the attitudes that are
     /// written, rounded, with the defects and errors of the rows.
     void (*convert)(const ExactBatch& batch, const double* in, std::size_t rows, Readings& readings, double* out,

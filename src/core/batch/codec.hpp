@@ -19,9 +19,16 @@ template <class T> struct ScalarCodec {
                   double* numbers, DiagnosticSet* diagnostics) noexcept;
 };
 
+/// One row in double, for programs that have no more; null: as a batch. `q` is the quaternion w, x, y, z.
+struct RowCodec {
+    Error (*read)(const Spec& spec, const double* numbers, double* q) noexcept = nullptr;
+    DiagnosticSet (*write)(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept = nullptr;
+};
+
 struct BatchCodec {
     ScalarCodec<double> fast;
     ScalarCodec<Real> exact;
+    RowCodec one{};
 };
 
 #define ROTCONV_LINE(id) extern const BatchCodec id;

@@ -28,6 +28,33 @@ void write(const Spec& spec, double lock_margin, const Rotations& rotations, std
     batch_codec_of(spec.name).fast.write(spec, lock_margin, rotations, rows, numbers, diagnostics);
 }
 
+Error read_one(const Spec& spec, const double* numbers, double* q, double& defect) noexcept {
+    const BatchCodec& codec = batch_codec_of(spec.name);
+    if (codec.one.read != nullptr) {
+        return codec.one.read(spec, numbers, q);
+    }
+    Readings readings;
+    read_by(codec.fast, spec, numbers, 1, readings);
+    q[0] = readings.w[0];
+    q[1] = readings.x[0];
+    q[2] = readings.y[0];
+    q[3] = readings.z[0];
+    defect = readings.defect[0];
+    return readings.error[0];
+}
+
+DiagnosticSet write_one(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept {
+    const BatchCodec& codec = batch_codec_of(spec.name);
+    if (codec.one.write != nullptr) {
+        return codec.one.write(spec, lock_margin, q, numbers);
+    }
+    Rotations rotations;
+    rotations.set(0, q[0], q[1], q[2], q[3]);
+    DiagnosticSet diagnostics;
+    codec.fast.write(spec, lock_margin, rotations, 1, numbers, &diagnostics);
+    return diagnostics;
+}
+
 /// A product of quaternions to 2^-100 of its length, its own kept in [1/4, 4) by a power of two.
 void multiply(const Real (&a)[4], const Real (&b)[4], Real (&product)[4]) noexcept {
     product[0] = (a[0] * b[0] - a[1] * b[1]) - (a[2] * b[2] + a[3] * b[3]);
@@ -110,7 +137,11 @@ void read_plain(const Spec& spec, const double* numbers, std::size_t rows, Basic
 #define ROTCONV_FUNCTIONS_OF(target) ROTCONV_JOINED(functions_of_, target)
 #define ROTCONV_JOINED(a, b) a##b
 extern const BatchFunctions ROTCONV_FUNCTIONS_OF(ROTCONV_TARGET);
-constinit const BatchFunctions ROTCONV_FUNCTIONS_OF(ROTCONV_TARGET){
-    .read = read, .write = write, .convert = convert, .read_exactly = read_exactly};
+constinit const BatchFunctions ROTCONV_FUNCTIONS_OF(ROTCONV_TARGET){.read = read,
+                                                                    .write = write,
+                                                                    .read_one = read_one,
+                                                                    .write_one = write_one,
+                                                                    .convert = convert,
+                                                                    .read_exactly = read_exactly};
 
 } // namespace rotconv

@@ -1,7 +1,7 @@
-#include "../numerics/elementary.hpp"
+#include "rotation_vector.hpp"
+
 #include "axis_half_angle.hpp"
 #include "codec.hpp"
-#include "scaling.hpp"
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
@@ -30,23 +30,26 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, BasicReadin
         z[i] = finite ? own_z : 0.0;
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const Scale scale = scale_to_unit(largest_magnitude(x[i], y[i], z[i]));
-        x[i] *= scale.there;
-        y[i] *= scale.there;
-        z[i] *= scale.there;
-        back[i] = scale.back;
-        length.set(i, root(sum_of_squares(x[i], y[i], z[i])));
-        half.set(i, scaled(length[i], 0.5 * back[i]));
+        const ScaledRotationVector v(x[i], y[i], z[i]);
+        x[i] = v.x;
+        y[i] = v.y;
+        z[i] = v.z;
+        back[i] = v.back;
+        length.set(i, v.length);
+        half.set(i, v.half_angle());
     }
     sine_cosine(half, rows, unit, cosine, sine);
-    const Real half_unit = unit == AngleUnit::degrees ? scaled(exact_radians_per_degree, 0.5) : Real(0.5);
+    const Real half_unit = half_unit_in_radians(unit);
     for (std::size_t i = 0; i < rows; ++i) {
-        // of very small vectors sin(x) = x; their products are kept away from underflow
-        const bool tiny = back[i] < 0x1p-200;
-        const Real ratio = choose(tiny, half_unit, sine[i] / choose(tiny, Real(1.0), length[i]));
-        const double factor = tiny ? back[i] : 1.0;
-        readings.set(i, cosine[i], rounded_to<T>(scaled(ratio * x[i], factor)),
-                     rounded_to<T>(scaled(ratio * y[i], factor)), rounded_to<T>(scaled(ratio * z[i], factor)));
+        ScaledRotationVector v;
+        v.x = x[i];
+        v.y = y[i];
+        v.z = z[i];
+        v.back = back[i];
+        v.length = length[i];
+        T q[4];
+        quaternion_of(v, SineCosine<T>{sine[i], cosine[i]}, half_unit, q);
+        readings.set(i, q);
     }
 }
 
@@ -66,10 +69,24 @@ template <class T> void write(const Spec& spec, double /*lock_margin*/, const Ba
     }
 }
 
+Error read_one(const Spec& spec, const double* numbers, double* q) noexcept {
+    if (!all_finite(numbers[0], numbers[1], numbers[2])) {
+        return Error::not_finite;
+    }
+    const ScaledRotationVector v(numbers[0], numbers[1], numbers[2]);
+    double own[4];
+    quaternion_of(v, sine_cosine<double>(v.half_angle(), spec.unit), half_unit_in_radians(spec.unit), own);
+    for (std::size_t k = 0; k < 4; ++k) {
+        q[k] = own[k];
+    }
+    return Error::none;
+}
+
 } // namespace
 
 constinit const BatchCodec batch_codecs::rotvec{.fast = {.read = read<double>, .write = write<double>},
-                                                .exact = {.read = read<Real>, .write = write<Real>}};
+                                                .exact = {.read = read<Real>, .write = write<Real>},
+                                                .one = {.read = read_one}};
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

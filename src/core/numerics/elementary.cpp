@@ -252,12 +252,12 @@ Steps steps_in_large(Real angle, AngleUnit unit) noexcept {
 }
 
 /// Of any angle.
-Steps steps_of_any(Real angle, AngleUnit unit) noexcept {
+template <class T> ROTCONV_INLINE Steps steps_of_any(Real angle, AngleUnit unit, T scalar) noexcept {
     const bool in_degrees = unit == AngleUnit::degrees;
-    if (!(__builtin_fabs(angle.hi) < (in_degrees ? 0x1p44 : 0x1p12))) {
+    if (!(__builtin_fabs(angle.hi) < (in_degrees ? 0x1p44 : 0x1p12))) [[unlikely]] {
         return steps_in_large(angle, unit);
     }
-    return in_degrees ? steps_in_degrees(angle) : steps_in_radians(angle, Real());
+    return in_degrees ? steps_in_degrees(angle) : steps_in_radians(angle, scalar);
 }
 
 /// Taylor's series of an angle up to 0.05: the sine and the cosine less 1, in full length as far as the digits of a
@@ -394,7 +394,7 @@ ROTCONV_INLINE Real arc_tangent_of_steps(double count) noexcept {
 } // namespace
 
 template <class T> SineCosine<T> sine_cosine(Real angle, AngleUnit unit) noexcept {
-    const Steps steps = steps_of_any(angle, unit);
+    const Steps steps = steps_of_any(angle, unit, T());
     return turned(sine_cosine_of_steps(steps.count), steps.rest, T());
 }
 

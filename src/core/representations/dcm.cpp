@@ -51,31 +51,6 @@ struct PowerStep {
     std::array<double, 4> q;
 };
 
-/// The matrix of q/|q|, times |q|^2. It stays in this file, which is compiled without contraction: with fused products
-/// the differences that are 0 at quarter turns would not be.
-struct ScaledMatrix {
-    // NOLINTNEXTLINE(*-member-init): all of them
-    ScaledMatrix(double w, double x, double y, double z) noexcept {
-        const double ww = w * w;
-        const double xx = x * x;
-        const double yy = y * y;
-        const double zz = z * z;
-        entries = {(ww - yy) + (xx - zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), //
-                   2.0 * (x * y + w * z), (ww - xx) + (yy - zz), 2.0 * (y * z - w * x), //
-                   2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww - xx) + (zz - yy)};
-        squared_norm = (ww + xx) + (yy + zz);
-    }
-
-    /// An entry is 1 or -1 only where one of these four vanishes; then a division keeps it. Elsewhere the inverse is as
-    /// accurate, and quicker.
-    [[nodiscard]] bool may_be_one() const noexcept {
-        return (entries[0] * entries[4]) * (entries[1] * entries[2]) == 0.0;
-    }
-
-    std::array<double, 9> entries;
-    double squared_norm;
-};
-
 /// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
 /// on trace(R(q)' M) against M itself then removes the rounding of the decomposition.
 Reading far_from_rotation(const Dcm& matrix) noexcept {
@@ -176,15 +151,6 @@ double defect(const Dcm& matrix) noexcept {
         return std::fabs(square_excess) / (1.0 + std::sqrt(1.0 + square_excess));
     };
     return std::max(from_one(solver.eigenvalues()[0]), from_one(solver.eigenvalues()[2]));
-}
-
-Dcm from_rotation(const Rotation& rotation) noexcept {
-    const ScaledMatrix scaled(rotation.w(), rotation.x(), rotation.y(), rotation.z());
-    const Eigen::Map<const RowMajor> m(scaled.entries.data());
-    if (scaled.may_be_one()) {
-        return m / scaled.squared_norm;
-    }
-    return m * (1.0 / scaled.squared_norm);
 }
 
 Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }

@@ -6,10 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include "../batch/scaling.hpp"
+#include "../batch/euler.hpp"
 #include "../numerics/angles.hpp"
 #include "codec.hpp"
-#include "fixed_axes.hpp"
 
 namespace rotconv {
 
@@ -37,23 +36,6 @@ std::array<char, 3> EulerSequence::letters() const noexcept {
 namespace euler {
 namespace {
 
-/// C and S, cosine and sine of half the middle angle (and of pi/4 more for Tait-Bryan angles), times a common factor; as
-/// in ../batch/euler.cpp.
-struct Halves {
-    Halves(const Rotation& q, const FixedAxes& axes) noexcept {
-        const double w = q.w();
-        const double i = q.along(axes.i);
-        const double j = q.along(axes.j);
-        const double k = q.along(axes.k) * axes.sign;
-        const double first = axes.proper ? ScaledVector(w, i).length : ScaledVector(w - j, i + k).length;
-        const double second = axes.proper ? ScaledVector(j, k).length : ScaledVector(j + w, k - i).length;
-        smaller = std::min(first, second);
-        larger = std::max(first, second);
-    }
-
-    double smaller, larger;
-};
-
 /// The axis of one outer turn, `near`, is fixed in the frame. Then w = near' e_n + R_n (middle' e_m + R_m far' e_f)
 /// with R_n and R_m turns about the axes n and m, inverse in body axes, and e_f = e_k, or e_n for a proper sequence.
 struct RateSystem {
@@ -76,32 +58,34 @@ struct RateSystem {
     double far_along, far_across; // components of R_m e_f along n and k
 };
 
-Spec spec_of(EulerSequence sequence, AngleUnit unit) noexcept {
-    return {.name = RepresentationId::euler, .sequence = sequence, .unit = unit};
-}
-
 } // namespace
 
 Reading to_rotation(const EulerAngles& value) noexcept {
-    return read_row(spec_of(value.sequence, value.unit), value.angles.data());
+    return read_row({.name = RepresentationId::euler, .sequence = value.sequence, .unit = value.unit},
+                    value.angles.data());
 }
 
 EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
                           double lock_margin) noexcept {
     EulerAngles result{.sequence = sequence, .unit = unit};
-    write_row(spec_of(sequence, unit), rotation, result.angles.data(), lock_margin);
+    write_row({.name = RepresentationId::euler, .sequence = sequence, .unit = unit}, rotation, result.angles.data(),
+              lock_margin);
     return result;
 }
 
 DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence, double lock_margin) noexcept {
     std::array<double, 3> angles{};
-    return write_row(spec_of(sequence, AngleUnit::radians), rotation, angles.data(), lock_margin);
+    return write_row({.name = RepresentationId::euler, .sequence = sequence}, rotation, angles.data(), lock_margin);
 }
 
 Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept {
-    const Halves h(rotation, FixedAxes(sequence));
-    return {.margin = 2.0 * angle_of(h.larger, h.smaller, AngleUnit::radians).hi,
-            .condition = ScaledVector(h.smaller, h.larger).length / (std::numbers::sqrt2 * h.smaller)};
+    const FixedAxes axes(sequence);
+    const TurnVectors<double> vectors(
+        axes, {rotation.w(), rotation.along(axes.i), rotation.along(axes.j), rotation.along(axes.k)});
+    const double smaller = std::min(vectors.cosine_length, vectors.sine_length);
+    const double larger = std::max(vectors.cosine_length, vectors.sine_length);
+    return {.margin = 2.0 * angle_of(larger, smaller, AngleUnit::radians).hi,
+            .condition = ScaledVector(smaller, larger).length / (std::numbers::sqrt2 * smaller)};
 }
 
 Eigen::Vector3d rate(const EulerAngles& value, const Eigen::Vector3d& w, Frame frame) noexcept {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "../batch/scaling.hpp"
+#include "../batch/rotation_vector.hpp"
 #include "../numerics/angles.hpp"
 #include "../numerics/scaling.hpp"
 #include "codec.hpp"
@@ -31,10 +31,7 @@ HalfLength half_length(const RotationVector& value) noexcept {
     if (size <= linear_half_angle * per_radian) {
         return {};
     }
-    const auto scale = PowerOfTwo::to_unit(size);
-    const Eigen::Vector3d v = value.vector.unaryExpr(scale);
-    const Real length = root(sum_of_squares(v.x(), v.y(), v.z()));
-    const Real half{scale.undone(0.5 * length.hi), scale.undone(0.5 * length.lo)};
+    const Real half = ScaledRotationVector(value.vector.x(), value.vector.y(), value.vector.z()).half_angle();
     return {half.hi / per_radian, sine_cosine<double>(half, value.unit)};
 }
 
