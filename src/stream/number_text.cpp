@@ -1,15 +1,12 @@
 #include "number_text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <utility>
 
 #include <dragonbox/dragonbox.h>
-#include <dragonbox/dragonbox_to_chars.h>
 #include <fmt/compile.h>
 
 namespace rotconv::stream {
@@ -46,47 +43,9 @@ bool is_large(std::string_view digits) noexcept {
     return magnitude > 0;
 }
 
-// Dragonbox writes the shortest digits as d.dddE-1 in half of the time of fmt; most numbers of attitudes and angles
-// need no more than the point moved to have the form of fmt's {}.
+static_assert(std::endian::native == std::endian::little, "f64 is little-endian, and digits stand in words");
 
-/// From 1e-4 to below 1.
-char* write_fraction(char* to, double magnitude) noexcept {
-    constexpr std::ptrdiff_t exponent_size = 3; // E-1 to E-4
-    const std::ptrdiff_t exponent = magnitude >= 0.1 ? 1 : magnitude >= 0.01 ? 2 : magnitude >= 0.001 ? 3 : 4;
-    std::memset(to, '0', 5);
-    char* const digits = to + exponent; // so that those behind the point are in their place
-    const char* const end = jkj::dragonbox::to_chars_n(magnitude, digits) - exponent_size;
-    digits[1] = std::exchange(digits[0], '0');
-    to[1] = '.';
-    return to + std::max(end - to, exponent + 2);
-}
-
-/// From 1 to below 1000; null where the digits end before the point.
-char* write_whole(char* to, double magnitude) noexcept {
-    constexpr std::ptrdiff_t exponent_size = 2; // E0 to E2
-    const std::ptrdiff_t exponent = magnitude < 10 ? 0 : magnitude < 100 ? 1 : 2;
-    char* const end = jkj::dragonbox::to_chars_n(magnitude, to) - exponent_size;
-    if (end - to > exponent + 2) {
-        std::copy_n(to + 2, exponent, to + 1);
-        to[exponent + 1] = '.';
-        return end;
-    }
-    return end == to + 1 && exponent == 0 ? end : nullptr;
-}
-
-/// The shortest digits in the form of fmt's {}.
-char* write_shortest(char* to, double value) {
-    const double magnitude = std::abs(value);
-    if (magnitude >= 1e-4 && magnitude < 1e3) {
-        char* const unsigned_to = to + (std::signbit(value) ? 1 : 0);
-        *to = '-';
-        char* const end = magnitude < 1 ? write_fraction(unsigned_to, magnitude) : write_whole(unsigned_to, magnitude);
-        if (end != nullptr) {
-            return end;
-        }
-    }
-    return fmt::format_to(to, FMT_COMPILE("{}"), std::isnan(value) ? magnitude : value); // no sign for nan
-}
+__extension__ using Wide = unsigned __int128;
 
 constexpr auto powers_of_ten = [] {
     std::array<std::uint64_t, 18> powers{1};
@@ -95,57 +54,140 @@ constexpr auto powers_of_ten = [] {
     }
     return powers;
 }();
+constexpr int most_digits = 17;
 
-std::ptrdiff_t digits_of(std::uint64_t number) noexcept {
-    return std::ranges::upper_bound(powers_of_ten, number) - powers_of_ten.begin();
+// Numbers of attitudes and angles have a form without an exponent, if they are no smaller than
+constexpr double smallest_plain = 1e-4;
+// and smaller than
+constexpr double plain_end = 1e15;
+// fmt writes the others, in the same form.
+
+constexpr int lowest_point = -3; // digits before the point, less zeros behind it
+
+bool is_plain(double magnitude) noexcept { return magnitude >= smallest_plain && magnitude < plain_end; }
+
+double without_sign_of_nan(double value) noexcept { return std::isnan(value) ? std::abs(value) : value; }
+
+/// The digits of a number below 10^8, one in a byte, the first of them in the lowest: it is halved until each has its
+/// own.
+std::uint64_t eight_digits(std::uint64_t number) noexcept {
+    std::uint64_t parts = number / 10'000 | (number % 10'000) << 32U;
+    const std::uint64_t hundreds = parts * 5243 >> 19U & 0x7f'0000'007f;
+    parts = hundreds | (parts - 100 * hundreds) << 16U;
+    const std::uint64_t tens = parts * 103 >> 10U & 0x000f'000f'000f'000f;
+    return tens | (parts - 10 * tens) << 8U;
 }
 
-/// Up to 15 significant digits in the form of fmt's {:g}, of a number from 1e-4 to below 1e15; null where it takes the
-/// exact value to round, or the form is another.
-///
-/// The shortest digits, rounded, are those of the value rounded: half of a digit would be a number between the two that
-/// is shorter, or nearer, than the shortest digits; only where they end in that 5 they do not tell. Up to 15 digits a
-/// number that has no more is its own rounding.
-char* write_rounded(char* to, double value, int precision) noexcept {
-    const double magnitude = std::abs(value);
-    if (!(magnitude >= 1e-4 && magnitude < 1e15) || precision > 15) {
-        return nullptr;
-    }
-    auto [digits, exponent] = jkj::dragonbox::to_decimal(magnitude, jkj::dragonbox::policy::sign::ignore);
-    if (const std::ptrdiff_t more = digits_of(digits) - precision; more > 0) {
-        const std::uint64_t unit = powers_of_ten[static_cast<std::size_t>(more)];
-        const std::uint64_t rest = digits % unit;
-        if (2 * rest == unit) {
-            return nullptr;
-        }
-        digits = digits / unit + (2 * rest > unit ? 1 : 0);
-        exponent += static_cast<int>(more);
-        for (; digits % 10 == 0; digits /= 10) {
-            ++exponent;
-        }
-    }
-    const std::ptrdiff_t count = digits_of(digits);
-    const std::ptrdiff_t point = count + exponent; // digits before it
-    if (point > precision) {
-        return nullptr;
-    }
+/// 17 digits, of which the first is not 0 and `point` (-3 to 15) stand before the point, without zeros at their end.
+/// Writes beyond the end that it returns.
+char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noexcept {
+    constexpr std::uint64_t half = powers_of_ten[8];
+    const auto first = static_cast<char>('0' + digits / powers_of_ten[16]);
+    const std::uint64_t rest = digits % powers_of_ten[16];
+    const std::uint64_t high = eight_digits(rest / half);
+    const std::uint64_t low = rest % half != 0 ? eight_digits(rest % half) : 0;
+    const int zeros = (low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high)) / 8;
+    const int count = most_digits - zeros;
+    constexpr std::uint64_t ascii = 0x3030'3030'3030'3030;
+    Wide others = static_cast<Wide>(low | ascii) << 64U | (high | ascii);
+
     *to = '-';
-    to += std::signbit(value) ? 1 : 0;
+    to += negative ? 1 : 0;
     if (point <= 0) {
-        std::memset(to, '0', 6);
-        to[1] = '.';
+        std::memcpy(to, "0.000", 5);
         to += 2 - point;
+        *to = first;
+        std::memcpy(to + 1, &others, sizeof others);
+        return to + count;
     }
-    char* const end = std::to_chars(to, to + count, digits).ptr;
-    if (point >= count) {
-        return std::fill_n(end, point - count, '0');
+    *to = first;
+    std::memcpy(to + 1, &others, sizeof others);
+    if (count <= point) {
+        return to + point;
     }
-    if (point > 0) {
-        std::copy_backward(to + point, end, end + 1);
-        to[point] = '.';
-        return end + 1;
+    to[point] = '.';
+    others >>= static_cast<unsigned>(8 * (point - 1));
+    std::memcpy(to + point + 1, &others, sizeof others);
+    return to + count + 1;
+}
+
+/// The shortest digits in the form of fmt's {}.
+char* write_shortest(char* to, double value) {
+    const double magnitude = std::abs(value);
+    if (!is_plain(magnitude)) {
+        return fmt::format_to(to, FMT_COMPILE("{}"), without_sign_of_nan(value));
     }
-    return end;
+    namespace policy = jkj::dragonbox::policy;
+    auto [digits, exponent] =
+        jkj::dragonbox::to_decimal(magnitude, policy::sign::ignore, policy::trailing_zero::ignore);
+    int count = static_cast<int>(std::bit_width(digits)) * 1233 >> 12; // log10(2) is 1233 / 4096
+    count += digits >= powers_of_ten[static_cast<std::size_t>(count)] ? 1 : 0;
+    digits *= powers_of_ten[static_cast<std::size_t>(most_digits - count)];
+    return write_digits(to, digits, count + exponent, std::signbit(value));
+}
+
+/// A power of ten that is significand 2^exponent.
+struct PowerOfTen {
+    std::uint64_t significand; ///< of 64 bits
+    int exponent;
+};
+
+constexpr auto scales = [] {
+    std::array<PowerOfTen, most_digits - lowest_point + 1> powers{};
+    std::uint64_t power_of_five = 1;
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+        const int zeros = std::countl_zero(power_of_five);
+        powers[i] = {power_of_five << static_cast<unsigned>(zeros), static_cast<int>(i) - zeros};
+        power_of_five *= 5;
+    }
+    return powers;
+}();
+
+/// How many digits a plain number has before the point.
+int point_of(double magnitude, int binary_exponent) noexcept {
+    // Below 1 they are a little more than the powers, and no double lies between: it is the powers that are compared.
+    static constexpr std::array ends{1e-4, 1e-3, 1e-2, 1e-1, 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
+                                     1e6,  1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const int point = (binary_exponent * 1233 >> 12) + 1; // or one more
+    return point + (magnitude >= ends[static_cast<std::size_t>(point - lowest_point + 1)] ? 1 : 0);
+}
+
+/// Significant digits in the form of fmt's {:g}.
+///
+/// The double and the power of ten that makes those digits an integer are significands of 64 bits with exponents, exact
+/// both: their product, in two words, is the exact value, which is rounded to even where it is a tie.
+char* write_rounded(char* to, double value, int precision) {
+    const auto other_form = [&] {
+        return fmt::format_to(to, FMT_COMPILE("{:.{}g}"), without_sign_of_nan(value), precision);
+    };
+    const double magnitude = std::abs(value);
+    if (!is_plain(magnitude) || precision > most_digits) {
+        return other_form();
+    }
+    const auto bits = std::bit_cast<std::uint64_t>(magnitude);
+    const int exponent = static_cast<int>(bits >> 52U) - 1023;
+    const std::uint64_t significand = bits << 11U | std::uint64_t{1} << 63U;
+    int point = point_of(magnitude, exponent);
+    if (point > precision) {
+        return other_form();
+    }
+    const PowerOfTen& scale = scales[static_cast<std::size_t>(precision - point)];
+    const Wide product = static_cast<Wide>(significand) * scale.significand;
+    const auto high = static_cast<std::uint64_t>(product >> 64U);
+    const auto low = static_cast<std::uint64_t>(product);
+    const auto shift = static_cast<unsigned>(-1 - exponent - scale.exponent); // 6 to 63: digits take 1 to 57 bits
+    std::uint64_t digits = high >> shift;
+    const bool half = (high >> (shift - 1) & 1U) != 0;
+    const bool more = (high << (65 - shift) | low) != 0;
+    digits += half && (more || (digits & 1U) != 0) ? 1 : 0;
+    digits *= powers_of_ten[static_cast<std::size_t>(most_digits - precision)];
+    if (digits == powers_of_ten[most_digits]) { // carried to the front
+        if (++point > precision) {
+            return other_form();
+        }
+        digits /= 10;
+    }
+    return write_digits(to, digits, point, std::signbit(value));
 }
 
 } // namespace
@@ -190,37 +232,21 @@ bool is_number(std::string_view text) noexcept {
     return read_number(text, value) != NumberError::not_a_number;
 }
 
-void append_number(Buffer& to, double value, int precision) {
-    if (precision == 0) {
-        append_numbers(to, {&value, 1}, ' ');
-        return;
-    }
-    constexpr std::size_t longest = 32;
-    const std::size_t size = to.size();
-    to.reserve(size + longest);
-    if (const char* const end = write_rounded(to.data() + size, value, precision)) {
-        to.resize(static_cast<std::size_t>(end - to.data()));
-    } else if (std::isnan(value)) {
-        append(to, "nan"); // whatever its sign bit
-    } else {
-        fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.{}g}"), value, precision);
-    }
-}
-
-void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter) {
-    constexpr std::size_t longest = 32; // -2.2250738585072014e-308 has 24
+void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, int precision) {
+    constexpr std::size_t longest =
+        128; // with the 100 digits that may be asked for, and what is written beyond the end
     to.reserve(to.size() + longest * numbers.size());
     char* end = to.data() + to.size();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i > 0) {
             *end++ = delimiter;
         }
-        end = write_shortest(end, numbers[i]);
+        end = precision == 0 ? write_shortest(end, numbers[i]) : write_rounded(end, numbers[i], precision);
     }
     to.resize(static_cast<std::size_t>(end - to.data()));
 }
 
-static_assert(std::endian::native == std::endian::little, "f64 is little-endian");
+void append_number(Buffer& to, double value, int precision) { append_numbers(to, {&value, 1}, ' ', precision); }
 
 void append_bytes(Buffer& to, std::span<const double> numbers) {
     const auto bytes = std::as_bytes(numbers);

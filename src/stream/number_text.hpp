@@ -27,8 +27,8 @@ inline void append(Buffer& to, std::string_view text) { to.append(text.data(), t
 /// Shortest text that reads back to the same double, or `precision` significant digits where that is not 0.
 void append_number(Buffer& to, double value, int precision);
 
-/// The shortest text of each, with the delimiter between them.
-void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter);
+/// The same of each, with the delimiter between them.
+void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, int precision);
 
 /// The numbers as they are in memory, little-endian.
 void append_bytes(Buffer& to, std::span<const double> numbers);

@@ -69,8 +69,8 @@ void RowText::write_number(Buffer& to, double value, std::size_t column) const {
 
 void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (options_->precision == 0) {
-        append_numbers(to, row.result, delimiter);
+    if (std::isinf(half_turn_)) {
+        append_numbers(to, row.result, delimiter, options_->precision);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             if (i > 0) {
