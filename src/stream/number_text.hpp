@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -22,7 +23,11 @@ NumberError read_number(std::string_view text, double& value) noexcept;
 
 using Buffer = fmt::memory_buffer;
 
-inline void append(Buffer& to, std::string_view text) { to.append(text.data(), text.data() + text.size()); }
+inline void append(Buffer& to, std::string_view text) {
+    const std::size_t size = to.size();
+    to.resize(size + text.size());
+    text.copy(to.data() + size, text.size());
+}
 
 /// Shortest text that reads back to the same double, or `precision` significant digits where that is not 0.
 void append_number(Buffer& to, double value, int precision);

@@ -11,6 +11,8 @@
 namespace rotconv::stream {
 namespace {
 
+constexpr std::string_view separator = ", "; // of JSON's members
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Kinds joined by '+'.
@@ -49,6 +51,15 @@ RowText::RowText(const Options& options, const Layout& layout) : options_(&optio
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
         half_a_digit_ = 0.5 * std::pow(10.0, (degrees ? 3 : 1) - options.precision);
     }
+    const auto add_key = [this](std::string_view name) {
+        Buffer key;
+        append(key, separator);
+        append_json_string(key, name);
+        append(key, ": ");
+        json_keys_.push_back(fmt::to_string(key));
+    };
+    std::ranges::for_each(options.operation.names, add_key);
+    std::ranges::for_each(diagnostic_names, add_key);
 }
 
 void RowText::write(Buffer& to, const ConvertedRow& row) const {
@@ -107,18 +118,14 @@ void RowText::write_csv(Buffer& to, const ConvertedRow& row) const {
 
 void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
-    bool first = true;
-    const auto part = [&] {
-        append(to, first ? "" : ", ");
-        first = false;
-    };
-    const auto key = [&](std::string_view name) {
-        part();
-        append_json_string(to, name);
-        append(to, ": ");
+    std::size_t passed = separator.size(); // before the first key
+    const auto key = [&](std::size_t i) {
+        append(to, std::string_view(json_keys_[i]).substr(passed));
+        passed = 0;
     };
     const auto other = [&](std::size_t i) {
-        part();
+        append(to, separator.substr(passed));
+        passed = 0;
         layout_->keys.append_to(to, i, row.fields.size());
         append(to, ": ");
         const std::string_view text = trimmed(row.fields[i]);
@@ -136,27 +143,23 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
         for_each_output(*layout_, row.fields.size(), other, [] {});
     }
     const auto number = [&](double value, std::size_t column) {
-        if (std::isnan(value)) {
-            append(to, "null");
-            return;
+        if (std::isfinite(value)) {
+            write_number(to, value, column);
+        } else {
+            append(to, std::isnan(value) ? "null" : value > 0 ? "\"inf\"" : "\"-inf\"");
         }
-        const std::string_view quote = std::isinf(value) ? "\"" : "";
-        append(to, quote);
-        write_number(to, value, column);
-        append(to, quote);
     };
-    const auto& names = options_->operation.names;
     for (std::size_t i = 0; i < row.result.size(); ++i) {
-        key(names[i]);
+        key(i);
         number(row.result[i], i);
     }
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);
         for (std::size_t i = 0; i < figures.size(); ++i) {
-            key(diagnostic_names[i]);
+            key(row.result.size() + i);
             number(figures[i], middle_angle_); // a figure is no outer angle
         }
-        key(diagnostic_names.back());
+        key(row.result.size() + figures.size());
         to.push_back('"');
         append_notes(to, row);
         to.push_back('"');

@@ -42,6 +42,7 @@ private:
 
     const Options* options_;
     const Layout* layout_;
+    std::vector<std::string> json_keys_; ///< of the result and the diagnostic columns, each with what stands around it
     double half_turn_ = std::numeric_limits<double>::infinity(); ///< of outer Euler angles that are rounded
     std::size_t middle_angle_ = 1;                               ///< the column of the other
     double half_a_digit_ = 0.0;                                  ///< the last that is printed of it
