@@ -130,8 +130,11 @@ TEST_CASE("precision counts significant digits") {
     CHECK(text_of(0.1, 20) == "0.10000000000000000555");
 }
 
-// Would catch: digits that are rounded twice, a tie that is broken by the shortest digits, a carry that is lost.
-TEST_CASE("significant digits are those of the exact value, in the form of fmt") {
+namespace {
+
+/// Significant digits against fmt: angles, any bits, decimals, their ties as decimals and as doubles, and what lies
+/// beside.
+void compare_with_fmt(int numbers) {
     std::mt19937_64 engine(11);
     const auto digits = [&engine](int count) {
         return std::floor(std::uniform_real_distribution<>(0, 1)(engine) * std::pow(10, count));
@@ -139,21 +142,50 @@ TEST_CASE("significant digits are those of the exact value, in the form of fmt")
     const auto sized = [&engine](double number) {
         return number * std::pow(10, std::uniform_int_distribution(-6, 6)(engine));
     };
-    for (int i = 0; i < 300'000; ++i) {
-        const int count = i % 16 + 1;
-        const std::array<double, 5> values{std::uniform_real_distribution<>(-180, 180)(engine),
-                                           std::bit_cast<double>(engine()), sized(digits(count)),
-                                           sized((digits(count) + 0.5) / std::pow(10, count)),
-                                           std::nextafter((digits(count) + 0.5) / std::pow(10, count), i % 2 * 1e9)};
+    for (int i = 0; i < numbers; ++i) {
+        const int count = i % 17 + 1;
+        const double tie = (digits(count) + 0.5) / std::pow(10, i / 17 % (count + 1));
+        const double few_bits = std::ldexp(std::floor(digits(count)), -std::uniform_int_distribution(0, 30)(engine));
+        const std::array<double, 6> values{std::uniform_real_distribution<>(-180, 180)(engine),
+                                           std::bit_cast<double>(engine()),
+                                           sized(digits(count)),
+                                           sized(tie),
+                                           few_bits,
+                                           std::nextafter(tie, i / 17 % 2 * 1e300)};
         const double value = values.at(static_cast<std::size_t>(i) % values.size());
-        const int precision = i / 5 % 18 + 1;
+        const int precision = std::uniform_int_distribution(1, 18)(engine);
         if (!std::isnan(value) && text_of(value, precision) != fmt::format("{:.{}g}", value, precision)) {
             CHECK(text_of(value, precision) == fmt::format("{:.{}g}", value, precision));
         }
     }
+}
+
+} // namespace
+
+// Would catch: digits that are rounded twice, a tie that does not go to the even digit, a carry that is lost.
+TEST_CASE("significant digits are those of the exact value, in the form of fmt") {
+    compare_with_fmt(300'000);
     CHECK(text_of(0.125, 2) == "0.12"); // ties to even, as the value is exact
     CHECK(text_of(2.675, 3) == "2.67"); // 2.67499999999999982236431605997495353221893310546875
     CHECK(text_of(999.96, 4) == "1000");
     CHECK(text_of(-0.00099999, 2) == "-0.001");
     CHECK(text_of(180, 1) == "2e+02");
 }
+
+// Would catch: a number that is taken for one of the next decade, or carried into it without its form.
+TEST_CASE("significant digits beside powers of ten have the form of fmt") {
+    for (int tens = -7; tens < 19; ++tens) {
+        for (int precision = 1; precision <= 20; ++precision) {
+            const double power = std::pow(10, tens);
+            for (const double near : {power, power * (1 - std::pow(10, -precision) / 2)}) {
+                for (const double value : {-near, near, std::nextafter(near, 0.0), std::nextafter(near, 1e20),
+                                           std::nextafter(near, -1e20)}) {
+                    CHECK(text_of(value, precision) == fmt::format("{:.{}g}", value, precision));
+                }
+            }
+        }
+    }
+}
+
+// A few minutes: test_stream "[large]".
+TEST_CASE("significant digits of a hundred million numbers", "[.large]") { compare_with_fmt(100'000'000); }
