@@ -21,7 +21,7 @@ random='function uniform() { seed = seed * 16807 % 2147483647; return seed / 107
 # Quaternions of all attitudes, and with vectors or scalars down to 1e-12.
 awk "$random"' BEGIN {
     seed = 14
-    for (i = 0; i < 200; ++i) {
+    for (i = 0; i < 400; ++i) {
         for (k = 0; k < 4; ++k) q[k] = uniform()
         for (k = i % 13; k > 0; --k)
             if (i % 3 == 1) q[0] /= 10
@@ -30,7 +30,7 @@ awk "$random"' BEGIN {
         printf "%.17g %.17g %.17g %.17g\n", q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm
     }
 }' > "$work/attitudes"
-awk "$random"' BEGIN { seed = 15; for (i = 0; i < 1000; ++i) printf "%.17g %.17g %.17g\n", uniform(), uniform(), uniform() }' > "$work/vectors"
+awk "$random"' BEGIN { seed = 15; for (i = 0; i < 1500; ++i) printf "%.17g %.17g %.17g\n", uniform(), uniform(), uniform() }' > "$work/vectors"
 
 # rows SPEC: the file of these attitudes in all digits, in four and in one, which is noise, and of those of attitudes.csv.
 rows() {
