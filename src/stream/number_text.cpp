@@ -9,39 +9,10 @@
 #include <dragonbox/dragonbox.h>
 #include <fmt/compile.h>
 
+#include "scan_number.hpp"
+
 namespace rotconv::stream {
 namespace {
-
-/// Whether a decimal number outside the range of double is too large, not too small: std::from_chars does not tell.
-bool is_large(std::string_view digits) noexcept {
-    if (digits.starts_with('-')) {
-        digits.remove_prefix(1);
-    }
-    const auto exponent_at = digits.find_first_of("eE");
-    const std::string_view mantissa = digits.substr(0, exponent_at);
-    const auto point = mantissa.find('.');
-    const auto whole = static_cast<long long>(point == std::string_view::npos ? mantissa.size() : point);
-    const auto leading = mantissa.find_first_of("123456789");
-    if (leading == std::string_view::npos) {
-        return false;
-    }
-    const auto place = static_cast<long long>(leading);
-    long long magnitude =
-        place < whole ? whole - place : whole - place + 1; // the first digit is worth 10^(magnitude - 1)
-    if (exponent_at != std::string_view::npos) {
-        std::string_view exponent = digits.substr(exponent_at + 1);
-        const bool negative = exponent.starts_with('-');
-        if (negative || exponent.starts_with('+')) {
-            exponent.remove_prefix(1);
-        }
-        long long value = 0;
-        if (std::from_chars(exponent.data(), exponent.data() + exponent.size(), value).ec != std::errc{}) {
-            return !negative;
-        }
-        return negative ? magnitude > value : magnitude > -value;
-    }
-    return magnitude > 0;
-}
 
 static_assert(std::endian::native == std::endian::little, "f64 is little-endian, and digits stand in words");
 
@@ -190,6 +161,11 @@ char* write_rounded(char* to, double value, int precision) {
     return write_digits(to, digits, point, std::signbit(value));
 }
 
+bool scan_whole(std::string_view text, double& value) noexcept {
+    const char* const end = text.data() + text.size();
+    return !text.empty() && scan_number(text.data(), end, value) == end;
+}
+
 } // namespace
 
 std::string_view trimmed(std::string_view text) noexcept {
@@ -201,9 +177,7 @@ std::string_view trimmed(std::string_view text) noexcept {
 }
 
 NumberError read_number(std::string_view text, double& value) noexcept {
-    const char* const whole_end = text.data() + text.size();
-    if (const auto [stop, error] = std::from_chars(text.data(), whole_end, value);
-        stop == whole_end && error == std::errc{}) {
+    if (scan_whole(text, value) && std::isfinite(value)) {
         return NumberError::none; // as nearly all are
     }
     text = trimmed(text);
@@ -213,18 +187,11 @@ NumberError read_number(std::string_view text, double& value) noexcept {
             return NumberError::not_a_number;
         }
     }
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error == std::errc::invalid_argument || stop != end) {
+    if (!scan_whole(text, value)) {
         return NumberError::not_a_number;
     }
-    if (error == std::errc::result_out_of_range) {
-        if (is_large(text)) {
-            return NumberError::too_large;
-        }
-        value = 0.0;
-    }
-    return NumberError::none;
+    const bool is_spelt_out = text.find_first_of("123456789") == std::string_view::npos; // inf
+    return std::isinf(value) && !is_spelt_out ? NumberError::too_large : NumberError::none;
 }
 
 bool is_number(std::string_view text) noexcept {

@@ -1,10 +1,11 @@
 #include "row_reader.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "delimiter.hpp"
+#include "scan_number.hpp"
 
 namespace rotconv::stream {
 
@@ -64,9 +65,10 @@ bool RowReader::read_plain(std::string_view text, std::vector<double>& numbers) 
     const char* at = text.data();
     const char* const end = at + text.size();
     for (std::size_t i = first; i < numbers.size(); ++i) {
-        const auto [stop, error] = std::from_chars(at, end, numbers[i]);
+        const char* const stop = scan_number(at, end, numbers[i]);
         const bool is_last = i + 1 == numbers.size();
-        if (error != std::errc{} || (stop == end) != is_last || (!is_last && *stop != layout_->delimiter.text())) {
+        if (stop == nullptr || !std::isfinite(numbers[i]) || (stop == end) != is_last ||
+            (!is_last && *stop != layout_->delimiter.text())) {
             numbers.resize(first);
             return false;
         }

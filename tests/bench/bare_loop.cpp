@@ -2,7 +2,6 @@
 // check, no other field and no line counted.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include <unistd.h>
 
 #include "stream/number_text.hpp"
+#include "stream/scan_number.hpp"
 
 namespace {
 
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
         while (at < block.data() + end) {
             double q[4];
             for (double& component : q) {
-                at = std::from_chars(at, block.data() + end, component).ptr + 1;
+                at = rotconv::stream::scan_number(at, block.data() + end, component) + 1;
             }
             convert(out, q[0], q[1], q[2], q[3]);
         }

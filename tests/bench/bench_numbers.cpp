@@ -1,5 +1,5 @@
 // bench_numbers: libraries that print and read doubles, on numbers of attitudes: components of unit quaternions, all of
-// their digits. fast_float and double-conversion take part where they are installed.
+// their digits. double-conversion takes part where it is installed.
 
 #include <charconv>
 #include <cstddef>
@@ -12,10 +12,8 @@
 
 #include "inputs.hpp"
 #include "stream/number_text.hpp"
+#include "stream/scan_number.hpp"
 
-#ifdef HAS_FAST_FLOAT
-#include <fast_float/fast_float.h>
-#endif
 #ifdef HAS_DOUBLE_CONVERSION
 #include <double-conversion/double-conversion.h>
 #endif
@@ -92,18 +90,14 @@ void read_std(benchmark::State& state) {
                  [](const char* begin, const char* end, double& number) { std::from_chars(begin, end, number); });
 }
 
+/// As the program reads.
+void read_fast_float(benchmark::State& state) { time_reading(state, rotconv::stream::scan_number); }
+
 BENCHMARK(print_fmt);
 BENCHMARK(print_std);
 BENCHMARK(print_dragonbox);
 BENCHMARK(read_std);
-
-#ifdef HAS_FAST_FLOAT
-void read_fast_float(benchmark::State& state) {
-    time_reading(
-        state, [](const char* begin, const char* end, double& number) { fast_float::from_chars(begin, end, number); });
-}
 BENCHMARK(read_fast_float);
-#endif
 
 #ifdef HAS_DOUBLE_CONVERSION
 void print_double_conversion(benchmark::State& state) {

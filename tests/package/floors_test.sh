@@ -24,7 +24,7 @@ violations() {
         # The libraries that not every floor may know.
         function lowest_user_of(library) {
             if (library ~ /^CLI\//) return 5
-            if (library ~ /^(fmt|dragonbox)\//) return 4
+            if (library ~ /^(fmt|dragonbox|fast_float)\//) return 4
             return -1
         }
         function exists(path,   line, found) {
