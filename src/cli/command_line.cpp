@@ -109,7 +109,7 @@ void define(CLI::App& app, RawOptions& texts) {
     define_lock_margin(app, texts);
     app.add_option("--method", texts.method,
                    "A published formula in the place of rotconv's own, or fast: plain double; see rotconv list methods")
-        ->type_name("NAME");
+        ->type_name("METHOD");
     app.require_subcommand(0, 1);
 }
 
@@ -204,6 +204,26 @@ void refuse_before(const CLI::App& app, const std::string& command) {
     }
 }
 
+CommandText text_of(const CLI::App& app, std::string name) {
+    CommandText text{.name = std::move(name), .about = app.get_description(), .options = {}};
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->get_positional()) {
+            text.takes_name = true;
+            continue;
+        }
+        OptionText& last = text.options.emplace_back();
+        for (const std::string& letter : option->get_snames()) {
+            last.names.push_back("-" + letter);
+        }
+        for (const std::string& word : option->get_lnames()) {
+            last.names.push_back("--" + word);
+        }
+        last.argument = option->get_items_expected_max() > 0 ? option->get_type_name() : "";
+        last.about = option->get_description();
+    }
+    return text;
+}
+
 } // namespace
 
 Command read_command_line(int argc, const char* const* argv) {
@@ -240,6 +260,17 @@ Command read_command_line(int argc, const char* const* argv) {
     } catch (const Usage& error) {
         return UsageError{error.what()};
     }
+}
+
+std::vector<CommandText> command_table() {
+    CLI::App app;
+    RawOptions texts;
+    define(app, texts);
+    std::vector<CommandText> table{text_of(app, "")};
+    for (const Entry& entry : commands) {
+        table.push_back(text_of(*add(entry, app, texts), std::string(entry.name)));
+    }
+    return table;
 }
 
 } // namespace rotconv::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <rotconv/identification.hpp>
 #include <rotconv/survey.hpp>
@@ -83,5 +84,22 @@ using Command =
     std::variant<RowsCommand, SurveyCommand, CompareCommand, IdentifyCommand, ListCommand, PrintCommand, UsageError>;
 
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
+
+/// An option as --help shows it.
+struct OptionText {
+    std::vector<std::string> names;
+    std::string argument; ///< what stands for it; empty where it takes none
+    std::string about;
+};
+
+struct CommandText {
+    std::string name; ///< empty: the conversion
+    std::string about;
+    std::vector<OptionText> options;
+    bool takes_name = false; ///< in the place of FILEs and VALUEs
+};
+
+/// The conversion and the commands, for completion.
+[[nodiscard]] std::vector<CommandText> command_table();
 
 } // namespace rotconv::cli

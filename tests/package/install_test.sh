@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 
 "$cmake" --install "$build" --prefix "$work/usr" > "$work/log"
 for file in bin/rotconv include/rotconv/rotconv.hpp share/man/man1/rotconv.1 share/doc/rotconv/LICENSE \
-    share/doc/rotconv/LGPL-2.1; do
+    share/doc/rotconv/LGPL-2.1 share/bash-completion/completions/rotconv share/zsh/site-functions/_rotconv; do
     [ -f "$work/usr/$file" ] || {
         echo "FAILED: $file is not installed"
         exit 1

@@ -1,0 +1,112 @@
+// write_completion TEMPLATE: the completion of bash and zsh, from the program's own tables, in the place of @words@.
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <rotconv/spec.hpp>
+
+#include "../methods/method.hpp"
+#include "command_line.hpp"
+#include "messages.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// A text in quotes of the shell.
+std::string quoted(std::string_view text) {
+    std::string result = "'";
+    for (const char c : text) {
+        result += c == '\'' ? R"('\'')" : std::string(1, c);
+    }
+    return result + "'";
+}
+
+std::string joined(const std::vector<std::string_view>& words) {
+    return quoted(fmt::format("{}", fmt::join(words, " ")));
+}
+
+std::vector<std::string_view> names_of(const Representation& entry) {
+    std::vector<std::string_view> names{entry.text};
+    std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
+    return names;
+}
+
+std::string sequences() {
+    std::vector<std::string> all;
+    for (const EulerSequence sequence : EulerSequence::all()) {
+        const auto letters = sequence.letters();
+        all.emplace_back(letters.data(), letters.size());
+    }
+    return quoted(fmt::format("{}", fmt::join(all, " ")));
+}
+
+/// The modifiers and presets that each representation takes.
+std::string modifiers() {
+    std::string presets_text;
+    for (const Preset& preset : presets()) {
+        presets_text += fmt::format(" {}", preset.text);
+    }
+    std::string text = "    modifiers= sequences=\n    case ${2-} in\n";
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
+        text += fmt::format("    {}) modifiers={}", fmt::join(names_of(entry), " | "),
+                            quoted(messages::words_of(entry.modifiers, " ") + presets_text));
+        text += entry.takes_sequence ? fmt::format(" sequences={} ;;\n", sequences()) : " ;;\n";
+    }
+    return text + "    esac\n";
+}
+
+/// A line for each name of each option: the name, the argument or a dash, and what is said of it.
+std::string lines_of(const std::vector<OptionText>& options) {
+    std::string lines;
+    for (const OptionText& option : options) {
+        for (const std::string& name : option.names) {
+            lines += fmt::format("{} {} {}\n", name, option.argument.empty() ? "-" : option.argument, option.about);
+        }
+    }
+    return quoted(lines);
+}
+
+std::string words() {
+    std::vector<std::string_view> names;
+    for (const RepresentationId id : all_representations) {
+        std::ranges::copy(names_of(representation(id)), std::back_inserter(names));
+    }
+    std::vector<std::string_view> method_names{fast_method};
+    for (const Method& method : methods()) {
+        if (std::ranges::find(method_names, method.name) == method_names.end()) {
+            method_names.push_back(method.name);
+        }
+    }
+    std::string commands;
+    std::string options = "    operands=\n    case ${1-} in\n";
+    for (const CommandText& command : command_table()) {
+        if (!command.name.empty()) {
+            commands += fmt::format("{} - {}\n", command.name, command.about);
+        }
+        options += fmt::format("    {})\n        options={}\n", quoted(command.name), lines_of(command.options));
+        options += command.takes_name ? "        operands=\"$names methods\"\n        ;;\n" : "        ;;\n";
+    }
+    return fmt::format(
+        "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
+        "    names={}\n    methods={}\n    commands={}\n{}    esac\n{}}}\n",
+        joined(names), joined(method_names), quoted(commands), options, modifiers());
+}
+
+} // namespace
+} // namespace rotconv::cli
+
+int main(int argc, char** argv) {
+    std::ifstream lines(argc > 1 ? argv[1] : "");
+    std::string line;
+    while (std::getline(lines, line)) {
+        std::cout << (line == "@words@" ? rotconv::cli::words() : line + "\n");
+    }
+    return lines.eof() && std::cout.flush() ? 0 : 1;
+}
