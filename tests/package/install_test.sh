@@ -24,6 +24,10 @@ for library in $(sed -n 's/^find_package(\([A-Za-z]*\).*/\1/p' "$source/CMakeLis
     }
 done
 version=$("$work/usr/bin/rotconv" --version)
+grep -q "^version: ${version#rotconv }$" "$work/usr/share/doc/rotconv/CITATION.cff" || {
+    echo "FAILED: CITATION.cff is not of the version of the program, $version"
+    exit 1
+}
 grep -q "^set(PACKAGE_VERSION \"${version#rotconv }\")" "$work"/usr/lib*/cmake/rotconv/rotconvConfigVersion.cmake \
     "$work"/usr/lib*/*/cmake/rotconv/rotconvConfigVersion.cmake 2> /dev/null || {
     echo "FAILED: the package is not of the version of the program, $version"
