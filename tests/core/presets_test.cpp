@@ -172,3 +172,74 @@ TEST_CASE("preset stuelpnagel") {
     check("cayley:stuelpnagel", {0.3, -0.5, 0.7}, "6d:stuelpnagel",
           {x(0, 0), x(1, 0), x(2, 0), x(0, 1), x(1, 1), x(2, 1)}, 1e-15);
 }
+
+// Projects whose numbers need no preset of their own, against what their sources and documentation publish; the manual
+// has the table. They catch a line of it that is wrong.
+
+// MathWorks, Aerospace Toolbox, quat2dcm, both examples.
+TEST_CASE("MATLAB's Aerospace Toolbox has passive matrices") {
+    check("quat", {1, 0, 1, 0}, "dcm:matlab", {0, 0, -1, 0, 1, 0, 1, 0, 0}, 1e-15);
+    check("quat", {1, 0.5, 0.3, 0.1}, "dcm:matlab",
+          {0.8519, 0.3704, -0.3704, 0.0741, 0.6148, 0.7852, 0.5185, -0.6963, 0.4963}, 6e-5);
+}
+
+// MathWorks, Robotics System Toolbox, se3.eul, the example of an so3 made of pi/4, pi/3, pi/8.
+TEST_CASE("MATLAB's Robotics System Toolbox has active ones") {
+    check("euler:ZYX:deg", {45, 60, 22.5}, "dcm",
+          {0.3536, -0.4189, 0.8364, 0.3536, 0.8876, 0.2952, -0.8660, 0.1913, 0.4619}, 6e-5);
+}
+
+// Drake, math/roll_pitch_yaw.h: R = Rz(y) Ry(p) Rx(r). GTSAM's RzRyRx and Ceres' Euler angles are the same product.
+TEST_CASE("roll, pitch and yaw of Drake, GTSAM, Ceres and ROS") {
+    const double r = 0.3;
+    const double p = -0.4;
+    const double y = 1.2;
+    Matrix rz;
+    rz << std::cos(y), -std::sin(y), 0, std::sin(y), std::cos(y), 0, 0, 0, 1;
+    Matrix ry;
+    ry << std::cos(p), 0, std::sin(p), 0, 1, 0, -std::sin(p), 0, std::cos(p);
+    Matrix rx;
+    rx << 1, 0, 0, 0, std::cos(r), -std::sin(r), 0, std::sin(r), std::cos(r);
+    const Matrix product = rz * ry * rx;
+    check("rpy", {r, p, y}, "dcm", rows_of(product), 1e-15);
+    check("euler:ZYX", {y, p, r}, "dcm", rows_of(product), 1e-15);           // GTSAM's ypr
+    check("rpy", {r, p, y}, "dcm:col", rows_of(product.transpose()), 1e-15); // Ceres' column-major matrices
+    // ROS, tf2/LinearMath/Quaternion.h, setRPY; Blender's eulO_to_quat for the order XYZ has the same products.
+    const double cr = std::cos(r / 2);
+    const double sr = std::sin(r / 2);
+    const double cp = std::cos(p / 2);
+    const double sp = std::sin(p / 2);
+    const double cy = std::cos(y / 2);
+    const double sy = std::sin(y / 2);
+    check("rpy", {r, p, y}, "quat:ros",
+          {sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy,
+           cr * cp * cy + sr * sp * sy},
+          1e-15);
+}
+
+// OpenCV, calib3d.hpp, Rodrigues: R = cos(theta) I + (1 - cos(theta)) rr' + sin(theta) [r].
+TEST_CASE("the vector of OpenCV's Rodrigues is a rotation vector") {
+    const Vector n(2.0 / 7, -3.0 / 7, 6.0 / 7);
+    const double theta = 1.1;
+    const Matrix m =
+        std::cos(theta) * Matrix::Identity() + (1 - std::cos(theta)) * n * n.transpose() + std::sin(theta) * cross(n);
+    check("rotvec", {theta * n.x(), theta * n.y(), theta * n.z()}, "dcm", rows_of(m), 1e-15);
+}
+
+// three.js, src/math/Euler.js, setFromRotationMatrix: XYZ has y = asin m13, x = atan2(-m23, m33), z = atan2(-m12, m11),
+// ZXY x = asin m32, y = atan2(-m31, m33), z = atan2(-m12, m22).
+TEST_CASE("Euler angles of three.js turn about the body's axes") {
+    const Numbers m = accuracy::own(spec("quat"), spec("dcm"))(Numbers{w, v.x(), v.y(), v.z()});
+    check("dcm", m, "euler:XYZ", {std::atan2(-m[5], m[8]), std::asin(m[2]), std::atan2(-m[1], m[0])}, 1e-15);
+    check("dcm", m, "euler:ZXY", {std::atan2(-m[1], m[4]), std::asin(m[7]), std::atan2(-m[6], m[8])}, 1e-15);
+}
+
+// Unity's Quaternion.cs turns vectors by the usual formula in its left-handed axes right, up, forward; the axes
+// forward, left, up are those by M.
+TEST_CASE("a Unity quaternion in right-handed axes") {
+    const Eigen::Quaterniond unity(w, v.x(), v.y(), v.z());
+    Matrix axes;
+    axes << 0, 0, 1, -1, 0, 0, 0, 1, 0;
+    check("quat:xyzw", {-v.z(), v.x(), -v.y(), w}, "dcm", rows_of(axes * unity.toRotationMatrix() * axes.transpose()),
+          1e-15);
+}
