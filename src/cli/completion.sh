@@ -11,7 +11,7 @@ _rotconv_candidates() {
     fi
     local word=$1 command= argument= operand= before prefix= newline='
 '
-    local commands names operands methods options modifiers sequences
+    local commands names presets methods operands options modifiers sequences
     shift
     _rotconv_words
     for before; do
@@ -86,8 +86,8 @@ _rotconv_spec() {
         _rotconv_words "$command" "${word%%:*}"
         prefix=$prefix${word%:*}:
         case ${word#*:} in
-        *:*) _rotconv_add "$modifiers" ;;
-        *) _rotconv_add "${sequences:-$modifiers}" ;;
+        *:*) _rotconv_add "$modifiers $presets" ;;
+        *) _rotconv_add "${sequences:-$modifiers $presets}" ;;
         esac
         ;;
     *) _rotconv_add "$names" ;;

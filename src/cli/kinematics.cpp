@@ -57,7 +57,7 @@ void define_propagate(CLI::App& app, RawOptions& texts) {
         ->type_name("ATTITUDE");
     app.add_option("--with", texts.with, "The set that is integrated (default quat)")->type_name("SET");
     app.add_option("--integrator", texts.integrator, "rk4, or for the quaternion magnus4 or magnus6")
-        ->type_name("NAME");
+        ->type_name("INTEGRATOR");
     app.add_option("--substeps", texts.substeps, "Steps from one row to the next (default 1)")->type_name("N");
     app.add_option("--interpolation", texts.interpolation,
                    "Of the angular velocity between rows: linear, or cubic, which answers one row late")

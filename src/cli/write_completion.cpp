@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,17 +47,13 @@ std::string sequences() {
     return quoted(fmt::format("{}", fmt::join(all, " ")));
 }
 
-/// The modifiers and presets that each representation takes.
+/// The modifiers that each representation takes.
 std::string modifiers() {
-    std::string presets_text;
-    for (const Preset& preset : presets()) {
-        presets_text += fmt::format(" {}", preset.text);
-    }
     std::string text = "    modifiers= sequences=\n    case ${2-} in\n";
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
         text += fmt::format("    {}) modifiers={}", fmt::join(names_of(entry), " | "),
-                            quoted(messages::words_of(entry.modifiers, " ") + presets_text));
+                            quoted(messages::words_of(entry.modifiers, " ")));
         text += entry.takes_sequence ? fmt::format(" sequences={} ;;\n", sequences()) : " ;;\n";
     }
     return text + "    esac\n";
@@ -78,6 +75,8 @@ std::string words() {
     for (const RepresentationId id : all_representations) {
         std::ranges::copy(names_of(representation(id)), std::back_inserter(names));
     }
+    std::vector<std::string_view> preset_names;
+    std::ranges::transform(presets(), std::back_inserter(preset_names), &Preset::text);
     std::vector<std::string_view> method_names{fast_method};
     for (const Method& method : methods()) {
         if (std::ranges::find(method_names, method.name) == method_names.end()) {
@@ -91,12 +90,13 @@ std::string words() {
             commands += fmt::format("{} - {}\n", command.name, command.about);
         }
         options += fmt::format("    {})\n        options={}\n", quoted(command.name), lines_of(command.options));
-        options += command.takes_name ? "        operands=\"$names methods\"\n        ;;\n" : "        ;;\n";
+        options +=
+            command.takes_name ? "        operands=\"$names $presets methods presets\"\n        ;;\n" : "        ;;\n";
     }
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
-        "    names={}\n    methods={}\n    commands={}\n{}    esac\n{}}}\n",
-        joined(names), joined(method_names), quoted(commands), options, modifiers());
+        "    names={}\n    presets={}\n    methods={}\n    commands={}\n{}    esac\n{}}}\n",
+        joined(names), joined(preset_names), joined(method_names), quoted(commands), options, modifiers());
 }
 
 } // namespace

@@ -83,11 +83,12 @@ for shell in $shells; do
     check "$shell" "rotconv -f quat -t " $names !list
     check "$shell" "rotconv propagate -t " $names
     check "$shell" "rotconv identify -f " $names
-    check "$shell" "rotconv list " $names methods !rows.csv
+    check "$shell" "rotconv list " $names $presets methods !rows.csv
     check "$shell" "rotconv -f quat -t rpy " rows.csv $commands
     check "$shell" "rotconv survey -f quat " rows.csv !list
     check "$shell" "rotconv -i " rows.csv !list
-    check "$shell" "rotconv --method " fast trace
+    check "$shell" "rotconv --method " fast trace !quat
+    check "$shell" "rotconv propagate --integrator " !quat
     check "$shell" "rotconv rates -" --inverse !--lock-margin
 done
 check_part "rotconv -f quat:" quat: $modifiers $presets !deg
