@@ -18,7 +18,7 @@ struct RotationVector {
 /// with opposite points of its surface identified: two-valued at half-turns.
 namespace rotation_vector {
 
-/// q ~ (cos(theta/2), r sin(theta/2)/theta), theta = |r| to twice the working precision: 2.5 eps up to |r| = 1e15; past
+/// q ~ (theta cos(theta/2), r sin(theta/2)), theta = |r| to twice the working precision: 3 eps up to |r| = 1e15; past
 /// that the error grows with |r| 2^-104 (none for a vector along a coordinate axis). Error: not_finite.
 [[nodiscard]] Reading to_rotation(const RotationVector& value) noexcept;
 

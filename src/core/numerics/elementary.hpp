@@ -24,7 +24,7 @@ inline constexpr Real exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab4
 template <class T> struct SineCosine { T sine, cosine; };
 
 /// The sine and cosine of an angle in radians or degrees: as Real each to 2^-103 of itself, where the angle is a double
-/// of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 0.6 ulp. Multiples of 90 degrees
+/// of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.9. Multiples of 90 degrees
 /// are exact.
 template <class T> [[nodiscard]] SineCosine<T> sine_cosine(Real angle, AngleUnit unit) noexcept;
 /// Those of a batch of rows.
@@ -32,7 +32,7 @@ template <class T> void sine_cosine(const Column<Real>& angles, std::size_t rows
                                     Column<T>& sines) noexcept;
 
 /// The angle of the vector (x, y) from the x axis, in [-pi, pi] or [-180, 180]: to 2^-103 of itself, or, from doubles,
-/// to 2^-58 but for a few ulp of them in the tangent; 0 of (0, 0). Components are below 2^400, the larger one above
+/// to 2^-51 of itself; 0 of (0, 0). Components are below 2^400, the larger one above
 /// 2^-400 or 0.
 template <class T> [[nodiscard]] Real angle_of(T x, T y, AngleUnit unit) noexcept;
 /// Those of a batch of rows.
