@@ -16,8 +16,9 @@
 namespace rotconv {
 
 /// What changes how a representation's numbers are written down.
-enum class Modifier : std::uint8_t { passive, deg, col, xyzw };
-inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg, Modifier::col, Modifier::xyzw};
+enum class Modifier : std::uint8_t { passive, deg, col, xyzw, wxyz };
+inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg, Modifier::col, Modifier::xyzw,
+                                          Modifier::wxyz};
 
 class ModifierSet {
 public:
@@ -101,7 +102,8 @@ struct SpecError {
         unknown_sequence,
         unknown_modifier,
         meaningless_modifier,
-        second_preset
+        second_preset,
+        two_orders ///< scalar first and last
     };
     What what;
     std::string text;                   ///< the part at fault

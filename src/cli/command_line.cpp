@@ -163,7 +163,7 @@ std::string unexpected(const CLI::App& app) {
             names.push_back("--" + name);
         }
     }
-    return messages::no_such_word("option", word.substr(0, word.find('=')), {names.begin(), names.end()});
+    return messages::no_such_option(word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
 /// Refuses operands that exclude each other, and FILEs that are none.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -11,45 +10,29 @@
 #include "../methods/method.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/utf8.hpp"
+#include "guesses.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
 
-/// Edits (insert, delete, replace) that lead from one text to the other.
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-    std::vector<std::size_t> row(to.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < to.size(); ++j) {
-            const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-        }
+/// "; did you mean X?", and what the word is elsewhere.
+std::string suggestion(std::string_view word, const std::optional<Guess>& guess) {
+    if (!guess) {
+        return {};
     }
-    return row.back();
+    if (guess->text.empty()) {
+        return fmt::format("; what {} would say is so without a modifier", quoted(word));
+    }
+    const std::string elsewhere =
+        guess->kind.empty() ? "" : fmt::format(" {} is a {} of {}:", word, guess->kind, guess->of);
+    return fmt::format(";{} did you mean {}?", elsewhere, guess->text);
 }
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return result;
-}
-
-/// "; did you mean X?" where a legal word is near.
-std::string suggestion(std::string_view text, const std::vector<std::string_view>& legal) {
-    std::string_view best;
-    std::size_t least = std::max<std::size_t>(2, text.size() / 2) + 1;
-    for (const std::string_view word : legal) {
-        const std::size_t distance = edit_distance(lower(text), lower(word));
-        if (distance < least) {
-            least = distance;
-            best = word;
-        }
-    }
-    return best.empty() ? std::string() : fmt::format("; did you mean {}?", best);
+/// A word that is none of the legal ones.
+std::string unknown(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal,
+                    const std::optional<Guess>& guess) {
+    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
+                       suggestion(text, guess));
 }
 
 std::vector<std::string_view> legal_names() {
@@ -174,12 +157,15 @@ std::string quoted(std::string_view text) {
 
 std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
     return fmt::format("argument: {} is no number, and as a FILE it cannot be read: {}{}", quoted(word),
-                       std::generic_category().message(error), suggestion(word, commands));
+                       std::generic_category().message(error), suggestion(word, guess_by_spelling(word, commands)));
 }
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
-    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
-                       suggestion(text, legal));
+    return unknown(what, text, legal, guess_by_spelling(text, legal));
+}
+
+std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
+    return unknown("option", text, legal, guess_option(text, legal));
 }
 
 std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
@@ -191,8 +177,8 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
     std::vector<std::string_view> legal;
     std::ranges::transform(rows, std::back_inserter(legal), &Method::name);
     legal.push_back(fast_method);
-    std::string message =
-        fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair, suggestion(text, legal));
+    std::string message = fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair,
+                                      suggestion(text, guess_by_spelling(text, legal)));
     for (const Method& method : rows) {
         message += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }
@@ -203,21 +189,26 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
 std::string explain(const SpecError& error) {
     using What = SpecError::What;
     switch (error.what) {
-    case What::unknown_name: return no_such_word("representation", error.text, legal_names());
+    case What::unknown_name: {
+        const auto legal = legal_names();
+        return unknown("representation", error.text, legal, guess_spec(error, legal));
+    }
     case What::no_sequence: return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", sequences());
     case What::unknown_sequence: {
         const auto list = sequence_list();
-        return no_such_word("Euler sequence", error.text, {list.begin(), list.end()});
+        const std::vector<std::string_view> legal(list.begin(), list.end());
+        return unknown("Euler sequence", error.text, legal, guess_spec(error, legal));
     }
     case What::unknown_modifier: {
         auto legal = list_of(error.in->modifiers);
         std::ranges::copy(legal_presets(), std::back_inserter(legal));
-        return no_such_word(fmt::format("modifier of {}", error.in->text), error.text, legal);
+        return unknown(fmt::format("modifier of {}", error.in->text), error.text, legal, guess_spec(error, legal));
     }
     case What::meaningless_modifier:
         return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
                            error.in->text, words_of(error.in->modifiers, " "), fmt::join(legal_presets(), " "));
     case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
+    case What::two_orders: return fmt::format("{} has the scalar first and last", quoted(error.text));
     }
     return {};
 }

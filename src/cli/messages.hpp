@@ -65,6 +65,9 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
                                        const std::vector<std::string_view>& legal);
 
+/// The same of an option.
+[[nodiscard]] std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal);
+
 /// Why a word names no method of the pair, with those that there are and where they hold.
 [[nodiscard]] std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text);
 

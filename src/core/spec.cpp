@@ -17,6 +17,7 @@ constexpr auto preset_table = std::to_array<Preset>({
     {"bunge", "materials science, P = +1; R takes crystal to sample"},
     {"baruh", "Baruh, Analytical Dynamics, 1999"},
     {"trawny", "Trawny and Roumeliotis 2005, the JPL quaternion"},
+    {"jpl", "the JPL quaternion, as trawny"},
     {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
 });
 
@@ -57,7 +58,7 @@ ModifierSet modifiers_of(std::string_view preset, const Representation& entry) n
 }
 
 std::string_view name_of(Modifier modifier) noexcept {
-    static constexpr std::array<std::string_view, all_modifiers.size()> names{"passive", "deg", "col", "xyzw"};
+    static constexpr std::array<std::string_view, all_modifiers.size()> names{"passive", "deg", "col", "xyzw", "wxyz"};
     static_assert(!names.back().empty());
     return names[static_cast<std::size_t>(modifier)];
 }
@@ -108,6 +109,7 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
         spec.sequence = *sequence;
     }
     std::string_view used_preset;
+    bool scalar_first = false;
     while (more) {
         more = rest.find(':') != std::string_view::npos;
         const std::string_view part = next_part(rest);
@@ -127,6 +129,10 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
             return SpecError{What::meaningless_modifier, std::string(part), found};
         }
         apply({*modifier}, spec);
+        scalar_first = scalar_first || *modifier == Modifier::wxyz;
+    }
+    if (scalar_first && spec.scalar_last) {
+        return SpecError{What::two_orders, std::string(text), found};
     }
     return spec;
 }

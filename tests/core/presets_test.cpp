@@ -125,9 +125,11 @@ TEST_CASE("preset baruh") {
 }
 
 // Trawny and Roumeliotis 2005, the JPL quaternion (x, y, z, scalar): C = (2 w^2 - 1)I - 2w[q] + 2qq'.
-TEST_CASE("preset trawny") {
+TEST_CASE("presets trawny and jpl") {
     const Matrix c = (2 * w * w - 1) * Matrix::Identity() - 2 * w * cross(v) + 2 * v * v.transpose();
-    check("quat:trawny", {v.x(), v.y(), v.z(), w}, "dcm:trawny", rows_of(c), 1e-15);
+    for (const std::string preset : {"trawny", "jpl"}) {
+        check("quat:" + preset, {v.x(), v.y(), v.z(), w}, "dcm:" + preset, rows_of(c), 1e-15);
+    }
 }
 
 // Stuelpnagel 1964: gamma(u) of section 3, the factors of section 6, exp and Cayley of section 6.

@@ -74,6 +74,8 @@ TEST_CASE("a text that is no SPEC says why") {
     CHECK(fault_of("6d:col") == What::meaningless_modifier);
     CHECK(fault_of("mrp:xyzw") == What::meaningless_modifier);
     CHECK(fault_of("quat:ros:tum") == What::second_preset);
+    CHECK(fault_of("quat:wxyz:passive:xyzw") == What::two_orders);
+    CHECK(fault_of("quat:tum:wxyz") == What::two_orders);
 }
 
 // Would catch: a preset that a representation refuses.

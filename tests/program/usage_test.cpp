@@ -1,23 +1,6 @@
-#include <catch.hpp>
-
-#include "process.hpp"
+#include "usage.hpp"
 
 using namespace program;
-
-namespace {
-
-/// One line on stderr with these words, nothing on stdout, exit 2.
-void check_usage_error(const std::string& arguments, std::initializer_list<std::string_view> words) {
-    INFO("rotconv " << arguments);
-    const auto result = run(arguments, "1 0 0 0\n");
-    CHECK(result.exit_code == 2);
-    CHECK(result.out == "");
-    CHECK(count_rows(result.err) == 1);
-    CHECK(missing(result.err, {"rotconv: "}) == "");
-    CHECK(missing(result.err, words) == "");
-}
-
-} // namespace
 
 TEST_CASE("options of the conversion do not stand before a command") {
     // Catches an option that is taken and ignored.

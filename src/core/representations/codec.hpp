@@ -114,6 +114,7 @@ inline constexpr auto presets_of_matrices = std::to_array<PresetMeaning>({{"matl
                                                                           {"bunge", passive},
                                                                           {"baruh", passive},
                                                                           {"trawny", passive},
+                                                                          {"jpl", passive},
                                                                           {"stuelpnagel", passive}});
 inline constexpr auto presets_of_vectors = std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}});
 

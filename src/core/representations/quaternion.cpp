@@ -57,6 +57,7 @@ constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", xyzw},
                                                            {"bunge", passive},
                                                            {"baruh", xyzw},
                                                            {"trawny", xyzw},
+                                                           {"jpl", xyzw},
                                                            {"stuelpnagel", passive}});
 
 Eigen::Quaterniond value_of(const Spec& /*spec*/, const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
@@ -77,7 +78,7 @@ constinit const Codec codecs::quat{
                        .aliases = {"quaternion"},
                        .size = 4,
                        .columns = {"qw", "qx", "qy", "qz"},
-                       .modifiers = {Modifier::passive, Modifier::xyzw},
+                       .modifiers = {Modifier::passive, Modifier::xyzw, Modifier::wxyz},
                        .presets = own_presets,
                        .other_order = {1, 2, 3, 0},
                        .range = "unit; w > 0, or w = 0 and the first nonzero of x, y, z positive",
