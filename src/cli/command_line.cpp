@@ -23,10 +23,14 @@
 namespace rotconv::cli {
 namespace {
 
-void set_help(CLI::App& app) { app.set_help_flag("-h,--help", "Print this help and exit"); }
+/// To be called last, so that it stands there.
+void set_help(CLI::App& app) {
+    begin_group(app, "More");
+    app.set_help_flag("-h,--help", "Print this help and exit");
+}
 
 void define_list(CLI::App& app, RawOptions& texts) {
-    app.add_option("NAME", texts.listed, "A representation, or methods");
+    app.add_option("NAME", texts.listed, "A representation, a preset, methods or presets");
 }
 
 /// A command beside the conversion.
@@ -40,7 +44,7 @@ struct Entry {
 };
 
 constexpr std::array<Entry, 6> commands{
-    {{"list", "List the representations, or explain one; list methods: the methods", "Usage: rotconv list [NAME]\n",
+    {{"list", "List the representations, methods or presets, or explain one", "Usage: rotconv list [NAME]\n",
       define_list,
       [](const RawOptions& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
      {"rates", "Rates of the numbers from the angular velocity, and back",
@@ -91,7 +95,7 @@ public:
 const CLI::App* add(const Entry& entry, CLI::App& app, RawOptions& texts) {
     CLI::App* command = app.add_subcommand(std::string(entry.name), entry.description);
     entry.define(*command, texts);
-    set_help(*command); // anew, so that it is the last
+    set_help(*command);
     return command;
 }
 
@@ -99,17 +103,18 @@ const CLI::App* add(const Entry& entry, CLI::App& app, RawOptions& texts) {
 /// names one at most.
 void define(CLI::App& app, RawOptions& texts) {
     app.formatter(std::make_shared<Formatter>());
-    set_help(app);
-    app.set_version_flag("--version", "rotconv " ROTCONV_VERSION, "Print the version and exit");
     define_from(app, texts);
     define_to(app, texts);
     define_attitudes(app, texts);
     define_input(app, texts);
     define_output(app, texts);
     define_lock_margin(app, texts);
+    begin_group(app, "More");
     app.add_option("--method", texts.method,
                    "A published formula in the place of rotconv's own, or fast: plain double; see rotconv list methods")
         ->type_name("METHOD");
+    set_help(app);
+    app.set_version_flag("--version", "rotconv " ROTCONV_VERSION, "Print the version and exit");
     app.require_subcommand(0, 1);
 }
 
@@ -121,7 +126,11 @@ std::string help(CLI::App& app, RawOptions& texts) {
         }
         app.footer(help_footer());
     }
-    return app.help();
+    std::string text = app.help();
+    for (auto at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n")) {
+        text.erase(at, 1); // CLI11 ends a group with two
+    }
+    return text;
 }
 
 /// The published method of the pair, or null for rotconv's own two.

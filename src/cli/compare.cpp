@@ -112,9 +112,9 @@ void define_compare(CLI::App& app, RawOptions& texts) {
     app.add_option("-t,--to", texts.to, "What the reference is (default: as --from)")->type_name("SPEC");
     app.add_option("--within", texts.within, "The greatest angle that passes, in radians or with -d degrees")
         ->type_name("ANGLE");
-    define_pairing(app, texts);
     app.add_option("--as", texts.relative, "With --format csv: the relative attitude too")->type_name("SPEC");
     app.add_option("--frame", texts.frame, "Axes of the relative attitude: body or reference")->type_name("FRAME");
+    define_pairing(app, texts);
     define_input(app, texts);
     define_output(app, texts);
     app.get_option("--format")->description("pretty (default), json, or csv: every pair with its angle");

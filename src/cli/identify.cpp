@@ -218,14 +218,16 @@ private:
 } // namespace
 
 void define_identify(CLI::App& app, RawOptions& texts) {
+    begin_group(app, "What");
     app.add_option("-t,--to", texts.to, "What the known numbers are: NAME[:MODIFIER]...")->type_name("KNOWN");
     app.add_option("-f,--from", texts.from, "The representation of the unknown numbers, where that is known")
         ->type_name("NAME");
     app.add_option("--within", texts.within, "Greatest angle of what fits (default 1e-3 rad; degrees with -d)")
         ->type_name("ANGLE");
-    app.add_option("--format", texts.format, "pretty or json")->type_name("FORMAT");
     define_pairing(app, texts);
     define_input(app, texts);
+    begin_group(app, "Output");
+    app.add_option("--format", texts.format, "pretty or json")->type_name("FORMAT");
 }
 
 IdentifyCommand identify_command(const RawOptions& texts, const Operands& operands) {

@@ -74,6 +74,7 @@ void define_survey(CLI::App& app, RawOptions& texts) {
     define_from(app, texts);
     app.add_option("--condition", texts.condition, "The greatest condition that serves (default 1e3)")
         ->type_name("LIMIT");
+    begin_group(app, "Output");
     app.add_option("--format", texts.format, "pretty or json")->type_name("FORMAT");
     define_input(app, texts);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,6 +33,29 @@ std::string columns_of(const Representation& entry) {
 std::string effect_of(const Preset& preset, const Representation& entry) {
     const std::string effect = messages::words_of(modifiers_of(preset.text, entry), ", ");
     return effect.empty() ? "as it is" : effect;
+}
+
+/// What a preset makes of all of them, such as "passive on dcm, 6d, 5d; xyzw on quat".
+std::string effects_of(const Preset& preset) {
+    std::vector<std::pair<std::string, std::string>> effects;
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
+        const std::string effect = messages::words_of(modifiers_of(preset.text, entry), ", ");
+        const auto found = std::ranges::find(effects, effect, &std::pair<std::string, std::string>::first);
+        if (effect.empty()) {
+            continue;
+        }
+        if (found != effects.end()) {
+            found->second += fmt::format(", {}", entry.text);
+        } else {
+            effects.emplace_back(effect, entry.text);
+        }
+    }
+    std::string text;
+    for (const auto& [effect, names] : effects) {
+        text += fmt::format("{}{} on {}", text.empty() ? "" : "; ", effect, names);
+    }
+    return text;
 }
 
 std::string_view name_of(const Representation& entry) { return entry.takes_sequence ? "euler:SEQ" : entry.text; }
@@ -75,6 +100,24 @@ std::optional<std::string> list_one(std::string_view name) {
     return text;
 }
 
+std::optional<std::string> list_preset(std::string_view name) {
+    const auto all = presets();
+    const auto found = std::ranges::find(all, name, &Preset::text);
+    if (found == all.end()) {
+        return std::nullopt;
+    }
+    return fmt::format("{}: {}\n  sets       {}\n  leaves     all else as it is\n", name, found->about,
+                       effects_of(*found));
+}
+
+std::string list_presets() {
+    std::string text = fmt::format("{:<12}  {:<53}  {}\n", "PRESET", "of", "sets");
+    for (const Preset& preset : presets()) {
+        text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.about, effects_of(preset));
+    }
+    return text + "\nA preset goes behind a name, as in quat:tum; it leaves all else as it is.\n";
+}
+
 std::string list_methods() {
     constexpr const char* line = "{:<6}  {:<6}  {:<16}  {:<40}  {}\n";
     std::string text = fmt::format(line, "FROM", "TO", "METHOD", "holds for", "reference");
@@ -92,7 +135,19 @@ std::string help_footer() {
     for (const RepresentationId id : all_representations) {
         text += fmt::format(" {}", name_of(representation(id)));
     }
-    text += "\n\nExamples:\n"
+    text += "\n\nModifiers, NAME:MODIFIER...:\n ";
+    for (const Modifier modifier : all_modifiers) {
+        text += fmt::format(" {}", rotconv::name_of(modifier));
+    }
+    text += "\n\nPresets, NAME:PRESET (rotconv list presets explains them):\n ";
+    for (const Preset& preset : presets()) {
+        text += fmt::format(" {}", preset.text);
+    }
+    text += "\n\nExit status:\n"
+            "  0  every row is done\n"
+            "  1  ran to the end, but rows failed, --strict met a diagnostic, or a check did not hold\n"
+            "  2  did not run to the end: usage, a row error under --on-error stop, a file\n"
+            "\nExamples:\n"
             "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"
             "  rotconv -f quat:xyzw -t rpy:deg 0 0 0.7071067811865476 0.7071067811865476\n"
             "  rotconv -f quat:tum -t rpy -d --columns 5-8 trajectory.txt\n"

@@ -12,6 +12,12 @@ namespace rotconv::cli {
 /// What one representation is: formula, numbers, ranges, modifiers, presets; nothing where there is none of that name.
 [[nodiscard]] std::optional<std::string> list_one(std::string_view name);
 
+/// What one preset sets; nothing where there is none of that name.
+[[nodiscard]] std::optional<std::string> list_preset(std::string_view name);
+
+/// The table of presets.
+[[nodiscard]] std::string list_presets();
+
 /// The table of methods.
 [[nodiscard]] std::string list_methods();
 

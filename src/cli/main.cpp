@@ -51,7 +51,13 @@ struct Run {
         if (command.name == "methods") {
             return print(list_methods());
         }
-        const auto text = list_one(command.name);
+        if (command.name == "presets") {
+            return print(list_presets());
+        }
+        auto text = list_one(command.name);
+        if (!text) {
+            text = list_preset(command.name);
+        }
         return text ? print(*text) : usage(messages::explain(SpecError{SpecError::What::unknown_name, command.name}));
     }
 };

@@ -101,6 +101,19 @@ std::string quoted_list(const std::vector<std::string>& texts) {
     return list.empty() ? "none" : list;
 }
 
+/// The names with their indices, as far as they fit.
+std::string numbered(const std::vector<std::string>& names) {
+    constexpr std::size_t longest = 500;
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (list.size() > longest) {
+            return list + ", ...";
+        }
+        list += fmt::format("{}{} {}", i == 0 ? "" : ", ", i + 1, shown(std::string_view(names[i]).substr(0, longest)));
+    }
+    return list;
+}
+
 } // namespace
 
 Subject subject_of(const Spec& spec, double tolerance) {
@@ -245,8 +258,8 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
                            representation(subject.set).text, text);
     case Error::time_order: return fmt::format("time does not increase: {}", text);
     case Error::defect:
-        return fmt::format("defect {} is above the tolerance {} (--tolerance): {}", error.defect, subject.tolerance,
-                           text);
+        return fmt::format("defect {} is above the tolerance {} (--tolerance){}: {}", error.defect, subject.tolerance,
+                           error.norm > 0.0 ? fmt::format(", its norm is {:.12g}", error.norm) : "", text);
     }
     return {};
 }
@@ -277,9 +290,12 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
                            error.count == 1 ? "" : "s", subject.text, subject.count, subject.count == 1 ? "" : "s");
     case What::twice: return fmt::format("column {} is selected twice", quoted(error.text));
     case What::missing:
-        return fmt::format("no header: of the columns the row lacks {} and has {}: {}", quoted_list(error.lacking),
-                           quoted_list(error.present), quoted(error.text));
-    case What::ambiguous: return fmt::format("more than one column is called {}", quoted(error.text));
+        return fmt::format("no header: of the columns the row lacks {} and has {}{}: {}", quoted_list(error.lacking),
+                           quoted_list(error.present),
+                           error.header.empty() ? "" : "; there are " + numbered(error.header), quoted(error.text));
+    case What::ambiguous:
+        return fmt::format("more than one column is called {}: {}; select by index", quoted(error.text),
+                           fmt::join(error.indices, " and "));
     }
     return {};
 }

@@ -75,6 +75,9 @@ class Usage : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Under which title of the help the options that follow stand.
+void begin_group(CLI::App& app, const char* title);
+
 void define_from(CLI::App& app, RawOptions& texts);
 void define_to(CLI::App& app, RawOptions& texts);
 void define_lock_margin(CLI::App& app, RawOptions& texts);

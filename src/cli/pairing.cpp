@@ -32,6 +32,7 @@ const std::string& or_else(const std::string& text, const std::string& other) { 
 } // namespace
 
 void define_pairing(CLI::App& app, RawOptions& texts) {
+    begin_group(app, "Columns");
     app.add_option("--reference-columns", texts.reference_columns, "Columns of REFERENCE (default: as --columns)")
         ->type_name("LIST");
     app.add_option("--key", texts.key, "Pair rows of the same key in this column, not of the same number")

@@ -131,6 +131,11 @@ ColumnList::positions(const std::vector<std::string>& header) const {
         (count == 0 ? missing.lacking : missing.present).push_back(item.name);
         if (count > 1 && !ambiguous) {
             ambiguous = ColumnError{What::ambiguous, item.name};
+            for (std::size_t i = 0; i < header.size(); ++i) {
+                if (whole(header[i]) || (!whole(*found) && part(header[i]))) {
+                    ambiguous->indices.push_back(i + 1);
+                }
+            }
         }
         positions.push_back(static_cast<std::size_t>(found - header.begin()));
     }

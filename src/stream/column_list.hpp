@@ -17,6 +17,8 @@ struct ColumnError {
     std::size_t count = 0;              ///< how many columns the list names
     std::vector<std::string> lacking{}; ///< the names that the row has not...
     std::vector<std::string> present{}; ///< ...and those that it has
+    std::vector<std::string> header{};  ///< all names of the header in which they are missing, where there is one
+    std::vector<std::size_t> indices{}; ///< from 1, of the columns of one name
 };
 
 /// The input columns of `--columns LIST`, in the order of the representation's numbers: 1-based indices, ranges 5-8,

@@ -31,6 +31,7 @@ struct RowError {
     std::size_t expected = 0;
     Error error = Error::none;
     double defect = 0.0;
+    double norm = 0.0;         ///< of a quaternion; 0 where it is not known
     bool of_reference = false; ///< the line is one of the reference
 };
 

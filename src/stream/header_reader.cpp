@@ -127,6 +127,9 @@ bool HeaderReader::is_data(const Line& line, std::size_t number, Output& output)
         return false;
     }
     if (is_comment(line.text)) {
+        if (by_name) {
+            comment_ = line.text;
+        }
         if (by_name || header_done_) {
             pass(line, output);
         } else {
@@ -145,6 +148,7 @@ bool HeaderReader::is_data(const Line& line, std::size_t number, Output& output)
         if (!take_named(is_cut ? std::optional(row.delimiter) : std::nullopt, output) && !error_) {
             auto column = std::get<ColumnError>(find_names(line, row.delimiter).second);
             column.text = line.text;
+            column.header = names_near(row);
             error_ = StreamError{StreamError::What::columns, number, 0, std::move(column)};
         }
         return !error_;
@@ -234,6 +238,15 @@ std::vector<std::string> HeaderReader::selected(const Header& header) const {
 bool HeaderReader::is_header(const Header& header) const {
     return header.is_closed && has_selected(header) &&
            std::ranges::none_of(selected(header), [](const auto& text) { return is_number(text) || is_missing(text); });
+}
+
+std::vector<std::string> HeaderReader::names_near(const Header& row) const {
+    const Header comment = header_of({comment_, {}}, row.delimiter);
+    const auto is_named = [&row](const Header& header) {
+        return header.is_closed && header.fields.size() == row.fields.size() &&
+               std::ranges::none_of(header.names(), is_number);
+    };
+    return is_named(row) ? row.names() : is_named(comment) ? comment.names() : std::vector<std::string>();
 }
 
 bool HeaderReader::is_json(const Line& row) const {

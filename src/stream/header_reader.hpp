@@ -68,6 +68,8 @@ private:
     [[nodiscard]] std::vector<std::string> selected(const Header& header) const;
     /// All selected fields are there, and none of them is a number or a word for a missing one.
     [[nodiscard]] bool is_header(const Header& header) const;
+    /// What the columns are called, where the row, or else the comment before it, has names.
+    [[nodiscard]] std::vector<std::string> names_near(const Header& row) const;
     /// The row is the beginning of JSON, and nothing that can be converted.
     [[nodiscard]] bool is_json(const Line& row) const;
     /// Takes the comment that is held back as the header, if it is that of a row.
@@ -87,6 +89,7 @@ private:
     std::optional<StreamError> error_;
     bool met_row_ = false; ///< that is not blank
     bool header_done_ = false;
+    std::string comment_; ///< the last one, where columns are selected by name
     std::string held_;
     std::size_t held_first_ = 0;     ///< bytes of the first line that is held back
     std::size_t held_line_ = 0;      ///< and its number

@@ -1,6 +1,7 @@
 #include "row_transformer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -145,6 +146,20 @@ void RowTransformer::note_error(Row& row, RowError error) {
     errors_.push_back(std::move(error));
 }
 
+double RowTransformer::norm_of(const Row& row, bool of_reference) const {
+    if (of_reference && row.pair == nullptr) {
+        return 0.0; // the second attitude of a row
+    }
+    const RowOperation& read = of_reference ? options_->pairing->reference.operation : operation_;
+    if (!read.from || read.from->name != RepresentationId::quat) {
+        return 0.0;
+    }
+    const std::size_t size = parts_.numbers.size() / lines_.size();
+    const double* const q =
+        parts_.numbers.data() + row.index * size + (of_reference ? operation_.inputs : 0) + read.kept;
+    return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+}
+
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
     for (Row& row : rows_) {
@@ -188,14 +203,15 @@ void RowTransformer::write_row(Row& row, Output& output) {
         output.events.emplace_back(errors_[row.error]);
     } else {
         const bool of_reference = report.of_reference && row.pair != nullptr;
-        output.events.emplace_back(RowError{.line = of_reference ? row.pair->reference_number : row.number,
-                                            .what = RowError::What::attitude,
-                                            .text = of_reference
-                                                        ? reference_reader_->selected_text(row.pair->reference.text)
-                                                        : reader_.selected_text(given),
-                                            .error = report.error,
-                                            .defect = report.defect,
-                                            .of_reference = of_reference});
+        output.events.emplace_back(
+            RowError{.line = of_reference ? row.pair->reference_number : row.number,
+                     .what = RowError::What::attitude,
+                     .text = of_reference ? reference_reader_->selected_text(row.pair->reference.text)
+                                          : reader_.selected_text(given),
+                     .error = report.error,
+                     .defect = report.defect,
+                     .norm = report.error == Error::defect ? norm_of(row, report.of_reference) : 0.0,
+                     .of_reference = of_reference});
     }
     if (options_->on_error == OnError::stop) {
         output.stopped = true;

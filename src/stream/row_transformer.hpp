@@ -86,6 +86,8 @@ private:
     void write_row(Row& row, Output& output);
     static void tell_diagnostics(const Row& row, const Report& report, Output& output);
     void note_error(Row& row, RowError error);
+    /// Of the quaternion of a row, or of its partner; 0 where that is none.
+    [[nodiscard]] double norm_of(const Row& row, bool of_reference) const;
 
     const Options* options_;
     const Layout* layout_;

@@ -141,7 +141,7 @@ TEST_CASE("a row that fails keeps its place, and is told of the right file") {
     CHECK(files("compare -f rotvec @new @old") == failing(2, "", of_new));
     files.add("new", "1 0 0 0\n1 0 0 0\n").add("old", "1 0 0 0\n2 0 0 0\n");
     CHECK(files("compare -f quat @new @old").err ==
-          "rotconv: old:2: defect 1 is above the tolerance 0.001 (--tolerance): '2 0 0 0'\n");
+          "rotconv: old:2: defect 1 is above the tolerance 0.001 (--tolerance), its norm is 2: '2 0 0 0'\n");
     CHECK(files("compare -f quat --tolerance inf @new @old").exit_code == 0);
     files.add("old", "1 0 0 0\n1 0 0\n");
     CHECK(files("compare -f quat @new @old").err == "rotconv: old:2: 3 fields where quat has 4: '1 0 0'\n");

@@ -71,3 +71,79 @@ TEST_CASE("an option that is begun, or called otherwise elsewhere, is answered w
     check_usage_error("-f quat -t dcm --quiet", {"did you mean --diagnostics off?"});
     check_usage_error("rates -f quat --inv", {"did you mean --inverse?"});
 }
+
+TEST_CASE("the help groups the options and names modifiers, presets and exit codes") {
+    // Catches a help that has to be read from end to end.
+    const auto help = run("--help");
+    CHECK(help.exit_code == 0);
+    std::size_t at = 0;
+    for (const char* group : {"\nWhat:\n", "\nColumns:\n", "\nOutput:\n", "\nErrors:\n", "\nMore:\n"}) {
+        INFO(group);
+        at = help.out.find(group, at);
+        REQUIRE(at != std::string::npos);
+    }
+    CHECK(missing(help.out,
+                  {" passive deg col xyzw wxyz\n", " scipy ros tum matlab basilisk spice bunge baruh trawny jpl ",
+                   "rotconv list presets", "0  ", "1  ", "2  "}) == "");
+    CHECK(help.out.find("\n\n\n") == std::string::npos);
+    for (const char* command : {"rates", "propagate", "survey", "compare", "identify"}) {
+        const auto one = run(command + std::string(" --help")).out;
+        CHECK(missing(one, {"What:\n", "Columns:\n", "Errors:\n", "More:\n"}) == "");
+        CHECK(one.find("\nOptions:\n") == std::string::npos);
+    }
+}
+
+TEST_CASE("list explains presets") {
+    // Catches a preset that can be looked up nowhere.
+    const auto one = run("list basilisk");
+    CHECK(one.exit_code == 0);
+    CHECK(missing(one.out, {"basilisk", "Schaub", "passive on dcm, 6d, 5d\n"}) == "");
+    CHECK(missing(run("list jpl").out, {"passive on dcm, 6d, 5d; xyzw on quat\n"}) == "");
+    const auto all = run("list presets");
+    CHECK(all.exit_code == 0);
+    for (const char* preset :
+         {"scipy", "ros", "tum", "matlab", "basilisk", "spice", "bunge", "baruh", "trawny", "jpl", "stuelpnagel"}) {
+        CHECK(missing(all.out, {preset}) == "");
+        CHECK(run(std::string("list ") + preset).exit_code == 0);
+    }
+    check_usage_error("list presets quat", {"quat"});
+}
+
+TEST_CASE("names that no header has are answered with those that it has") {
+    // Catches a header that has to be looked up by hand.
+    const auto lines = [](const std::string& input) {
+        const auto result = run("-f quat -t rpy --columns qw,qx,qy,qzz", input);
+        CHECK(result.exit_code == 2);
+        CHECK(count_rows(result.err) == 1);
+        return result.err;
+    };
+    CHECK(missing(lines("t,qw,qx,qy,qz\n0,1,0,0,0\n"),
+                  {"-:1: ", "'qzz'", "1 t, 2 qw, 3 qx, 4 qy, 5 qz: 't,qw,qx,qy,qz'\n"}) == "");
+    CHECK(missing(lines("#timestamp [ns],q_RS_w [],q_RS_x []\n1,2,3\n"),
+                  {"'qw', 'qx', 'qy', 'qzz'", "1 timestamp [ns], 2 q_RS_w [], 3 q_RS_x []: '1,2,3'\n"}) == "");
+    CHECK(missing(lines("# a remark\n1,0,0,0\n"), {"-:2: ", "has none: '1,0,0,0'\n"}) == "");
+    std::string wide = "t";
+    for (int i = 0; i < 1000; ++i) {
+        wide += ",n" + std::to_string(i);
+    }
+    CHECK(lines(wide + "\n").size() < 1000);
+}
+
+TEST_CASE("columns of one name are answered with their indices") {
+    // Catches the second step of a pipe that does not know how to go on.
+    const std::string first = run("-f quat -t rpy --columns 1-4 --append", "qw,qx,qy,qz\n1,0,0,0\n").out;
+    const std::string second = run("-f quat -t rpy --columns 1-4 --append", first).out;
+    const auto result = run("-f rpy -t quat --columns roll,pitch,yaw", second);
+    CHECK(result.exit_code == 2);
+    CHECK(missing(result.err, {"-:1: ", "more than one column is called 'roll': 5 and 8;", "by index"}) == "");
+    CHECK(run("-f rpy -t quat --columns 8-10", second).exit_code == 0);
+}
+
+TEST_CASE("a quaternion that is refused is answered with its norm") {
+    // Catches a figure without its sign.
+    const auto result = run("-f quat -t rpy 0.98995 0 0 0");
+    CHECK(result.exit_code == 2);
+    CHECK(missing(result.err, {"rotconv: argument: defect 0.01005", "its norm is 0.98995: '0.98995 0 0 0'"}) == "");
+    CHECK(missing(run("rates -f quat:tum --columns 2-8", "x,0,0,2,0,0,0,0\n").err, {"its norm is 2: "}) == "");
+    CHECK(run("-f dcm -t rpy 2 0 0 0 2 0 0 0 2").err.find("norm") == std::string::npos);
+}
