@@ -68,14 +68,14 @@ private:
     double squares_ = 0.0; ///< of the angles over the scale
 };
 
-std::string number(double value, int precision) {
+std::string number(double value, stream::Digits digits) {
     stream::Buffer text;
-    stream::append_number(text, value, precision);
+    stream::append_number(text, value, digits);
     return fmt::to_string(text);
 }
 
 std::string in_lines(const CompareCommand& command, const RowsResult& result, const AngleSums& angles) {
-    const int precision = command.rows.options.precision;
+    const stream::Digits digits = command.rows.options.digits;
     std::string text = fmt::format("rows      {}\n", result.answered);
     if (command.within) {
         text += fmt::format("beyond    {}\n", result.beyond);
@@ -83,16 +83,16 @@ std::string in_lines(const CompareCommand& command, const RowsResult& result, co
     text +=
         fmt::format("unpaired  {}\nfailed    {}\n", result.unpaired[0].rows + result.unpaired[1].rows, result.failed);
     if (!angles.empty()) {
-        text += fmt::format("max       {} at {}\nrms       {}\nmean      {}\n", number(angles.largest(), precision),
-                            angles.line_of_largest(), number(angles.root_mean_square(), precision),
-                            number(angles.mean(), precision));
+        text += fmt::format("max       {} at {}\nrms       {}\nmean      {}\n", number(angles.largest(), digits),
+                            angles.line_of_largest(), number(angles.root_mean_square(), digits),
+                            number(angles.mean(), digits));
     }
     return text;
 }
 
 std::string in_json(const CompareCommand& command, const RowsResult& result, const AngleSums& angles) {
     const auto angle = [&](double value) {
-        return angles.empty() ? "null" : number(value, command.rows.options.precision);
+        return angles.empty() ? "null" : number(value, command.rows.options.digits);
     };
     const auto count = [](bool is_there, std::size_t value) { return is_there ? std::to_string(value) : "null"; };
     return fmt::format(R"({{"rows": {}, "within": {}, "beyond": {}, "first_beyond": {}, "unpaired": {}, )"

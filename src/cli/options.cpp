@@ -93,6 +93,17 @@ void refuse_other_order(const RawOptions& texts, const stream::Options& options)
     }
 }
 
+stream::Digits digits_of(const RawOptions& texts) {
+    constexpr int most = 100;
+    if (texts.decimals.empty()) {
+        return {.significant = count_of("--precision", texts.precision, most)};
+    }
+    if (!texts.precision.empty()) {
+        throw Usage("--precision and --decimals exclude each other");
+    }
+    return {.decimals = count_of("--decimals", texts.decimals, most, 0)};
+}
+
 /// Doubles of a binary row; 0 where the input is text.
 std::size_t width_of(const RawOptions& texts, const stream::Options& options) {
     constexpr int widest = 100'000;
@@ -171,6 +182,8 @@ void define_output(CLI::App& app, RawOptions& texts) {
         ->type_name("FORMAT");
     app.add_option("-p,--precision", texts.precision, "Significant digits (default: the shortest that read back equal)")
         ->type_name("N");
+    app.add_option("--decimals", texts.decimals, "Digits after the point, in the place of significant ones")
+        ->type_name("N");
     begin_group(app, "Errors");
     app.add_option("--diagnostics", texts.diagnostics, "Where they are shown: off, summary, rows or columns")
         ->type_name("WHERE");
@@ -244,14 +257,15 @@ double amount_of(std::string_view option, const std::string& text, double defaul
     return value;
 }
 
-int count_of(std::string_view option, const std::string& text, int most) {
+int count_of(std::string_view option, const std::string& text, int most, int least) {
     if (text.empty()) {
         return 0;
     }
     double value = 0.0;
-    if (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) || value < 1 ||
+    if (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) || value < least ||
         value > most) {
-        throw Usage(fmt::format("{} {} must be a whole number from 1 to {}", option, messages::quoted(text), most));
+        throw Usage(
+            fmt::format("{} {} must be a whole number from {} to {}", option, messages::quoted(text), least, most));
     }
     return static_cast<int>(value);
 }
@@ -286,7 +300,7 @@ RowsCommand rows_command(const RawOptions& texts, stream::RowOperation operation
     const auto threads = static_cast<std::size_t>(count_of("--threads", texts.threads, 1 << 20U));
     options.threads = threads > 0 ? threads : stream::processors();
     options.append = texts.append;
-    options.precision = count_of("--precision", texts.precision, 100);
+    options.digits = digits_of(texts);
     options.diagnostic_columns = command.diagnostics == ShowDiagnostics::columns;
     options.show_diagnostics = command.diagnostics != ShowDiagnostics::off;
     options.describe = messages::describe;

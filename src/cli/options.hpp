@@ -35,6 +35,7 @@ struct RawOptions {
     std::string on_error = "stop";
     std::string diagnostics = "summary";
     std::string precision;
+    std::string decimals;
     std::string tolerance;
     std::string lock_margin;
     std::string threads;
@@ -106,8 +107,8 @@ template <class Value> Value choose(std::string_view what, std::string_view text
                                        double tolerance);
 /// A number that is not negative; `default_value` where the option was not given.
 [[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
-/// A whole number from 1 to `most`; 0 where the option was not given.
-[[nodiscard]] int count_of(std::string_view option, const std::string& text, int most);
+/// A whole number from `least` to `most`; 0 where the option was not given.
+[[nodiscard]] int count_of(std::string_view option, const std::string& text, int most, int least = 1);
 [[nodiscard]] stream::OnError on_error_of(const RawOptions& texts);
 /// Tolerance, lock margin, turns, and figures where they are to be shown.
 [[nodiscard]] Settings settings_of(const RawOptions& texts);

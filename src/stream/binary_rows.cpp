@@ -39,7 +39,7 @@ void RowTransformer::make_fields(Row& row) {
         double number = 0.0;
         std::memcpy(&number, bytes.data() + i * sizeof(double), sizeof(double));
         const std::size_t begin = made_.size();
-        append_number(made_, number, 0);
+        append_number(made_, number, {});
         parts_.fields.emplace_back(made_.data() + begin, made_.size() - begin);
     }
     row.line.text = {made_.data(), made_.size()};

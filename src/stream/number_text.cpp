@@ -1,10 +1,12 @@
 #include "number_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include <dragonbox/dragonbox.h>
 #include <fmt/compile.h>
@@ -166,6 +168,72 @@ bool scan_whole(std::string_view text, double& value) noexcept {
     return !text.empty() && scan_number(text.data(), end, value) == end;
 }
 
+std::ptrdiff_t digits_of(std::uint64_t number) noexcept {
+    return std::ranges::upper_bound(powers_of_ten, number) - powers_of_ten.begin();
+}
+
+/// With so many digits after the point, up to 15 in all; null where the number takes the exact value to round, or more.
+///
+/// The shortest digits, rounded, are those of the value rounded: half of a digit would be a number between the two that
+/// is shorter, or nearer, than the shortest digits; only where they end in that 5 they do not tell. Up to 15 digits a
+/// number that has no more is its own rounding.
+char* write_fixed(char* to, double value, int decimals) noexcept {
+    const double magnitude = std::abs(value);
+    if (!(magnitude < 1e15) || decimals > 15) {
+        return nullptr;
+    }
+    std::uint64_t units = 0; // of the last digit
+    if (magnitude > 0.0) {
+        const auto [digits, exponent] = jkj::dragonbox::to_decimal(magnitude, jkj::dragonbox::policy::sign::ignore);
+        const std::ptrdiff_t count = digits_of(digits);
+        const std::ptrdiff_t more = -exponent - decimals; // digits to round away
+        if (count - more > 15) {
+            return nullptr;
+        }
+        if (more <= 0) {
+            units = digits * powers_of_ten[static_cast<std::size_t>(-more)];
+        } else if (more <= count) {
+            const std::uint64_t unit = powers_of_ten[static_cast<std::size_t>(more)];
+            const std::uint64_t rest = digits % unit;
+            if (2 * rest == unit) {
+                return nullptr;
+            }
+            units = digits / unit + (2 * rest > unit ? 1 : 0);
+        }
+    }
+    *to = '-';
+    to += value < 0.0 && units > 0 ? 1 : 0;
+    const std::ptrdiff_t count = std::max<std::ptrdiff_t>(digits_of(units), decimals + 1);
+    char* const end = to + count;
+    for (char* at = end; at > to; units /= 10) {
+        *--at = static_cast<char>('0' + units % 10);
+    }
+    if (decimals == 0) {
+        return end;
+    }
+    std::copy_backward(end - decimals, end, end + 1);
+    end[-decimals] = '.';
+    return end + 1;
+}
+
+/// The same of any number; what rounds to 0 has no sign.
+void append_fixed(Buffer& to, double value, int decimals) {
+    constexpr std::size_t longest = 32; // of 15 digits, and as many zeros before them
+    const std::size_t size = to.size();
+    to.reserve(size + longest);
+    if (const char* const end = write_fixed(to.data() + size, value, decimals)) {
+        to.resize(static_cast<std::size_t>(end - to.data()));
+        return;
+    }
+    fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.{}f}"), without_sign_of_nan(value), decimals);
+    const std::string_view text(to.data() + size, to.size() - size);
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string_view::npos) {
+        std::copy(to.begin() + static_cast<std::ptrdiff_t>(size) + 1, to.end(),
+                  to.begin() + static_cast<std::ptrdiff_t>(size));
+        to.resize(to.size() - 1);
+    }
+}
+
 } // namespace
 
 std::string_view trimmed(std::string_view text) noexcept {
@@ -199,7 +267,16 @@ bool is_number(std::string_view text) noexcept {
     return read_number(text, value) != NumberError::not_a_number;
 }
 
-void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, int precision) {
+void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits) {
+    if (digits.decimals >= 0) {
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (i > 0) {
+                to.push_back(delimiter);
+            }
+            append_fixed(to, numbers[i], digits.decimals);
+        }
+        return;
+    }
     constexpr std::size_t longest =
         128; // with the 100 digits that may be asked for, and what is written beyond the end
     to.reserve(to.size() + longest * numbers.size());
@@ -208,12 +285,12 @@ void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter,
         if (i > 0) {
             *end++ = delimiter;
         }
-        end = precision == 0 ? write_shortest(end, numbers[i]) : write_rounded(end, numbers[i], precision);
+        end = digits.shortest() ? write_shortest(end, numbers[i]) : write_rounded(end, numbers[i], digits.significant);
     }
     to.resize(static_cast<std::size_t>(end - to.data()));
 }
 
-void append_number(Buffer& to, double value, int precision) { append_numbers(to, {&value, 1}, ' ', precision); }
+void append_number(Buffer& to, double value, Digits digits) { append_numbers(to, {&value, 1}, ' ', digits); }
 
 void append_bytes(Buffer& to, std::span<const double> numbers) {
     const auto bytes = std::as_bytes(numbers);

@@ -29,11 +29,18 @@ inline void append(Buffer& to, std::string_view text) {
     text.copy(to.data() + size, text.size());
 }
 
-/// Shortest text that reads back to the same double, or `precision` significant digits where that is not 0.
-void append_number(Buffer& to, double value, int precision);
+/// With how many digits a number is written.
+struct Digits {
+    int significant = 0; ///< 0: the shortest text that reads back to the same double
+    int decimals = -1;   ///< after the point, in the place of significant digits; -1: these count
+
+    [[nodiscard]] bool shortest() const noexcept { return significant == 0 && decimals < 0; }
+};
+
+void append_number(Buffer& to, double value, Digits digits);
 
 /// The same of each, with the delimiter between them.
-void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, int precision);
+void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits);
 
 /// The numbers as they are in memory, little-endian.
 void append_bytes(Buffer& to, std::span<const double> numbers);

@@ -13,6 +13,7 @@
 #include "decimal.hpp"
 #include "delimiter.hpp"
 #include "event.hpp"
+#include "number_text.hpp"
 #include "row_operation.hpp"
 
 namespace rotconv::stream {
@@ -41,7 +42,7 @@ struct Options {
     HeaderMode header = HeaderMode::automatic;
     Format format = Format::csv;
     OnError on_error = OnError::stop;
-    int precision = 0;                                    ///< significant digits; 0: the shortest text
+    Digits digits;                                        ///< of the numbers of the result
     bool append = false;                                  ///< keep the row and add the result at its end
     bool diagnostic_columns = false;                      ///< margin, condition, defect and notes after the result
     bool show_diagnostics = true;                         ///< in words, under Format::pretty

@@ -45,11 +45,16 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
     const auto& spec = options.operation.attitude;
     const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation.choose;
-    if (options.precision > 0 && has_range) {
+    if (!options.digits.shortest() && has_range) {
         const bool degrees = spec->unit == AngleUnit::degrees;
+        const Digits digits = options.digits;
         middle_angle_ = options.operation.names.size() - 2;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
-        half_a_digit_ = 0.5 * std::pow(10.0, (degrees ? 3 : 1) - options.precision);
+        half_a_digit_ =
+            0.5 * std::pow(10.0, digits.decimals >= 0 ? -digits.decimals : (degrees ? 3 : 1) - digits.significant);
+        Buffer text;
+        append_number(text, -half_turn_, digits);
+        lower_end_ = fmt::to_string(text);
     }
     const auto add_key = [this](std::string_view name) {
         Buffer key;
@@ -73,15 +78,20 @@ void RowText::write(Buffer& to, const ConvertedRow& row) const {
 }
 
 void RowText::write_number(Buffer& to, double value, std::size_t column) const {
+    const std::size_t start = to.size();
+    append_number(to, value, options_->digits);
     // The outer Euler angles have the range (-pi, pi]: what is -pi to the digits that are printed is pi.
-    const bool is_lower_end = column != middle_angle_ && value + half_turn_ <= half_a_digit_;
-    append_number(to, is_lower_end ? half_turn_ : value, options_->precision);
+    if (column != middle_angle_ && value + half_turn_ <= half_a_digit_ &&
+        std::string_view(to.data() + start, to.size() - start) == lower_end_) {
+        to.resize(start);
+        append(to, std::string_view(lower_end_).substr(1));
+    }
 }
 
 void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
     if (std::isinf(half_turn_)) {
-        append_numbers(to, row.result, delimiter, options_->precision);
+        append_numbers(to, row.result, delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             if (i > 0) {
@@ -95,7 +105,7 @@ void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
     }
     for (const double figure : figures_of(row)) {
         to.push_back(delimiter);
-        append_number(to, figure, options_->precision);
+        append_number(to, figure, options_->digits);
     }
     to.push_back(delimiter);
     const std::size_t start = to.size();
@@ -198,7 +208,7 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
         const auto figures = figures_of(row);
         for (std::size_t i = 0; i < figures.size(); ++i) {
             fmt::format_to(out, "  {:<9}  ", diagnostic_names[i]);
-            append_number(to, figures[i], options_->precision);
+            append_number(to, figures[i], options_->digits);
             to.push_back('\n');
         }
     }

@@ -46,6 +46,7 @@ private:
     double half_turn_ = std::numeric_limits<double>::infinity(); ///< of outer Euler angles that are rounded
     std::size_t middle_angle_ = 1;                               ///< the column of the other
     double half_a_digit_ = 0.0;                                  ///< the last that is printed of it
+    std::string lower_end_;                                      ///< the other end of their range, as it is printed
 };
 
 /// What a diagnostic of the row says beside its kind.

@@ -17,7 +17,7 @@ namespace {
 using rotconv::stream::Buffer;
 
 void print(Buffer& out, std::span<const double> numbers) {
-    rotconv::stream::append_numbers(out, numbers, ',', 0);
+    rotconv::stream::append_numbers(out, numbers, ',', {});
     out.push_back('\n');
 }
 

@@ -80,7 +80,7 @@ void print_dragonbox(benchmark::State& state) {
     rotconv::stream::Buffer buffer;
     time_printing(state, [&buffer](char* /*text*/, double number) {
         buffer.clear();
-        rotconv::stream::append_number(buffer, number, 0);
+        rotconv::stream::append_number(buffer, number, {});
         return buffer.size();
     });
 }

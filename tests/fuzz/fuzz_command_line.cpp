@@ -40,7 +40,8 @@ void require(bool holds) {
 
 void check(const stream::Options& options) {
     require(options.operation.inputs > 0 && !options.operation.names.empty() && options.threads > 0);
-    require(options.precision >= 0 && options.precision <= 100);
+    require(options.digits.significant >= 0 && options.digits.significant <= 100);
+    require(options.digits.decimals >= -1 && options.digits.decimals <= 100);
     require(options.width == 0 || options.width >= options.operation.inputs);
     if (options.pairing) {
         const stream::Pairing& pairing = *options.pairing;

@@ -405,13 +405,16 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     const std::string format = sums_up ? "result" : argument_of(words, "--format", "csv");
     const std::string to = argument_of(words, compares ? "--as" : "--to");
     const int precision = std::atoi(argument_of(words, "--precision", "0").c_str());
+    const bool fixed = !argument_of(words, "--decimals").empty();
     const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
     if (format == "pretty" || format == "f64" || program.options.width > 0 || command == "survey" ||
-        command == "identify" || argument_of(words, "--interpolation") == "cubic" || (precision > 0 && is_euler)) {
+        command == "identify" || argument_of(words, "--interpolation") == "cubic" ||
+        ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, rows that wait, and -pi that rounds
     }
     fuzz::Rules rules = reading_rules_of(words, operation);
     rules.precision = precision;
+    rules.decimals = fixed ? std::atoi(argument_of(words, "--decimals").c_str()) : -1;
     rules.names = operation.names;
     rules.format = format;
     rules.append = has(words, "--append") || compares;
@@ -592,6 +595,8 @@ constexpr std::array option_words{"--from=quat",
                                   "--degrees",
                                   "--precision=6",
                                   "--precision=17",
+                                  "--decimals=0",
+                                  "--decimals=6",
                                   "--threads=16",
                                   "--input-format=f64",
                                   "--width=4",

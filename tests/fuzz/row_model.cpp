@@ -768,8 +768,11 @@ private:
         std::vector<std::string> texts;
         for (const double value : answer.numbers) {
             const double shown = std::isnan(value) ? std::abs(value) : value;
-            texts.push_back(rules_.precision == 0 ? fmt::format("{}", shown)
-                                                  : fmt::format("{:.{}g}", shown, rules_.precision));
+            std::string text = rules_.decimals >= 0    ? fmt::format("{:.{}f}", shown, rules_.decimals)
+                               : rules_.precision == 0 ? fmt::format("{}", shown)
+                                                       : fmt::format("{:.{}g}", shown, rules_.precision);
+            const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+            texts.push_back(is_zero && text.starts_with('-') ? text.substr(1) : text);
         }
         if (rules_.diagnostic_columns) {
             texts.push_back(answer.notes.empty() && delimiter_ == ' ' ? "-" : answer.notes);

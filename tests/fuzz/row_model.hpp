@@ -33,6 +33,7 @@ struct Rules {
     std::vector<std::string> input_names; ///< of the numbers that are read
     std::string columns, delimiter, header = "auto", format = "csv", on_error = "stop";
     int precision = 0;
+    int decimals = -1;
     bool append = false, diagnostic_columns = false;
 
     /// How the stream is read whose rows stand beside these; the numbers of both are one row for `calculate`. Under the

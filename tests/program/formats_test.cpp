@@ -55,6 +55,23 @@ TEST_CASE("numbers are the shortest that read back") {
     CHECK(run("-f quat -t rotvec --diagnostics off 0 1 0 0") == done("3.141592653589793 0 0\n"));
 }
 
+TEST_CASE("decimals are digits after the point") {
+    // Catches an exponent in a table, a sign of 0, and digits that count from the first.
+    CHECK(run("-f rpy:deg -t rpy:deg --decimals 4 2.679e-08 -2.679e-08 123.45678") == done("0.0000 0.0000 123.4568\n"));
+    CHECK(run("-f rotvec -t rotvec --decimals=0 0.4 0.6 -1.7") == done("0 1 -2\n"));
+    CHECK(run("-f rpy -t rpy -d --decimals 2 -179.999 0 -179.99") == done("180.00 0.00 -179.99\n"));
+    CHECK(run("-f euler:ZYX -t euler:ZYX --decimals 4 -- -3.14158 0 -3.141548") == done("3.1416 0.0000 -3.1415\n"));
+    CHECK(run("-f cayley -t cayley --decimals 1 inf 0 0").exit_code == 2);
+    CHECK(run("-f quat -t cayley --diagnostics off --decimals 1 0 1 0 0") == done("inf 0.0 0.0\n"));
+    CHECK(compact(run("-f rotvec -t rotvec --decimals 2 --format json 1e-9 0 1").out) ==
+          "{\"rx\":0.00,\"ry\":0.00,\"rz\":1.00}\n");
+    CHECK(missing(run("compare -f rpy -d --decimals 2 0 0 0 0 0 30").out, {"max       30.00 at 1\n"}) == "");
+    CHECK(run("-f quat -t dcm --on-error nan --decimals 2", "0 0 0 0\n").out ==
+          "nan nan nan nan nan nan nan nan nan\n");
+    CHECK(run("-f quat -t euler:ZYX -d --decimals 1 --diagnostics columns", "1,0,0,0\n") ==
+          done("0.0,0.0,0.0,1.6,1.0,0.0,\n"));
+}
+
 TEST_CASE("an angle that rounds to minus 180 is printed as 180") {
     // Catches an angle outside of its range after rounding.
     const std::string angles = "-f euler:ZYX -t euler:ZYX -p 6 ";
@@ -171,6 +188,7 @@ TEST_CASE("only an angle that is minus pi to the printed digits changes its sign
     const std::string same = "-f euler:ZYX -t euler:ZYX -p ";
     CHECK(run(same + "2 -3.06 0 0") == done("-3.1 0 0\n"));
     CHECK(run(same + "2 -3.14 0 0") == done("3.1 0 0\n"));
+    CHECK(run(same + "5 -3.141548 0 0") == done("-3.1415 0 0\n"));
     CHECK(run(same + "4 -3.1415 0 0") == done("3.142 0 0\n"));
     CHECK(run(same + "4 -3.14 0 0") == done("-3.14 0 0\n"));
     CHECK(run("-d " + same + "4 -179.96 0 0") == done("180 0 0\n"));

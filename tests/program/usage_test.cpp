@@ -118,8 +118,8 @@ TEST_CASE("an unknown option is answered with the nearest") {
 
 TEST_CASE("an option without its argument is a usage error") {
     // Catches the next option taken for the argument's absence, or a crash.
-    for (const char* option : {"-i", "-o", "--columns", "--delimiter", "--header", "--format", "-p", "--diagnostics",
-                               "--on-error", "--tolerance", "--lock-margin", "--threads"}) {
+    for (const char* option : {"-i", "-o", "--columns", "--delimiter", "--header", "--format", "-p", "--decimals",
+                               "--diagnostics", "--on-error", "--tolerance", "--lock-margin", "--threads"}) {
         check_usage_error(std::string("-f quat -t dcm ") + option, {option});
     }
 }
@@ -181,8 +181,9 @@ TEST_CASE("whatever comes from outside is shown without its control characters")
 
 TEST_CASE("an empty argument of an option is a usage error") {
     // Catches a shell variable without a value that is taken for the default.
-    for (const std::string option : {"--from", "--columns", "--delimiter", "--header", "--format", "--precision",
-                                     "--diagnostics", "--on-error", "--tolerance", "--lock-margin", "--threads"}) {
+    for (const std::string option :
+         {"--from", "--columns", "--delimiter", "--header", "--format", "--precision", "--decimals", "--diagnostics",
+          "--on-error", "--tolerance", "--lock-margin", "--threads"}) {
         for (const auto& words : {Words{option, ""}, Words{option + "="}}) {
             INFO(option);
             Words arguments{"-f", "quat", "-t", "dcm"};
@@ -202,8 +203,13 @@ TEST_CASE("numbers of options are checked") {
     const std::string convert = "-f quat -t dcm ";
     for (const std::string digits : {"0", "-1", "2.5", "x", "nan", "1e99", "3x"}) {
         check_usage_error(convert + "-p " + digits, {"precision", digits});
+        if (digits != "0") {
+            check_usage_error(convert + "--decimals " + digits, {"decimals", digits});
+        }
         check_usage_error(convert + "--threads " + digits, {"threads", digits});
     }
+    check_usage_error(convert + "--decimals 101", {"--decimals '101' must be a whole number from 0 to 100"});
+    check_usage_error(convert + "-p 3 --decimals 3", {"--precision and --decimals exclude each other"});
     for (const std::string amount : {"-1", "x", "nan", "-inf", "1e-3x"}) {
         check_usage_error(convert + "--tolerance " + amount, {"tolerance", amount});
         check_usage_error(convert + "--lock-margin " + amount, {"lock-margin", amount});

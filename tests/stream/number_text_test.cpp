@@ -14,9 +14,9 @@ using namespace rotconv::stream;
 
 namespace {
 
-std::string text_of(double value, int precision = 0) {
+std::string text_of(double value, int precision = 0, int decimals = -1) {
     Buffer buffer;
-    append_number(buffer, value, precision);
+    append_number(buffer, value, {.significant = precision, .decimals = decimals});
     return fmt::to_string(buffer);
 }
 
@@ -189,3 +189,35 @@ TEST_CASE("significant digits beside powers of ten have the form of fmt") {
 
 // A few minutes: test_stream "[large]".
 TEST_CASE("significant digits of a hundred million numbers", "[.large]") { compare_with_fmt(100'000'000); }
+
+// Would catch: what "significant digits" above would, a sign of what rounds to 0, a zero that is left out.
+TEST_CASE("decimals are those of the exact value, in the form of fmt") {
+    std::mt19937_64 engine(12);
+    const auto expected = [](double value, int decimals) {
+        const std::string text = fmt::format("{:.{}f}", value, decimals);
+        return text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1) : text;
+    };
+    for (int i = 0; i < 300'000; ++i) {
+        const int decimals = i / 5 % 18;
+        const double unit = std::pow(10, -decimals);
+        const double many = std::floor(std::uniform_real_distribution<>(-2e3, 2e3)(engine));
+        const std::array<double, 5> values{std::uniform_real_distribution<>(-180, 180)(engine),
+                                           std::bit_cast<double>(engine()), (many + 0.5) * unit, many * unit,
+                                           std::nextafter((many + 0.5) * unit, i % 2 * 1e9)};
+        const double value = values.at(static_cast<std::size_t>(i) % values.size());
+        if (!std::isnan(value) && text_of(value, 0, decimals) != expected(value, decimals)) {
+            CHECK(text_of(value, 0, decimals) == expected(value, decimals));
+        }
+    }
+    CHECK(text_of(2.679e-08, 0, 4) == "0.0000");
+    CHECK(text_of(-2.679e-08, 0, 4) == "0.0000");
+    CHECK(text_of(0.0, 0, 0) == "0");
+    CHECK(text_of(-0.6, 0, 0) == "-1");
+    CHECK(text_of(0.125, 0, 2) == "0.12");
+    CHECK(text_of(2.675, 0, 2) == "2.67");
+    CHECK(text_of(999.96, 0, 1) == "1000.0");
+    CHECK(text_of(0.1, 0, 20) == "0.10000000000000000555");
+    CHECK(text_of(std::numeric_limits<double>::infinity(), 0, 3) == "inf");
+    CHECK(text_of(-std::numeric_limits<double>::quiet_NaN(), 0, 3) == "nan");
+    CHECK(text_of(1e300, 0, 1).size() == 303);
+}
