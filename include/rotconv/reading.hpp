@@ -22,6 +22,7 @@ enum class Error : std::uint8_t {
     singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
     coarse_step,     ///< the body may turn by more in one step than the set can follow
     time_order,      ///< not later than the sample before, or by less than 1e-100 s
+    past_half_turn,  ///< differences: the body may have turned by half a turn or more since the sample before
     ended,           ///< an earlier row of the propagation has failed: nothing follows on it
 };
 

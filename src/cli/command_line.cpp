@@ -14,6 +14,7 @@
 #include "../stream/file.hpp"
 #include "arguments.hpp"
 #include "compare.hpp"
+#include "first_look.hpp"
 #include "identify.hpp"
 #include "kinematics.hpp"
 #include "list.hpp"
@@ -47,9 +48,10 @@ constexpr std::array<Entry, 6> commands{
     {{"list", "List the representations, methods or presets, or explain one", "Usage: rotconv list [NAME]\n",
       define_list,
       [](const RawOptions& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
-     {"rates", "Rates of the numbers from the angular velocity, and back",
+     {"rates", "Rates of the numbers from the angular velocity, and back; angular velocity from attitudes",
       "Usage: rotconv rates -f SPEC [OPTION]... [VALUE]...\n"
-      "       rotconv rates -f SPEC [OPTION]... [FILE]\n",
+      "       rotconv rates -f SPEC [OPTION]... [FILE]\n"
+      "       rotconv rates --differences -f SPEC [OPTION]... [FILE]\n",
       define_rates,
       [](const RawOptions& texts, const Operands& operands) -> Command { return rates_command(texts, operands); }},
      {"propagate", "Integrate angular velocities to attitudes", "Usage: rotconv propagate -t SPEC [OPTION]... [FILE]\n",
@@ -146,6 +148,9 @@ const Method* method_of(const Spec& from, const Spec& to, const std::string& tex
 }
 
 RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
+    if (texts.from.empty() && texts.to.empty()) {
+        throw MissingSpec("--from SPEC and --to SPEC are missing; see rotconv --help");
+    }
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     Settings settings = settings_of(texts);
@@ -203,6 +208,48 @@ void check(const Operands& operands, bool has_input, std::size_t most_files) {
     }
 }
 
+/// The program that prints a compressed file, by the file's name; empty for others.
+std::string_view unpacker_of(std::string_view file) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unpackers{
+        {{".gz", "zcat"}, {".zst", "zstdcat"}, {".xz", "xzcat"}}};
+    for (const auto& [ending, program] : unpackers) {
+        if (file.ends_with(ending)) {
+            return program;
+        }
+    }
+    return {};
+}
+
+/// A word as a shell reads it.
+std::string in_shell(std::string_view word) {
+    const bool is_plain = !word.empty() && std::ranges::all_of(word, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("-_./:,=+@").find(c) != std::string_view::npos;
+    });
+    std::string text;
+    for (const char c : word) {
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return is_plain ? text : fmt::format("'{}'", text);
+}
+
+/// Refuses files that their names call compressed, with the same command line behind what unpacks the first.
+void refuse_compressed(const std::vector<std::string>& files, int argc, const char* const* argv) {
+    const auto found = std::ranges::find_if(files, [](const auto& file) { return !unpacker_of(file).empty(); });
+    if (found == files.end()) {
+        return;
+    }
+    std::string command = fmt::format("{} {} | rotconv", unpacker_of(*found), in_shell(*found));
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        const std::string_view unpacker = std::ranges::count(files, word) > 0 ? unpacker_of(word) : "";
+        command += word == *found      ? " -"
+                   : !unpacker.empty() ? fmt::format(" <({} {})", unpacker, in_shell(word))
+                                       : fmt::format(" {}", in_shell(word));
+    }
+    throw Usage(messages::shown(messages::compressed(*found, command)));
+}
+
 /// The conversion's options mean nothing to a command that follows them.
 void refuse_before(const CLI::App& app, const std::string& command) {
     for (const CLI::Option* option : app.get_options()) {
@@ -257,7 +304,17 @@ Command read_command_line(int argc, const char* const* argv) {
         const Operands operands{arguments.values, arguments.files};
         const Entry* entry = find_command(arguments.command);
         check(operands, input != nullptr && input->count() > 0, entry == nullptr ? 1 : entry->most_files);
-        return entry == nullptr ? convert_command(texts, operands) : entry->command(texts, operands);
+        std::vector<std::string> files = arguments.files;
+        files.push_back(texts.input);
+        refuse_compressed(files, argc, argv);
+        try {
+            return entry == nullptr ? convert_command(texts, operands) : entry->command(texts, operands);
+        } catch (const MissingSpec& error) {
+            const std::string beginning = beginning_of(files.front());
+            return UsageError{beginning.empty() ? error.what()
+                                                : fmt::format("{}; {}", error.what(),
+                                                              messages::describe(files.front(), look_at(beginning)))};
+        }
     } catch (const CLI::CallForHelp&) {
         return PrintCommand{help(app, texts)};
     } catch (const CLI::CallForVersion& version) {

@@ -31,8 +31,7 @@ struct RowsCommand {
     std::string input = "-";
     std::string output = "-";
     bool has_values = false;
-    std::string values;    ///< the VALUEs as one row
-    bool progress = false; ///< where a terminal shows it
+    std::string values; ///< the VALUEs as one row
 
     /// The stream that the rows are paired with; see stream::Pairing.
     std::string reference;

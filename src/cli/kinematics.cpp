@@ -8,6 +8,8 @@
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
 
+#include "../stream/differences.hpp"
+
 namespace rotconv::cli {
 namespace {
 
@@ -41,13 +43,53 @@ Integrator integrator_of(const Spec& set, const std::string& text) {
     return choose(fmt::format("integrator of {}", representation(set.name).text), text, serving);
 }
 
+void define_time_unit(CLI::App& app, RawOptions& texts) {
+    app.add_option("--time-unit", texts.time_unit, "Of the times: s (default), ms, us or ns")->type_name("UNIT");
+}
+
+int time_power_of(const RawOptions& texts) {
+    return choose<int>("time unit", texts.time_unit, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
+}
+
+Frame frame_of(const RawOptions& texts) {
+    return choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}});
+}
+
+void explain_degrees(CLI::App& app) {
+    app.get_option("--degrees")
+        ->description("Angles in degrees, and the angular velocity in degrees a second: after :deg alone it is in "
+                      "radians a second");
+}
+
+RowsCommand differences_command(const RawOptions& texts, const Operands& operands) {
+    if (texts.inverse) {
+        throw Usage("--inverse and --differences exclude each other");
+    }
+    refuse_values(operands, "rates --differences");
+    const Spec spec = spec_of("--from", texts.from, texts.degrees);
+    const Settings settings = settings_of(texts);
+    auto operation = stream::differences_operation({.spec = spec,
+                                                    .time_power = time_power_of(texts),
+                                                    .degrees = texts.degrees,
+                                                    .frame = frame_of(texts),
+                                                    .tolerance = settings.tolerance,
+                                                    .sensitivity = settings.sensitivity});
+    messages::Subject about{fmt::format("t with {}", representation(spec.name).text), operation.inputs, spec.name,
+                            settings.tolerance};
+    return rows_command(texts, std::move(operation), std::move(about), operands);
+}
+
 } // namespace
 
 void define_rates(CLI::App& app, RawOptions& texts) {
     define_from(app, texts);
     app.add_option("--frame", texts.frame, "Axes of the angular velocity: body or reference")->type_name("FRAME");
     app.add_flag("--inverse", texts.inverse, "From the rates of the numbers to the angular velocity");
+    app.add_flag("--differences", texts.differences,
+                 "From rows of a time and an attitude to the angular velocity since the row before");
+    define_time_unit(app, texts);
     define_input(app, texts);
+    explain_degrees(app);
     define_output(app, texts);
 }
 
@@ -62,10 +104,11 @@ void define_propagate(CLI::App& app, RawOptions& texts) {
     app.add_option("--interpolation", texts.interpolation,
                    "Of the angular velocity between rows: linear, or cubic, which answers one row late")
         ->type_name("HOW");
-    app.add_option("--time-unit", texts.time_unit, "Of the times: s (default), ms, us or ns")->type_name("UNIT");
+    define_time_unit(app, texts);
     app.add_flag("--renormalise", texts.renormalise, "Bring the numbers back to the set after every step");
     define_attitudes(app, texts);
     define_input(app, texts);
+    explain_degrees(app);
     define_output(app, texts);
     define_lock_margin(app, texts);
 }
@@ -80,14 +123,14 @@ void define_survey(CLI::App& app, RawOptions& texts) {
 }
 
 RowsCommand rates_command(const RawOptions& texts, const Operands& operands) {
+    if (texts.differences) {
+        return differences_command(texts, operands);
+    }
     const Spec spec = spec_of("--from", texts.from, texts.degrees);
     require_rates("--from", spec);
     const Settings shared = settings_of(texts);
     const RateSettings settings{
-        .inverse = texts.inverse,
-        .degrees = texts.degrees,
-        .frame = choose<Frame>("frame", texts.frame, {{"body", Frame::body}, {"reference", Frame::reference}}),
-        .tolerance = shared.tolerance};
+        .inverse = texts.inverse, .degrees = texts.degrees, .frame = frame_of(texts), .tolerance = shared.tolerance};
     auto operation = stream::rates_operation(spec, settings, shared.sensitivity);
     const std::string subject =
         fmt::format("{} with {}", representation(spec.name).text, settings.inverse ? "its rates" : "wx wy wz");
@@ -102,7 +145,7 @@ RowsCommand propagate_command(const RawOptions& texts, const Operands& operands)
     require_rates("--with", set);
     const Settings settings = settings_of(texts);
     stream::PropagationRows rows;
-    rows.time_power = choose<int>("time unit", texts.time_unit, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
+    rows.time_power = time_power_of(texts);
     rows.degrees = texts.degrees;
     rows.to = to;
     rows.conversion = settings;
@@ -123,9 +166,7 @@ RowsCommand propagate_command(const RawOptions& texts, const Operands& operands)
         operation = stream::continuous(std::move(operation));
     }
     messages::Subject about{"t wx wy wz", operation.inputs, set.name, settings.tolerance};
-    RowsCommand command = rows_command(texts, std::move(operation), std::move(about), operands);
-    command.progress = true;
-    return command;
+    return rows_command(texts, std::move(operation), std::move(about), operands);
 }
 
 SurveyCommand survey_command(const RawOptions& texts, const Operands& operands) {

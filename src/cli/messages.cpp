@@ -168,6 +168,28 @@ std::string quoted(std::string_view text) {
     return fmt::format("'{}{}'", shown(text.substr(0, longest)), text.size() > longest ? "..." : "");
 }
 
+std::string describe(const std::string& file, const FirstLook& look) {
+    if (look.line == 0) {
+        return fmt::format("{} begins with no row of numbers", quoted(file));
+    }
+    const std::size_t count = look.fields.size();
+    std::string text = fmt::format("{} has {} column{}: {}", quoted(file), count, count == 1 ? "" : "s",
+                                   numbered(look.names.empty() ? look.fields : look.names));
+    for (const char* spec : {"quat", "dcm", "rpy"}) {
+        const Representation& entry = *find_representation(spec);
+        const std::vector<std::string_view> columns(entry.columns.begin(),
+                                                    entry.columns.begin() + static_cast<std::ptrdiff_t>(entry.size));
+        if (std::ranges::all_of(columns, [&](auto column) { return std::ranges::count(look.names, column) == 1; })) {
+            return fmt::format("{}; perhaps -f {} --columns {}", text, spec, fmt::join(columns, ","));
+        }
+    }
+    return text;
+}
+
+std::string compressed(const std::string& file, const std::string& command) {
+    return fmt::format("{} is compressed: {}", quoted(file), command);
+}
+
 std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
     return fmt::format("argument: {} is no number, and as a FILE it cannot be read: {}{}", quoted(word),
                        std::generic_category().message(error), suggestion(word, guess_by_spelling(word, commands)));
@@ -252,6 +274,8 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
     case Error::singular:
         return fmt::format("{} has no rates at {}: {}", representation(subject.set).text,
                            representation(subject.set).singular_attitude, text);
+    case Error::past_half_turn:
+        return fmt::format("the body may have turned by half a turn or more since the row before (a gap?): {}", text);
     case Error::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
     case Error::coarse_step:
         return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",

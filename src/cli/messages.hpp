@@ -10,6 +10,7 @@
 
 #include "../stream/column_list.hpp"
 #include "../stream/event.hpp"
+#include "first_look.hpp"
 
 /// What is told of rows, files, columns, SPECs and diagnostics. A sentence about one option stands with that option.
 namespace rotconv::cli::messages {
@@ -70,6 +71,12 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 
 /// Why a word names no method of the pair, with those that there are and where they hold.
 [[nodiscard]] std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text);
+
+/// What the first rows of a file hold.
+[[nodiscard]] std::string describe(const std::string& file, const FirstLook& look);
+
+/// That a file is compressed, with a command line that reads it.
+[[nodiscard]] std::string compressed(const std::string& file, const std::string& command);
 
 /// Why a word that is no option can be used neither as a number nor as a file, with the nearest command.
 [[nodiscard]] std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands);

@@ -196,7 +196,7 @@ void define_output(CLI::App& app, RawOptions& texts) {
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     if (text.empty()) {
-        throw Usage(fmt::format("{} SPEC is missing; see rotconv --help", option));
+        throw MissingSpec(fmt::format("{} SPEC is missing; see rotconv --help", option));
     }
     const auto parsed = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&parsed)) {

@@ -62,6 +62,7 @@ struct RawOptions {
     bool continuous = false;
     bool strict = false;
     bool inverse = false;
+    bool differences = false;
     bool renormalise = false;
 };
 
@@ -74,6 +75,11 @@ struct Operands {
 /// Thrown while the command line is read, with words for the user.
 class Usage : public std::runtime_error {
     using std::runtime_error::runtime_error;
+};
+
+/// The same, where a SPEC is not given.
+class MissingSpec : public Usage {
+    using Usage::Usage;
 };
 
 /// Under which title of the help the options that follow stand.

@@ -12,6 +12,7 @@
 #include "../stream/first_row.hpp"
 #include "../stream/run.hpp"
 #include "exit_code.hpp"
+#include "first_look.hpp"
 #include "messages.hpp"
 #include "print_error.hpp"
 #include "progress.hpp"
@@ -22,14 +23,23 @@ namespace {
 /// Words events as they come, counts them, and words the summary.
 class Reporter {
 public:
-    explicit Reporter(const RowsCommand& command)
-        : command_(&command), where_(command.has_values ? "argument" : messages::shown(command.input)),
+    /// @param failed_rows_show_it in the output, so that not all of them need be told of
+    /// @param beginning of the input
+    Reporter(const RowsCommand& command, bool failed_rows_show_it, const std::string& beginning)
+        : command_(&command), most_errors_(failed_rows_show_it ? told_errors : every_error), beginning_(&beginning),
+          where_(command.has_values ? "argument" : messages::shown(command.input)),
           reference_(messages::shown(command.reference)) {}
 
     void operator()(const stream::Event& event) {
         if (const auto* error = std::get_if<stream::RowError>(&event)) {
-            ++errors_;
-            tell(error->line, messages::explain(*error, subject_of(error->of_reference)), error->of_reference);
+            if (++errors_ > most_errors_) {
+                return;
+            }
+            std::string message = messages::explain(*error, subject_of(error->of_reference));
+            if (errors_ == 1 && !error->of_reference) {
+                message += advice_at(error->line);
+            }
+            tell(error->line, message, error->of_reference);
             return;
         }
         const auto& diagnostic = std::get<stream::Diagnostic>(event);
@@ -52,8 +62,11 @@ public:
     }
 
     void operator()(const stream::StreamError& error) const {
+        const bool advises =
+            error.what == stream::StreamError::What::columns && error.column.header.empty() && !error.of_reference;
         tell(error.what == stream::StreamError::What::read ? 0 : error.line,
-             messages::explain(error, subject_of(error.of_reference)), error.of_reference);
+             messages::explain(error, subject_of(error.of_reference)) + (advises ? advice_at(error.line) : ""),
+             error.of_reference);
     }
 
     void operator()(const stream::Unpaired& unpaired, bool of_reference) const {
@@ -81,6 +94,14 @@ public:
         }
     }
 
+    /// What the limit has left out.
+    void count_rest() const {
+        if (errors_ > most_errors_) {
+            const std::size_t rest = errors_ - most_errors_;
+            tell(0, fmt::format("{} more row{} without a result", rest, rest == 1 ? "" : "s"));
+        }
+    }
+
     [[nodiscard]] std::size_t errors() const noexcept { return errors_; }
     [[nodiscard]] std::size_t rows(DiagnosticKind kind) const { return count_of(kind).rows; }
     [[nodiscard]] std::size_t first_line(DiagnosticKind kind) const { return count_of(kind).first.line; }
@@ -92,6 +113,17 @@ public:
     }
 
 private:
+    static constexpr std::size_t told_errors = 20;
+    static constexpr std::size_t every_error = static_cast<std::size_t>(-1);
+
+    /// Of a line before the first row that could be read.
+    [[nodiscard]] std::string advice_at(std::size_t line) const {
+        const bool is_text = !command_->has_values && command_->options.width == 0;
+        const std::size_t count = command_->options.columns.empty() ? command_->subject.count : 0;
+        const std::string text = is_text ? advice(*beginning_, line, count, command_->input) : std::string();
+        return text.empty() ? text : "; " + text;
+    }
+
     struct Count {
         std::size_t rows = 0;
         stream::Diagnostic first;
@@ -107,6 +139,8 @@ private:
         return fmt::format("{} row{}, first at line {}", rows, rows == 1 ? "" : "s", first_line);
     }
     const RowsCommand* command_;
+    std::size_t most_errors_;
+    const std::string* beginning_;
     std::string where_;
     std::string reference_;
     std::array<Count, 2 * diagnostic_kind_count> counts_{}; ///< of the input, and of the reference
@@ -151,11 +185,13 @@ RowsResult run_rows(RowsCommand command, const std::optional<Conclusion>& conclu
         }
     }
 
-    Reporter reporter(command);
     stream::TextSource values(command.values);
-    const bool on_screen = command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
-    const auto progress = std::make_unique<Progress>(*inputs.front(), command.progress && !on_screen);
-    stream::FirstRow source(command.has_values ? static_cast<stream::Source&>(values) : *progress);
+    const bool on_screen = !conclusion && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
+    auto progress = std::make_unique<Progress>(*inputs.front(), !on_screen);
+    KeptBeginning input(command.has_values ? static_cast<stream::Source&>(values) : *progress);
+    stream::FirstRow source(input);
+    const bool failed_rows_show_it = !conclusion && command.options.on_error == stream::OnError::nan;
+    Reporter reporter(command, failed_rows_show_it, input.text());
     if (settle) {
         const std::string_view first = source.text();
         if (const std::string wrong = settle(first, command); !wrong.empty()) {
@@ -178,6 +214,7 @@ RowsResult run_rows(RowsCommand command, const std::optional<Conclusion>& conclu
         }
         reporter(*ending.error);
     }
+    progress.reset();
     RowsResult result{.answered = ending.answered,
                       .failed = reporter.errors(),
                       .beyond = reporter.rows(DiagnosticKind::beyond),
@@ -188,6 +225,7 @@ RowsResult run_rows(RowsCommand command, const std::optional<Conclusion>& conclu
         reporter(result.unpaired[0], false);
         reporter(result.unpaired[1], true);
     }
+    reporter.count_rest();
     if (conclusion && is_whole) {
         const int error = output.write(conclusion->text(result));
         if (error == EPIPE) {

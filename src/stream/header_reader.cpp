@@ -14,6 +14,23 @@ bool is_missing(std::string_view text) noexcept {
     return std::ranges::any_of(words, [&](std::string_view word) { return std::ranges::equal(text, word, {}, lower); });
 }
 
+/// A number with a comma for its point.
+bool has_decimal_comma(std::string text) noexcept {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos) {
+        return false;
+    }
+    text[comma] = '.';
+    return is_number(text);
+}
+
+/// A remark in the manner of other programs, a keyword with its value, or a description of rows: no header.
+bool is_preamble(std::string_view row, const std::vector<std::string_view>& fields) noexcept {
+    const std::string_view first = fields.empty() ? "" : trimmed(fields.front());
+    return row.starts_with("//") || row.starts_with('%') || first == "FMT" || first == "COMMENT" ||
+           std::ranges::any_of(fields, [](auto field) { return trimmed(field) == "="; });
+}
+
 /// Not one of the names was missing, whatever else is wrong with them.
 bool has_all(const std::variant<std::vector<std::size_t>, ColumnError>& found) noexcept {
     const auto* error = std::get_if<ColumnError>(&found);
@@ -236,15 +253,17 @@ std::vector<std::string> HeaderReader::selected(const Header& header) const {
 }
 
 bool HeaderReader::is_header(const Header& header) const {
-    return header.is_closed && has_selected(header) &&
-           std::ranges::none_of(selected(header), [](const auto& text) { return is_number(text) || is_missing(text); });
+    return header.is_closed && has_selected(header) && !is_preamble(header.line.text, header.fields) &&
+           std::ranges::none_of(selected(header), [](const auto& text) {
+               return is_number(text) || is_missing(text) || has_decimal_comma(text);
+           });
 }
 
 std::vector<std::string> HeaderReader::names_near(const Header& row) const {
     const Header comment = header_of({comment_, {}}, row.delimiter);
     const auto is_named = [&row](const Header& header) {
         return header.is_closed && header.fields.size() == row.fields.size() &&
-               std::ranges::none_of(header.names(), is_number);
+               !is_preamble(header.line.text, header.fields) && std::ranges::none_of(header.names(), is_number);
     };
     return is_named(row) ? row.names() : is_named(comment) ? comment.names() : std::vector<std::string>();
 }
@@ -270,7 +289,11 @@ bool HeaderReader::take_comment(const Header& row, Output& output) {
     }
     if (row.delimiter.is_blanks()) { // then a remark may well have as many words
         const auto kept = static_cast<std::ptrdiff_t>(options_->operation.kept);
-        const auto names = selected(header);
+        auto names = selected(header);
+        std::ranges::for_each(names, [](std::string& name) {
+            constexpr std::string_view unit = "_deg_s";
+            name.resize(name.size() - (name.ends_with(unit) ? unit.size() : 0));
+        });
         const auto& own = options_->operation.input_names;
         if (!std::is_permutation(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {
             return false;
@@ -287,17 +310,21 @@ HeaderReader::find_names(const Line& line, std::optional<Delimiter> delimiter) c
     if (!delimiter) {
         delimiter = options_->delimiter;
     }
+    const auto look_up = [this](const Header& header) {
+        return options_->columns.positions(is_preamble(header.line.text, header.fields) ? std::vector<std::string>()
+                                                                                        : header.names());
+    };
     for (const char c : {',', '\t', ';'}) {
         if (!delimiter && line.text.find(c) != std::string_view::npos) {
             Header header = header_of(line, Delimiter::character(c));
-            auto found = options_->columns.positions(header.names());
+            auto found = look_up(header);
             if (has_all(found)) {
                 return {std::move(header), std::move(found)};
             }
         }
     }
     Header header = header_of(line, delimiter.value_or(Delimiter::blanks()));
-    auto found = options_->columns.positions(header.names());
+    auto found = look_up(header);
     return {std::move(header), std::move(found)};
 }
 

@@ -12,7 +12,7 @@
 #include <rotconv/continuous.hpp>
 #include <rotconv/quaternion.hpp>
 
-#include "decimal.hpp"
+#include "clock.hpp"
 
 namespace rotconv::stream {
 namespace {
@@ -60,41 +60,6 @@ Conversion conversion_to(const Spec& to, Settings settings) {
     settings.tolerance = std::numeric_limits<double>::infinity();
     return {Spec{}, to, settings};
 }
-
-/// The times of rows that are accepted.
-class Clock {
-public:
-    explicit Clock(int power) : power_(power) {
-        for (int i = power; i < 0; ++i) {
-            per_second_ *= 10.0;
-        }
-    }
-
-    /// Seconds since the last accepted time, rounded once where times are texts; nan for a time that is none.
-    double seconds_to(double time, const std::string_view* text) {
-        if (!std::isfinite(time)) {
-            return std::numeric_limits<double>::quiet_NaN();
-        }
-        if (text != nullptr) {
-            next_text_ = Decimal::parse(*text).value_or(Decimal());
-            return (next_text_ - last_text_).rounded(power_);
-        }
-        next_ = time;
-        return (next_ - last_) / per_second_;
-    }
-    void accept() {
-        std::swap(last_text_, next_text_);
-        last_ = next_;
-    }
-
-private:
-    int power_;
-    double per_second_ = 1.0;
-    Decimal last_text_;
-    Decimal next_text_;
-    double last_ = 0.0;
-    double next_ = 0.0;
-};
 
 /// The rows of a propagation and the propagator that remembers them.
 class Propagation {
@@ -199,6 +164,11 @@ template <class AnyConversion> RowOperation operation_of(const AnyConversion& co
 
 } // namespace
 
+std::vector<std::string> velocity_names(bool degrees) {
+    return degrees ? std::vector<std::string>{"wx_deg_s", "wy_deg_s", "wz_deg_s"}
+                   : std::vector<std::string>{"wx", "wy", "wz"};
+}
+
 RowOperation conversion_operation(const Conversion& conversion) { return operation_of(conversion); }
 
 RowOperation method_operation(const MethodConversion& conversion) { return operation_of(conversion); }
@@ -215,9 +185,9 @@ RowOperation continuous(RowOperation operation) {
 
 RowOperation rates_operation(const Spec& spec, const RateSettings& settings, bool sensitivity) {
     const Rates rates(spec, settings);
-    const std::vector<std::string> velocity{"wx", "wy", "wz"};
+    const auto velocity = velocity_names(settings.degrees);
     auto input_names = column_names(spec);
-    std::ranges::copy(settings.inverse ? rate_names(spec) : velocity, std::back_inserter(input_names));
+    std::ranges::copy(settings.inverse ? rate_names(spec) : velocity_names(false), std::back_inserter(input_names));
     return {.inputs = rates.in_size(),
             .input_names = std::move(input_names),
             .from = spec,

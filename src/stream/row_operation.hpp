@@ -58,8 +58,11 @@ struct RowOperation {
 /// The same operation, whose result follows the motion; see ContinuousNumbers.
 [[nodiscard]] RowOperation continuous(RowOperation operation);
 
-/// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are wx,
-/// wy and wz. `sensitivity`: a report of every row.
+/// What the columns of an angular velocity are called.
+[[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
+
+/// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are
+/// velocity_names(). `sensitivity`: a report of every row.
 [[nodiscard]] RowOperation rates_operation(const Spec& spec, const RateSettings& settings, bool sensitivity);
 
 /// What a propagation makes of rows t, wx, wy, wz.

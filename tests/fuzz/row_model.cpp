@@ -185,6 +185,18 @@ bool stands_for_missing(std::string text) {
     return std::set<std::string>{"", "na", "n/a", "null", "none", "nil", "-", "?", "."}.contains(text);
 }
 
+/// Lines before the data that are no header, whatever their fields.
+template <class Texts> bool is_preamble(std::string_view row, const Texts& fields) {
+    const auto bare = [](std::string_view text) {
+        const auto first = text.find_first_not_of(" \t");
+        return first == std::string_view::npos ? std::string_view()
+                                               : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+    };
+    return row.starts_with("//") || row.starts_with("%") ||
+           (!fields.empty() && (bare(fields[0]) == "FMT" || bare(fields[0]) == "COMMENT")) ||
+           std::ranges::any_of(fields, [&](const auto& field) { return bare(field) == "="; });
+}
+
 /// An item of --columns: a name, or a position.
 struct Item {
     std::string name;
@@ -430,7 +442,8 @@ private:
         const char delimiter = delimiter_of(first.text, rules_.delimiter);
         Fields fields;
         const bool closed = split(first.text, delimiter, fields);
-        const bool is_header = closed && selects(fields) && !holds_a_number(fields, delimiter);
+        const bool is_header =
+            closed && selects(fields) && !is_preamble(first.text, fields) && !holds_a_number(fields, delimiter);
         if ((rules_.header == "yes" || !is_header) && find_comment_header(fields.size(), delimiter)) {
             return true;
         }
@@ -450,7 +463,11 @@ private:
         for (std::size_t i = 0; i < rules_.inputs; ++i) {
             const std::string text = content(fields[items_.empty() ? i : positions_[i]], delimiter);
             double value = 0.0;
-            if (stands_for_missing(text) || read(text, value)) {
+            std::string with_point = text;
+            if (const auto comma = with_point.find(','); comma != std::string::npos) {
+                with_point[comma] = '.';
+            }
+            if (stands_for_missing(text) || read(with_point, value)) {
                 return true;
             }
         }
@@ -525,7 +542,7 @@ private:
         for (const char delimiter : line.blank() ? std::string() : candidates) {
             Fields fields;
             split(text, delimiter, fields);
-            if (find_names(fields, delimiter)) {
+            if (!is_preamble(line.text, fields) && find_names(fields, delimiter)) {
                 return delimiter;
             }
         }

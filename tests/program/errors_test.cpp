@@ -162,3 +162,21 @@ TEST_CASE("the text at fault is quoted without its control characters") {
     CHECK(numbers.exit_code == 2);
     CHECK(numbers.err.size() < 1000);
 }
+
+TEST_CASE("of bad rows that the output shows twenty are told of, and the rest counted") {
+    // Catches thousands of lines that bury what matters, and rows that vanish without a word.
+    const std::string rows = "1 0 0 0\n" + repeated("0 0 0 0\n", 2400);
+    const auto result = run("-f quat -t quat --on-error nan", rows);
+    CHECK(result.exit_code == 1);
+    CHECK(result.out == "1 0 0 0\n" + repeated("nan nan nan nan\n", 2400));
+    CHECK(count_rows(result.err) == 21);
+    CHECK(missing(result.err, {"rotconv: -:2: ", "rotconv: -:21: "}) == "");
+    CHECK(result.err.ends_with("\nrotconv: -: 2380 more rows without a result\n"));
+    CHECK(count_rows(run("-f quat -t quat --on-error nan", rows.substr(0, 8 + 20 * 8)).err) == 20);
+    CHECK(run("-f quat -t quat --on-error nan", rows.substr(0, 8 + 21 * 8))
+              .err.ends_with(": 1 more row without a result\n"));
+    // What is left out, or summed up, shows nothing.
+    CHECK(count_rows(run("-f quat -t quat --on-error skip", rows).err) == 2400);
+    CHECK(count_rows(run("compare -f quat --on-error nan --columns 1-8", repeated("0 0 0 0 1 0 0 0\n", 30)).err) >= 30);
+    CHECK(run("-f quat -t quat --on-error nan --threads 8", rows) == result);
+}

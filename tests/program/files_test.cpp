@@ -1,7 +1,12 @@
+#include <array>
 #include <cerrno>
+#include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include <catch.hpp>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "process.hpp"
 
@@ -306,4 +311,36 @@ TEST_CASE("rows before a row error reach the output file") {
     const auto out = folder / "out";
     CHECK(run(convert + "-o " + out.string(), "1 0 0 0\n0 1 0 0\nx 0 0 0\n1 0 0 0\n").exit_code == 2);
     CHECK(read_file(out) == "0 0 0 1\n1 0 0 0\n");
+}
+
+TEST_CASE("a large file shows its progress on a terminal, whatever the command") {
+    // Catches a long run that looks like one that hangs, and a terminal that is left with half a line.
+    const Folder folder;
+    const auto file = (folder / "large.csv").string();
+    const std::string rows = repeated("0.5 0.5 0.5 0.5\n", 400'000);
+    write_file(file, rows);
+    const auto shown_by = [&](const std::string& command, std::string_view input) {
+        const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+        REQUIRE(terminal >= 0);
+        REQUIRE(::grantpt(terminal) == 0);
+        REQUIRE(::unlockpt(terminal) == 0);
+        Process process(words_of(command), {.errors_file = ::ptsname(terminal)});
+        std::this_thread::sleep_for(std::chrono::milliseconds(500)); // it waits for its reader, or for input
+        process.write(input);
+        CHECK(process.finish().exit_code == 0);
+        std::string shown;
+        std::array<char, 4096> bytes{};
+        for (auto count = ::read(terminal, bytes.data(), bytes.size()); count > 0; // then the program has left it
+             count = ::read(terminal, bytes.data(), bytes.size())) {
+            shown.append(bytes.data(), static_cast<std::size_t>(count));
+        }
+        ::close(terminal);
+        return shown;
+    };
+    for (const std::string& shown :
+         {shown_by("-f quat -t dcm --threads 1 " + file, ""), shown_by("compare -f quat " + file + " -", rows)}) {
+        CHECK(missing(shown, {"rotconv: ", " %\r"}) == "");
+        CHECK(shown.ends_with("\033[K"));
+    }
+    CHECK(run("-f quat -t quat -o /dev/null " + file).err == ""); // no terminal
 }

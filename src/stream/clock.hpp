@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "decimal.hpp"
+
+namespace rotconv::stream {
+
+/// The times of rows that are accepted.
+class Clock {
+public:
+    explicit Clock(int power) : power_(power) {
+        for (int i = power; i < 0; ++i) {
+            per_second_ *= 10.0;
+        }
+    }
+
+    /// Seconds since the last accepted time, rounded once where times are texts; nan for a time that is none.
+    double seconds_to(double time, const std::string_view* text) {
+        if (!std::isfinite(time)) {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+        if (text != nullptr) {
+            next_text_ = Decimal::parse(*text).value_or(Decimal());
+            return (next_text_ - last_text_).rounded(power_);
+        }
+        next_ = time;
+        return (next_ - last_) / per_second_;
+    }
+    void accept() {
+        std::swap(last_text_, next_text_);
+        last_ = next_;
+    }
+
+private:
+    int power_;
+    double per_second_ = 1.0;
+    Decimal last_text_;
+    Decimal next_text_;
+    double last_ = 0.0;
+    double next_ = 0.0;
+};
+
+} // namespace rotconv::stream

@@ -1,0 +1,224 @@
+#include "differences.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include <rotconv/comparison.hpp>
+
+#include "clock.hpp"
+
+namespace rotconv::stream {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Comparison comparison_of(const DifferenceRows& rows) {
+    const Spec vector{.name = RepresentationId::rotvec, .unit = rows.degrees ? AngleUnit::degrees : AngleUnit::radians};
+    return {rows.spec,
+            rows.spec,
+            {.reading = {.tolerance = rows.tolerance, .sensitivity = rows.sensitivity},
+             .relative = vector,
+             .frame = rows.frame}};
+}
+
+/// The rows and the last attitude and time.
+class Differences {
+public:
+    explicit Differences(const DifferenceRows& rows)
+        : clock_(rows.time_power), size_(rows.spec.size()), comparison_(comparison_of(rows)) {}
+
+    /// See RowOperation::run_ahead: a first row waits for the second.
+    std::size_t run(const NumberRows& rows, bool flush, std::span<double> out, std::vector<Report>& reports) {
+        reports.clear();
+        const std::size_t count = rows.lines.size();
+        all_.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            all_[i] = i;
+        }
+        compare(rows, all_);
+        Clock clock = clock_;
+        find_steps(rows, clock);
+        if (steps_.size() < count) { // others come before some of them
+            kept_.clear();
+            std::ranges::transform(steps_, std::back_inserter(kept_), &Step::row);
+            compare(rows, kept_);
+        }
+        const bool is_first = last_.empty();
+        if (is_first && !flush && steps_.size() < 2) {
+            return steps_.empty() ? refuse(count, reports) : refuse(steps_.front().row, reports);
+        }
+        report_ = found_.begin();
+        std::size_t told = 0; // rows before are told of
+        for (std::size_t i = 0; i < steps_.size(); ++i) {
+            tell_refused(told, steps_[i].row, reports);
+            told = steps_[i].row + 1;
+            answer(i, is_first, out, reports);
+        }
+        tell_refused(told, count, reports);
+        if (!steps_.empty()) {
+            clock_ = clock;
+            const auto numbers = numbers_of(rows, steps_.back().row);
+            last_.assign(numbers.begin(), numbers.end());
+        }
+        return count;
+    }
+
+private:
+    static constexpr std::size_t width = 4; ///< of what is found: the angle and the rotation vector
+
+    struct Step {
+        std::size_t row = 0;
+        double seconds = 0.0;
+    };
+
+    [[nodiscard]] std::span<const double> numbers_of(const NumberRows& rows, std::size_t row) const {
+        return rows.numbers.subspan(row * (size_ + 1) + 1, size_);
+    }
+
+    /// Each of these rows with the one before it; the first of all with itself.
+    void compare(const NumberRows& rows, const std::vector<std::size_t>& chosen) {
+        pairs_.clear();
+        std::span<const double> before = last_;
+        for (const std::size_t row : chosen) {
+            const auto numbers = numbers_of(rows, row);
+            before = before.empty() ? numbers : before;
+            pairs_.insert(pairs_.end(), numbers.begin(), numbers.end());
+            pairs_.insert(pairs_.end(), before.begin(), before.end());
+            before = numbers;
+        }
+        turns_.resize(chosen.size() * width);
+        comparison_.run(pairs_, turns_, found_);
+    }
+
+    /// The rows that have an attitude, and a time after the last; the others are refused.
+    void find_steps(const NumberRows& rows, Clock& clock) {
+        steps_.clear();
+        refused_.assign(rows.lines.size(), {});
+        for (const Report& report : found_) {
+            if (report.error != Error::none && !report.of_reference) {
+                refused_[report.row] = report;
+            }
+        }
+        for (std::size_t i = 0; i < rows.lines.size(); ++i) {
+            Report& refused = refused_[i];
+            refused.row = i;
+            if (refused.error != Error::none) {
+                continue;
+            }
+            const double seconds =
+                clock.seconds_to(rows.numbers[i * (size_ + 1)], rows.kept.empty() ? nullptr : &rows.kept[i]);
+            const bool is_first = last_.empty() && steps_.empty();
+            if (std::isnan(seconds)) {
+                refused.error = Error::not_finite;
+            } else if (!is_first && !(seconds > 0.0)) {
+                refused.error = Error::time_order;
+            } else {
+                clock.accept();
+                steps_.push_back({i, seconds});
+            }
+        }
+    }
+
+    void tell_refused(std::size_t begin, std::size_t end, std::vector<Report>& reports) const {
+        for (std::size_t i = begin; i < end; ++i) {
+            reports.push_back(refused_[i]);
+        }
+    }
+
+    /// Nothing but refused rows is there to tell of.
+    std::size_t refuse(std::size_t count, std::vector<Report>& reports) const {
+        tell_refused(0, count, reports);
+        return count;
+    }
+
+    void answer(std::size_t step, bool is_first_row, std::span<double> out, std::vector<Report>& reports) {
+        const std::size_t row = steps_[step].row;
+        Report report = report_of(step);
+        const bool starts = is_first_row && step == 0;
+        const std::size_t source = starts ? 1 : step;
+        const bool known = source < steps_.size() && turns(source, starts ? 0.0 : rate_, out.subspan(row * 3, 3));
+        if (starts && !known) {
+            std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(row * 3), 3, nan);
+        } else if (!known) {
+            report.error = Error::past_half_turn;
+        } else if (!std::ranges::all_of(out.subspan(row * 3, 3), [](double x) { return std::isfinite(x); })) {
+            report.error = Error::overflow;
+        }
+        rate_ = known && !starts ? turns_[source * width] / steps_[source].seconds : 0.0;
+        if (comparison_.settings().reading.sensitivity || report.error != Error::none || !report.diagnostics.empty()) {
+            reports.push_back(report);
+        }
+    }
+
+    /// The angular velocity of a step; false where the body may have turned by half a turn or more, as it would have at
+    /// the rate before.
+    bool turns(std::size_t step, double rate_before, std::span<double> velocity) const {
+        const double seconds = steps_[step].seconds;
+        const double* const turn = turns_.data() + step * width;
+        if (turn[0] >= half_turn || rate_before * seconds >= half_turn) {
+            return false;
+        }
+        std::transform(turn + 1, turn + width, velocity.begin(), [seconds](double x) { return x / seconds; });
+        return true;
+    }
+
+    /// What the comparison has found of a step's own attitude.
+    Report report_of(std::size_t step) {
+        Report report;
+        if (report_ != found_.end() && report_->row == step) {
+            report.defect = report_->defect;
+            report.sensitivity = report_->sensitivity;
+            ++report_;
+        }
+        report.row = steps_[step].row;
+        report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
+        return report;
+    }
+
+    static constexpr double half_turn = std::numbers::pi - 1e-15;
+
+    Clock clock_;              ///< of the last row
+    std::vector<double> last_; ///< its attitude; empty before the first
+    double rate_ = 0.0;        ///< radians a second of the last step; 0 where that is not known
+    std::size_t size_;         ///< numbers of an attitude
+    Comparison comparison_;
+    // Of the rows at hand, reused.
+    std::vector<std::size_t> all_;
+    std::vector<std::size_t> kept_;
+    std::vector<double> pairs_;
+    std::vector<double> turns_;
+    std::vector<Report> found_;
+    std::vector<Report>::const_iterator report_; ///< the next of them
+    std::vector<Report> refused_;                ///< of each row why it is no step
+    std::vector<Step> steps_;
+};
+
+} // namespace
+
+RowOperation differences_operation(const DifferenceRows& rows) {
+    const auto state = std::make_shared<Differences>(rows);
+    const auto columns = rows.spec.columns();
+    RowOperation operation;
+    operation.inputs = rows.spec.size() + 1;
+    operation.input_names = {"t"};
+    operation.input_names.insert(operation.input_names.end(), columns.begin(),
+                                 columns.begin() + static_cast<std::ptrdiff_t>(rows.spec.size()));
+    operation.from = rows.spec;
+    operation.kept = 1;
+    operation.names = velocity_names(rows.degrees);
+    operation.in_order = true;
+    operation.run = [state](const NumberRows& given, std::span<double> out, std::vector<Report>& reports) {
+        state->run(given, true, out, reports);
+    };
+    operation.run_ahead = [state](const NumberRows& given, bool flush, std::span<double> out,
+                                  std::vector<Report>& reports) { return state->run(given, flush, out, reports); };
+    return operation;
+}
+
+} // namespace rotconv::stream
