@@ -40,7 +40,7 @@ void polynomial(const double* m, double* r) noexcept {
     r[2] = s(0, 1);
 }
 
-/// Shepperd 1978, then r = 2 atan2(|v|, w) v/|v| of the quaternion with w >= 0.
+/// Shepperd 1978, then the logarithm of Sola 2017 of the quaternion with w >= 0.
 void quaternion(const double* m, double* r) noexcept {
     double q[4];
     dcm_to_quat::shepperd(m, q);

@@ -37,10 +37,16 @@ Real twice_the_angle(double w, Real s) noexcept {
 /// quaternion is taken as it is: with w < 0 the vector is longer than pi, the same attitude.
 void acos(const double* q, double* r) noexcept { along_vector_part(q, vector_length(q), 2.0 * std::acos(q[0]), r); }
 
-/// The quaternion's logarithm, as in Sola 2017, logarithmic maps: 2 atan2(|v|, w) v/|v|. As there, a quaternion with
-/// w < 0 is taken as it is: the vector is longer than pi, the same attitude.
+/// The quaternion's logarithm, as in Sola 2017, logarithmic maps: 2 atan2(|v|, w) v/|v|, and for small angles, which
+/// the library manif begins at |v|^2 = 1e-10, 2 v/w (1 - |v|^2/(3 w^2)). As there, a quaternion with w < 0 is else
+/// taken as it is: the vector is longer than pi, the same attitude.
 void atan2(const double* q, double* r) noexcept {
     const double length = vector_length(q);
+    const double tangent = length / q[0];
+    if (std::fabs(tangent) < 1e-5) {
+        along_vector_part(q, q[0], 2.0 * (1.0 - tangent * tangent / 3.0), r);
+        return;
+    }
     along_vector_part(q, length, 2.0 * std::atan2(length, q[0]), r);
 }
 

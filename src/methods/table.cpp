@@ -53,7 +53,7 @@ constexpr std::array table{
            each_row<9, 3, dr::atan2>},
     Method{dcm, rotvec, "polynomial", "Stuelpnagel 1964, section 6, corrected", "theta away from 0 and 180 deg",
            each_row<9, 3, dr::polynomial>},
-    Method{dcm, rotvec, "quaternion", "Shepperd 1978, then atan2", "orthogonal matrices but I",
+    Method{dcm, rotvec, "quaternion", "Shepperd 1978, then Sola 2017", "orthogonal matrices",
            each_row<9, 3, dr::quaternion>},
     Method{dcm, rotvec, "compensated", "Davenport 1968, products after Dekker 1971", "near rotations, defect to 1e-8",
            each_row<9, 3, dr::compensated>},
@@ -76,7 +76,8 @@ constexpr std::array table{
     own(quat, rotvec),
     Method{quat, rotvec, "acos", "common property; Shuster 1993", "unit quaternions, theta away from 0",
            each_row<4, 3, qr::acos>},
-    Method{quat, rotvec, "atan2", "Sola 2017, logarithmic map", "theta above 0", each_row<4, 3, qr::atan2>},
+    Method{quat, rotvec, "atan2", "Sola 2017, logarithmic map", "norms from 1e-150 to 1e150",
+           each_row<4, 3, qr::atan2>},
     Method{quat, rotvec, "compensated", "logarithm, products after Dekker 1971", "norms from 1e-150 to 1e150",
            each_row<4, 3, qr::compensated>},
 
