@@ -58,26 +58,35 @@ void eigen_dcm_cayley(EulerSequence /*unused*/, const double* in, std::size_t ro
     });
 }
 
-void eigen_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
-    each<4, 9>(in, rows, out, [](const double* q, double* to) { Out{to} = quaternion(q).toRotationMatrix(); });
+/// The unit quaternion that Eigen's conversions ask for, of any length or of length 1 already.
+template <bool hostile> Eigen::Quaterniond unit_quaternion(const double* q) {
+    return hostile ? quaternion(q).normalized() : quaternion(q);
 }
 
+template <bool hostile>
+void eigen_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<4, 9>(in, rows, out,
+               [](const double* q, double* to) { Out{to} = unit_quaternion<hostile>(q).toRotationMatrix(); });
+}
+
+template <bool hostile>
 void eigen_quat_rotvec(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<4, 3>(in, rows, out, [](const double* q, double* to) {
-        const Eigen::AngleAxisd a(quaternion(q));
+        const Eigen::AngleAxisd a(unit_quaternion<hostile>(q));
         store(a.angle() * a.axis(), to);
     });
 }
 
+template <bool hostile>
 void eigen_quat_euler(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
     // constant axes, as in a program that knows its sequence
     if (sequence.proper()) {
         each<4, 3>(in, rows, out, [](const double* q, double* to) {
-            store(quaternion(q).toRotationMatrix().eulerAngles(2, 0, 2), to);
+            store(unit_quaternion<hostile>(q).toRotationMatrix().eulerAngles(2, 0, 2), to);
         });
     } else {
         each<4, 3>(in, rows, out, [](const double* q, double* to) {
-            store(quaternion(q).toRotationMatrix().eulerAngles(2, 1, 0), to);
+            store(unit_quaternion<hostile>(q).toRotationMatrix().eulerAngles(2, 1, 0), to);
         });
     }
 }
@@ -157,14 +166,15 @@ Run find(const Ways& ways, RepresentationId from, RepresentationId to) {
 
 } // namespace
 
-Run eigen_way(RepresentationId from, RepresentationId to) {
-    static const Ways ways{
+Run eigen_way(RepresentationId from, RepresentationId to, bool hostile) {
+    const Ways ways{
         {{RepresentationId::dcm, RepresentationId::quat}, eigen_dcm_quat},
         {{RepresentationId::dcm, RepresentationId::rotvec}, eigen_dcm_rotvec},
         {{RepresentationId::dcm, RepresentationId::cayley}, eigen_dcm_cayley},
-        {{RepresentationId::quat, RepresentationId::dcm}, eigen_quat_dcm},
-        {{RepresentationId::quat, RepresentationId::rotvec}, eigen_quat_rotvec},
-        {{RepresentationId::quat, RepresentationId::euler}, eigen_quat_euler},
+        {{RepresentationId::quat, RepresentationId::dcm}, hostile ? eigen_quat_dcm<true> : eigen_quat_dcm<false>},
+        {{RepresentationId::quat, RepresentationId::rotvec},
+         hostile ? eigen_quat_rotvec<true> : eigen_quat_rotvec<false>},
+        {{RepresentationId::quat, RepresentationId::euler}, hostile ? eigen_quat_euler<true> : eigen_quat_euler<false>},
         {{RepresentationId::rotvec, RepresentationId::dcm}, eigen_rotvec_dcm},
         {{RepresentationId::cayley, RepresentationId::dcm}, eigen_cayley_dcm},
         {{RepresentationId::euler, RepresentationId::dcm}, eigen_euler_dcm},

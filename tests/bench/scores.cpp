@@ -54,7 +54,7 @@ Score score(const Sample& sample, const Way& way) {
     made.rows = sample.rows.size();
     std::array<double, 9> numbers{};
     const std::span result(numbers.data(), sample.to.size());
-    const Convert convert = way.between(sample.from, sample.to);
+    const Convert convert = way.between(sample.from, sample.to, sample.hostile);
     for (std::size_t i = 0; i < sample.rows.size(); ++i) {
         convert(sample.rows[i].data(), 1, numbers.data());
         const double error = error_of(sample, i, result, made.relative);

@@ -121,8 +121,8 @@ Times::Times(const std::vector<Pair>& pairs) {
                 kept.push_back(timed_rows(pair.source(), true));
             }
             for (const Way& way : pair.ways) {
-                const Convert convert = way.between(pair.source(), pair.target());
                 for (const bool hostile : {false, true}) {
+                    const Convert convert = way.between(pair.source(), pair.target(), hostile);
                     for (const bool all : {false, true}) {
                         add_benchmark(name_of(pair, way.name, hostile, all), convert, kept[hostile ? 1 : 0], out, all);
                     }

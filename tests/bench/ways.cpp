@@ -18,24 +18,25 @@ Spec spec_of(RepresentationId name, const char* sequence) {
         parse_spec(text_of(name) + (name == RepresentationId::euler ? ':' + std::string(sequence) : "")));
 }
 
-/// Without any way yet but Eigen's and the typed call.
+/// Without any way yet but Eigen's, the typed call and the fast one.
 Pair pair_of(RepresentationId from, RepresentationId to) {
     Pair pair{from, to, {}};
-    if (const Run run = eigen_way(from, to)) {
-        pair.ways.push_back({"Eigen", run});
+    if (const Run run = eigen_way(from, to, false)) {
+        pair.ways.push_back({"Eigen", run, eigen_way(from, to, true)});
     }
     if (const Run run = typed_way(from, to)) {
-        pair.ways.push_back({"typed", run});
+        pair.ways.push_back({"typed", run, run});
     }
+    pair.ways.push_back({std::string(fast_method), nullptr, nullptr});
     return pair;
 }
 
-/// rotconv's own way in plain double arithmetic, in blocks as a stream has them.
+/// rotconv's own way, in blocks as a stream has them.
 class Own {
 public:
-    Own(const Spec& from, const Spec& to)
+    Own(const Spec& from, const Spec& to, bool fast)
         : conversion_(from, to,
-                      {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .fast = true}) {}
+                      {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .fast = fast}) {}
 
     void run(const double* in, std::size_t rows, double* out) {
         const std::size_t inputs = conversion_.from().size();
@@ -53,14 +54,13 @@ private:
 
 } // namespace
 
-Convert Way::between(const Spec& from, const Spec& to) const {
-    if (run != nullptr) {
+Convert Way::between(const Spec& from, const Spec& to, bool is_hostile) const {
+    if (const Run run = is_hostile ? hostile : clean) {
         const EulerSequence sequence = from.name == RepresentationId::euler ? from.sequence : to.sequence;
-        return [run = run, sequence](const double* in, std::size_t rows, double* out) { run(sequence, in, rows, out); };
+        return [run, sequence](const double* in, std::size_t rows, double* out) { run(sequence, in, rows, out); };
     }
-    return [own = std::make_shared<Own>(from, to)](const double* in, std::size_t rows, double* out) {
-        own->run(in, rows, out);
-    };
+    return [own = std::make_shared<Own>(from, to, name == fast_method)](const double* in, std::size_t rows,
+                                                                        double* out) { own->run(in, rows, out); };
 }
 
 Spec Pair::source(const char* sequence) const { return spec_of(from, sequence); }
@@ -72,11 +72,11 @@ std::vector<Pair> pairs() {
         if (found.empty() || found.back().from != method.from || found.back().to != method.to) {
             found.push_back(pair_of(method.from, method.to));
         }
-        found.back().ways.push_back({std::string(method.name), method.run});
+        found.back().ways.push_back({std::string(method.name), method.run, method.run});
     }
     // common, and no published method of ours
     found.push_back(pair_of(RepresentationId::euler, RepresentationId::dcm));
-    found.back().ways.push_back({"default", nullptr});
+    found.back().ways.push_back({"default", nullptr, nullptr});
     return found;
 }
 

@@ -16,19 +16,21 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN(); ///< an empty 
 
 using Run = decltype(rotconv::Method::run);
 
-/// Eigen's way, and rotconv's as a C++ program writes it that has the types at hand; null where there is none.
-Run eigen_way(rotconv::RepresentationId from, rotconv::RepresentationId to);
+/// Eigen's way, and rotconv's as a C++ program writes it that has the types at hand; null where there is none. Eigen
+/// asks for unit quaternions: where `hostile` ones may be of any length, its way makes them so first.
+Run eigen_way(rotconv::RepresentationId from, rotconv::RepresentationId to, bool hostile);
 Run typed_way(rotconv::RepresentationId from, rotconv::RepresentationId to);
 
 /// Converts rows of numbers; all that it needs is made beforehand.
 using Convert = std::function<void(const double* in, std::size_t rows, double* out)>;
 
-/// A method, rotconv's own way with all its diagnostics, its typed call, or Eigen's way.
+/// A published method, rotconv's own way with all its diagnostics, `default` or `fast`, its typed call, or Eigen's way.
 struct Way {
     std::string name;
-    Run run; ///< null: rotconv's own
+    Run clean;   ///< null: rotconv's own
+    Run hostile; ///< the same but for Eigen's
 
-    [[nodiscard]] Convert between(const rotconv::Spec& from, const rotconv::Spec& to) const;
+    [[nodiscard]] Convert between(const rotconv::Spec& from, const rotconv::Spec& to, bool is_hostile) const;
 };
 
 /// All ways of a conversion.
