@@ -130,7 +130,10 @@ template <class Real> struct Definitions {
 
     template <class Number> static Quaternion attitude(const Spec& spec, std::span<const Number> written) {
         const auto v = own_order(spec, written);
-        const Real per_unit = spec.unit == AngleUnit::degrees ? Real(pi() / 180) : Real(1);
+        // whole turns are taken off exactly, so that a half-turn of many turns is one
+        const auto radians = [&](const Real& angle) {
+            return spec.unit == AngleUnit::degrees ? Real(fmod(angle, Real(720)) * pi() / 180) : angle;
+        };
         Quaternion q = Quaternion::Identity();
         switch (spec.name) {
         case RepresentationId::dcm: {
@@ -151,17 +154,17 @@ template <class Real> struct Definitions {
             q.normalize();
             break;
         }
-        case RepresentationId::axis_angle: q = about({v[0], v[1], v[2]}, v[3] * per_unit); break;
+        case RepresentationId::axis_angle: q = about({v[0], v[1], v[2]}, radians(v[3])); break;
         case RepresentationId::rotvec: {
             const Vector3 r(v[0], v[1], v[2]);
-            q = about(r, r.norm() * per_unit);
+            q = about(r, radians(r.norm()));
             break;
         }
         case RepresentationId::euler:
         case RepresentationId::rpy: {
             Matrix3 m = Matrix3::Identity();
             for (std::size_t i = 0; i < 3; ++i) {
-                const Matrix3 next = turn(spec.sequence.axis(i), v[i] * per_unit);
+                const Matrix3 next = turn(spec.sequence.axis(i), radians(v[i]));
                 m = spec.sequence.intrinsic() ? Matrix3(m * next) : Matrix3(next * m);
             }
             q = unit(m);
