@@ -54,10 +54,19 @@ Rotation rotation_of(const oracle::Quaternion& q) {
                                      static_cast<double>(q.z()));
 }
 
-double error_of(const oracle::Quaternion& exact, const Rotation& rotation) {
-    oracle::Quaternion q(rotation.w(), rotation.x(), rotation.y(), rotation.z());
-    q.normalize();
-    return oracle::eps * oracle::error_in_eps(exact, q);
+/// Of 64 bits, which tell an error of 1e-17.
+using Exact = Eigen::Quaternion<long double>;
+
+Exact exact_attitude(const Motion& motion, const oracle::Real& time) {
+    const oracle::Quaternion q = motion.attitude(time);
+    return {static_cast<long double>(q.w()), static_cast<long double>(q.x()), static_cast<long double>(q.y()),
+            static_cast<long double>(q.z())};
+}
+
+double error_of(const Exact& exact, const Rotation& rotation) {
+    const Exact q(rotation.w(), rotation.x(), rotation.y(), rotation.z());
+    const Exact difference = exact.conjugate() * q;
+    return static_cast<double>(2 * std::atan2(difference.vec().norm(), std::fabs(difference.w())));
 }
 
 std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{:.4g}", value); }
@@ -74,8 +83,8 @@ void write(std::ostream& csv, const char* kind, const Motion& motion, const Way&
 // --- Work and precision: 20 s at several steps -----------------------------------------------------------------------
 
 constexpr double seconds = 20.0;
-constexpr double look = 0.08; // a multiple of every step
-constexpr int looks = 250;
+constexpr std::size_t fewest_steps = 250; // of 0.08 s
+constexpr std::size_t most_steps = 128 * fewest_steps;
 
 /// Least time of a step in nanoseconds, without the evaluation of the motion.
 double time_of_step(const Way& way, const Rotation& start, double h, const std::vector<Vector3d>& rates) {
@@ -97,27 +106,27 @@ double time_of_step(const Way& way, const Rotation& start, double h, const std::
 }
 
 void work(std::ostream& csv, const Motion& motion) {
-    std::vector<oracle::Quaternion> exact;
-    for (int i = 0; i <= looks; ++i) {
-        exact.push_back(motion.attitude(oracle::Real(look) * i));
+    std::vector<Exact> exact;
+    for (std::size_t i = 0; i <= most_steps; ++i) {
+        exact.push_back(exact_attitude(motion, oracle::Real(seconds) * static_cast<double>(i) / most_steps));
     }
-    const Rotation start = rotation_of(exact.front());
+    const Rotation start = rotation_of(motion.attitude(0));
     const auto omega = [&](double t) { return motion.omega(t); };
     for (const Way& way : ways()) {
-        for (std::size_t per_look = 1; per_look <= 128; per_look *= 2) {
-            const double h = look / static_cast<double>(per_look);
+        for (std::size_t steps = fewest_steps; steps <= most_steps; steps *= 2) {
+            const double h = seconds / static_cast<double>(steps);
             Stepper stepper = way.stepper();
             Error error = stepper.start(start);
             double worst = 0.0;
             double defect = 0.0;
             double until = 0.0;
-            for (int i = 0; i < looks && error == Error::none; ++i) {
-                error = integrate(stepper, omega, i * look, h, per_look);
+            for (std::size_t i = 0; i < steps && error == Error::none; ++i) {
+                error = integrate(stepper, omega, until, h, 1);
                 if (error == Error::none) {
                     const Reading reading = stepper.attitude();
-                    worst = std::max(worst, error_of(exact[static_cast<std::size_t>(i) + 1], *reading));
+                    worst = std::max(worst, error_of(exact[(i + 1) * (most_steps / steps)], *reading));
                     defect = std::max(defect, reading.defect());
-                    until = (i + 1) * look;
+                    until = static_cast<double>(i + 1) * h;
                 }
             }
             if (error != Error::none) {
@@ -125,7 +134,7 @@ void work(std::ostream& csv, const Motion& motion) {
                 continue;
             }
             std::vector<Vector3d> rates;
-            for (std::size_t i = 0; i < per_look * looks; ++i) {
+            for (std::size_t i = 0; i < steps; ++i) {
                 for (const double node : stepper.nodes()) {
                     rates.push_back(motion.omega((static_cast<double>(i) + node) * h));
                 }
@@ -156,7 +165,7 @@ void drift(std::ostream& csv, const Motion& motion) {
             done = goal;
             const double time = static_cast<double>(done) * h;
             const Reading reading = stepper.attitude();
-            const auto exact = motion.attitude(oracle::Real(h) * static_cast<double>(done));
+            const Exact exact = exact_attitude(motion, oracle::Real(h) * static_cast<double>(done));
             worst = std::max(worst, error_of(exact, *reading));
             write(csv, "drift", motion, way, h, time, worst, reading.defect(), none, error);
         }
@@ -177,8 +186,7 @@ int main(int argc, char** argv) {
     }
     csv << "kind,motion,set,integrator,step,renormalised,time,error,ns_per_second,evaluations_per_second,defect,"
            "outcome\n";
-    for (const Motion& motion : {motions::spin(), motions::coning(), motions::symmetric_body(), motions::gentle(),
-                                 motions::through_lock(), motions::tumbling()}) {
+    for (const Motion& motion : motions::all()) {
         work(csv, motion);
     }
     for (const Motion& motion : {motions::gentle(), motions::tumbling()}) {

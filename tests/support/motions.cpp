@@ -53,4 +53,6 @@ Motion tumbling() {
     return {"tumbling", {{x, -0.9, 1.5, 0.2, 1.1}, {y, -0.5, 0.4, 0.1, 1.0}, {z, -0.5, 1.3, 0.1, 1.8}}};
 }
 
+std::vector<Motion> all() { return {spin(), coning(), symmetric_body(), gentle(), through_lock(), tumbling()}; }
+
 } // namespace motions

@@ -40,5 +40,7 @@ Motion through_lock();
 /// Up to 3 rad/s about changing axes, through half-turns and, in 20 s, past the lock of euler:ZYX at 0.0370 rad (3.907
 /// s).
 Motion tumbling();
+/// All six.
+std::vector<Motion> all();
 
 } // namespace motions
