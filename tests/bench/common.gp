@@ -1,38 +1,72 @@
-# What both charts share. Errors up to 10 eps have the lower half of each panel, the failures the upper half.
+# What the charts share: one page width, one colour for each method everywhere, names beside what they name. The
+# background is white, so that a dark page shows them too.
 
 set datafile separator comma
 set encoding utf8
 
-strong = "#d1495b" # rotconv's default
-eigen = "#1f77b4"
+ink = "#222222"
 plain = "#747a83"
-ink = "#333333"
 
-half_turn = pi / 2.0**-52
-no_number = 0.97 # the height of rows without a finite result
-h(error) = error < 10 ? 0.5 * log10((error < 0.3 ? 0.3 : error) / 0.3) / log10(10 / 0.3) \
-    : 0.5 + 0.42 * log10(error / 10) / log10(half_turn / 10)
-height(error, not_finite) = not_finite > 0 ? no_number : h(error > half_turn ? half_turn : error)
-
-colour(method) = method eq "default" || method eq "typed" ? strong : method eq "Eigen" ? eigen : plain
-label_of(method) = method eq "typed" ? "default, typed" : method
-
-# A font by its size in pixels, and the commands that begin a picture 830 pixels wide; the PNG has twice as many.
-sized(pixels) = sprintf("sans-serif,%g", kind eq "svg" ? pixels : 0.75 * pixels)
-bold(pixels) = sprintf("sans-serif:Bold,%g", kind eq "svg" ? pixels : 0.75 * pixels)
-begin(name) = sprintf("set terminal %s font '%s' background 'white' enhanced; set output '%s/%s.%s'", \
-    kind eq "svg" ? sprintf("svg size 830,%d", high) \
-        : sprintf("pngcairo size 1660,%d fontscale 2 pointscale 2 linewidth 2", 2 * high), sized(11), out, name, kind)
+page = 760.0 # pixels; `high` of a chart, `wide` and `tall` of its panels are its own
+sized(pixels) = sprintf("sans-serif,%g", pixels)
+small = sized(11)
+bold(pixels) = sprintf("sans-serif:Bold,%g", pixels)
+begin(name) = sprintf("set terminal svg size %d,%d font '%s' background 'white' enhanced; set output '%s/%s.svg'", \
+    page, high, sized(12), out, name)
+width_of(text) = 6.6 * strlen(text) # of 11 pixels high, nearly
 
 # Pixels from the upper left corner.
-across(x) = x / 830.0
+across(x) = x / page
 down(y) = 1 - y / (1.0 * high)
 place_panel(left, top) = sprintf( \
     "set lmargin at screen %f; set rmargin at screen %f; set tmargin at screen %f; set bmargin at screen %f", \
     across(left), across(left + wide), down(top), down(top + tall))
 
-set yrange [0:1]
+# --- Methods -------------------------------------------------------------------------------------------------------
+
+method_names = "default fast typed Eigen trace shepperd klumpp sarabandi-thomas bar-itzhack polar compensated" \
+    . " unit two-over-norm homogeneous normalise-first acos atan2 polynomial quaternion" \
+    . " classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed"
+method_colours = "#c1121f #d9630b #8f6b00 #1769aa #6c757d #2a9d5c #8c5a3c #0b3d91 #7b3fb5 #c2569b #0f8b8d" \
+    . " #6c757d #8c5a3c #0b7a3e #7b3fb5 #6c757d #8c9b2f #7b3fb5 #2a9d5c" \
+    . " #6c757d #8c5a3c #7b3fb5 #2a9d5c #6c757d #7b3fb5 #6c757d #6c757d #2a9d5c"
+place_in(list, name) = sum [i = 1:words(list)] (word(list, i) eq name ? i : 0)
+colour(method) = place_in(method_names, method) > 0 ? word(method_colours, place_in(method_names, method)) : plain
+label_of(method) = method eq "default" ? "rotconv, exact" : method eq "fast" ? "rotconv, fast" \
+    : method eq "typed" ? "rotconv, C++ call" : method
+is_ours(method) = method eq "default" || method eq "fast" || method eq "typed"
+is_bold(method) = is_ours(method) || method eq "Eigen"
+
+# At most eight a panel; methods.csv has all.
+shown_methods(pair) = pair eq "dcm-quat" ? "default fast typed Eigen trace shepperd sarabandi-thomas bar-itzhack" \
+    : pair eq "dcm-quat-line" ? "default fast Eigen trace shepperd sarabandi-thomas klumpp bar-itzhack" \
+    : pair eq "dcm-quat-noise" ? "default fast Eigen trace shepperd compensated polar bar-itzhack" \
+    : "default fast typed Eigen acos atan2 polynomial quaternion compensated unit two-over-norm homogeneous" \
+        . " normalise-first classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed"
+
+# --- Errors --------------------------------------------------------------------------------------------------------
+
+# Errors up to 10 eps have the lower half of a panel, the failures the upper half.
+half_turn = pi / 2.0**-52
+no_number = 0.97 # the height of rows without a finite result
+least_error = 0.2
+h(error) = error < 10 ? 0.5 * log10((error < least_error ? least_error : error) / least_error) / log10(10 / least_error) \
+    : 0.5 + 0.38 * log10(error / 10) / log10(half_turn / 10)
+height(error, not_finite) = not_finite > 0 ? no_number : h(error > half_turn ? half_turn : error)
+
+error_title = "worst error of attitude, rad·2^{-52}"
+error_tics = "set yrange [0:1]; set ytics ('0.2' h(0.2), '0.5' h(0.5), '1' h(1), '2' h(2), '5' h(5), '10' h(10), '10^4' h(1e4), " \
+    . "'10^8' h(1e8), '10^{12}' h(1e12), '180°' h(half_turn), 'nan' no_number) scale 0.4 nomirror font small " \
+    . "tc rgb ink offset 0.6,0"
+good_half = "set object 1 rectangle from graph 0,0 to graph 1,0.5 fc rgb '#eef1f4' fs noborder behind"
+
 set border 3 lc rgb ink
 unset key
-error_tics = "set ytics ('0.5' h(0.5), '1' h(1), '2' h(2), '5' h(5), '10' h(10), '10^4' h(1e4), '10^8' h(1e8), " \
-    . "'10^{12}' h(1e12), '180°' h(half_turn), 'nan' no_number) scale 0.4 nomirror font small tc rgb ink offset 0.6,0"
+
+# --- Lines that end at their names, see names.gp ---------------------------------------------------------------------
+
+array end_x[20]
+array end_y[20]
+array end_name[20]
+array end_colour[20]
+array end_bold[20]

@@ -4,148 +4,115 @@
 load "common.gp"
 
 pairs = "dcm-quat quat-dcm dcm-rotvec quat-euler quat-rotvec rotvec-dcm dcm-cayley cayley-dcm"
-floors = "0.83 0.39 1.4 2 1.4 0.39 0.5 0.39" # what rounding the exact numbers to double costs at the worst
-of_stratum(pair, stratum) = stringcolumn("from") . "-" . stringcolumn("to") eq pair && stringcolumn("stratum") eq stratum
+of_stratum(pair, stratum) = stringcolumn("from") . "-" . stringcolumn("to") eq pair && stringcolumn("stratum") eq stratum \
+    && place_in(shown_methods(pair), stringcolumn("method")) > 0
 shown_pair(pair) = pair[1:strstrt(pair, "-") - 1] . " to " . pair[strstrt(pair, "-") + 1:*]
 
-high = 842
-wide = 124.0 # of a panel, pixels
-tall = 214.0
-x_low = 0.25
-x_high = 110.0
-front_colour = "#f0c04a"
-colours = plain . " " . eigen . " " . strong # the last on top
+high = 1150
+wide = 302.0 # of a panel, pixels
+tall = 190.0
+x_low = 0.2
+x_high = 160.0
 
-# Pixels in the panel: dots cx, cy; triangles hx, hy; numbers lx, ly
-array cx[40]
-array cy[40]
-array hx[40]
-array hy[40]
-array lx[40]
-array ly[40]
-array name[40]
+# Pixels in the panel: dots cx, cy; triangles hx, hy; the middles of names lx, ly and half their widths lw
+array cx[20]
+array cy[20]
+array hx[20]
+array hy[20]
+array lx[20]
+array ly[20]
+array lw[20]
+array name[20]
 clip(x) = x < x_low ? x_low : x > x_high ? x_high : x
 pixel(t) = wide * log10(clip(t) / x_low) / log10(x_high / x_low)
 time_at(pixel) = x_low * (x_high / x_low)**(pixel / wide)
 
-# A number goes to the nearest place that is free of dots, lines and other numbers.
+# What a name at (x, y) would hide: dots and triangles, lines between them, other names, the panel's border.
 near(dx, dy, x, y) = abs(dx) < x && abs(dy) < y
-along(x, y, j) = ((x - cx[j]) * (hx[j] - cx[j]) + (y - cy[j]) * (hy[j] - cy[j])) \
-    / ((hx[j] - cx[j])**2 + (hy[j] - cy[j])**2 + 1e-9)
-unit(t) = t < 0 ? 0 : t > 1 ? 1 : t
-on_line(x, y, j) = near(x - cx[j] - unit(along(x, y, j)) * (hx[j] - cx[j]), \
-                        y - cy[j] - unit(along(x, y, j)) * (hy[j] - cy[j]), 7, 7)
-taken(x, y, i) = (x < 6 || x > wide || y < 4 || y > tall + 8) \
-    + (sum [j = 1:n] (near(x - cx[j], y - cy[j], 9, 8) + near(x - hx[j], y - hy[j], 9, 8) + on_line(x, y, j))) \
-    + (sum [j = 1:i] (j < i && near(x - lx[j], y - ly[j], 13, 10)))
-place_x(i, k) = cx[i] + (10 + 3 * (k / 12)) * cos(pi * k / 6)
-place_y(i, k) = cy[i] + (10 + 3 * (k / 12)) * sin(pi * k / 6)
+hides(x, y, w, i) = 30 * (x - w < 4 || x + w > wide + 36 || y < 8 || y > tall + 2) \
+    + (sum [j = 1:n] (4 * near(x - cx[j], y - cy[j], w + 4, 10) + 4 * near(x - hx[j], y - hy[j], w + 4, 10) \
+        + 0.5 * (sum [k = 1:11] near(x - cx[j] - k / 12.0 * (hx[j] - cx[j]), y - cy[j] - k / 12.0 * (hy[j] - cy[j]), w + 1, 7)))) \
+    + (sum [j = 1:n] (j < i ? 8 * near(x - lx[j], y - ly[j], w + lw[j] + 3, 13) : 0))
+# Places round the dot (k up to 59) or the triangle, nearest first.
+from_x(i, k) = k < 60 ? cx[i] : hx[i]
+from_y(i, k) = k < 60 ? cy[i] : hy[i]
+ring(k) = (k % 60) / 12
+turn(k) = (k % 12) * pi / 6
+place_x(i, k) = from_x(i, k) + (9 + 11 * ring(k)) * cos(turn(k)) + (abs(cos(turn(k))) < 0.1 ? 0 : lw[i] * cos(turn(k)) / abs(cos(turn(k))))
+place_y(i, k) = from_y(i, k) + (12 + 11 * ring(k)) * sin(turn(k))
+cost(i, k) = hides(place_x(i, k), place_y(i, k), lw[i], i) + 0.5 * ring(k) + (k < 60 ? 0 : 0.3)
 
-# The Pareto front at x: the least error of the methods that are no slower, but for those that fail altogether.
-least(a, b) = a < b ? a : b
-useful(y) = y < tall * h(1e15) ? y : tall
-clean_front(x, k) = k == 0 ? tall : least(cx[k] <= x ? useful(cy[k]) : tall, clean_front(x, k - 1))
-hostile_front(x, k) = k == 0 ? tall : least(hx[k] <= x ? useful(hy[k]) : tall, hostile_front(x, k - 1))
-shown_front(y) = y < tall ? y / tall : NaN
-
-do for [kind in "svg png"] {
-    eval begin("speed")
-    small = sized(10)
-    eval error_tics
-    set xtics ("0.3" 0.3, "1" 1, "3" 3, "10" 10, "30" 30, "100" 100) scale 0.4 nomirror font small tc rgb ink offset 0,0.4
-    set logscale x
-    set xrange [x_low:x_high]
-    set samples 250
-    set multiplot
-    set label 1 "Time and worst error of every method" at screen 0.5,down(16) center font sized(15) tc rgb ink
-    set label 2 "across: time of a row / Eigen's;  up: worst attitude error in 2^{-52} rad, compressed above 10;  nan: some results not finite" \
-        at screen 0.5,down(38) center font sized(11) tc rgb ink
-    do for [p = 1:8] {
-        pair = word(pairs, p)
-        names = ""
-        clean = ""
-        hostile = ""
-        stats csv using (of_stratum(pair, "clean") ? (names = names . " " . stringcolumn("method"), clean = clean \
-            . sprintf(" %.6f %.6f", column("x_eigen"), height(column("worst"), column("not_finite"))), 1) : NaN) nooutput
-        stats csv using (of_stratum(pair, "hostile") ? (hostile = hostile \
-            . sprintf(" %.6f %.6f", column("x_eigen"), height(column("worst"), column("not_finite"))), 1) : NaN) nooutput
-        n = words(names)
-        x_of(i) = word(clean, 2 * i - 1) + 0.0
-        y_of(i) = word(clean, 2 * i) + 0.0
-        before(j, i) = y_of(j) < y_of(i) || (y_of(j) == y_of(i) && (x_of(j) < x_of(i) || (x_of(j) == x_of(i) && j < i)))
-        do for [i = 1:n] {
-            at = 1 + (sum [j = 1:n] before(j, i)) # by error, then by time
-            name[at] = word(names, i)
-            cx[at] = pixel(x_of(i))
-            cy[at] = tall * y_of(i)
-            hx[at] = pixel(word(hostile, 2 * i - 1) + 0.0)
-            hy[at] = tall * (word(hostile, 2 * i) + 0.0)
-        }
-        set print $points
-        do for [i = 1:n] {
-            k = 0
-            while (k < 120 && taken(place_x(i, k), place_y(i, k), i)) { k = k + 1 }
-            lx[i] = place_x(i, k)
-            ly[i] = place_y(i, k)
-            print sprintf("%g,%g,%g,%g,%s", time_at(cx[i]), cy[i] / tall, time_at(hx[i]), hy[i] / tall, colour(name[i]))
-        }
-        unset print
-
-        left = 34 + (p - 1) % 3 * 276
-        top = 80 + (p - 1) / 3 * 262
-        eval place_panel(left, top)
-        set label 10 shown_pair(pair) at screen across(left + wide / 2),down(top - 15) center font bold(12) tc rgb ink
-        set object 1 rectangle from graph 0,0 to graph 1,0.5 fc rgb "#f3f4f6" fs noborder behind
-        set arrow 1 from x_low,h(word(floors, p) + 0.0) to x_high,h(word(floors, p) + 0.0) nohead dt 3 lc rgb ink back
-        set arrow 2 from x_low,h(half_turn) to x_high,h(half_turn) nohead dt 3 lc rgb ink back
-        set arrow 3 from 1,0 to 1,1 nohead lw 1 lc rgb "#b8d3e8" back
-        do for [i = 1:n] {
-            c = colour(name[i])
-            line = top + 2 + 14 * (i - 1)
-            set label 100 + i sprintf("%d", i) at time_at(lx[i]),ly[i] / tall center font sized(10) tc rgb c front
-            set arrow 100 + i from time_at(cx[i]),cy[i] / tall to time_at(lx[i]),ly[i] / tall nohead lw 0.4 lc rgb plain back
-            set label 200 + i sprintf("%d", i) at screen across(left + wide + 17),down(line) right font sized(11) tc rgb c
-            set label 300 + i label_of(name[i]) at screen across(left + wide + 21),down(line) left \
-                font (c eq plain ? sized(11) : bold(11)) tc rgb (c eq plain ? ink : c)
-        }
-        plot shown_front(clean_front(pixel(x), n)) with steps lw 4 lc rgb front_colour, \
-            shown_front(hostile_front(pixel(x), n)) with steps lw 1.2 lc rgb front_colour, \
-            for [c in colours] $points using (stringcolumn(5) eq c ? $1 : NaN):2:($3 - $1):($4 - $2) \
-                with vectors nohead lw (c eq plain ? 0.7 : 1.5) lc rgb c, \
-            for [c in colours] $points using (stringcolumn(5) eq c ? $1 : NaN):2 \
-                with points pt 7 ps (c eq plain ? 0.55 : 0.8) lc rgb c, \
-            for [c in colours] $points using (stringcolumn(5) eq c ? $3 : NaN):4 \
-                with points pt 9 ps (c eq plain ? 0.6 : 0.9) lc rgb c
-        unset label
-        unset arrow
-        unset object
+eval begin("speed")
+set logscale x
+set xrange [x_low:x_high]
+eval error_tics
+set xtics ("0.3" 0.3, "1" 1, "3" 3, "10" 10, "30" 30, "100" 100) scale 0.4 nomirror font small tc rgb ink offset 0,0.4
+set multiplot
+set label 1 "What a conversion costs, and what it loses" at screen 0.5,down(18) center font sized(16) tc rgb ink
+set label 2 "{/:Bold ●} clean input   {/:Bold ▲} hostile input: noise to 5·10^{-4}, quaternions of any length, many turns" \
+    at screen 0.5,down(42) center tc rgb ink
+set label 3 "grey: right to the last digits;  exact: off by the rounding of the result alone;  nan: no answer to some rows" \
+    at screen 0.5,down(60) center tc rgb ink
+do for [p = 1:8] {
+    pair = word(pairs, p)
+    names = ""
+    clean = ""
+    hostile = ""
+    stats csv using (of_stratum(pair, "clean") ? (names = names . " " . stringcolumn("method"), clean = clean \
+        . sprintf(" %.6f %.6f", column("x_eigen"), height(column("worst"), column("not_finite"))), 1) : NaN) nooutput
+    stats csv using (of_stratum(pair, "hostile") ? (hostile = hostile \
+        . sprintf(" %.6f %.6f", column("x_eigen"), height(column("worst"), column("not_finite"))), 1) : NaN) nooutput
+    n = words(names)
+    do for [i = 1:n] {
+        name[i] = word(names, i)
+        cx[i] = pixel(word(clean, 2 * i - 1) + 0.0)
+        cy[i] = tall * (word(clean, 2 * i) + 0.0)
+        hx[i] = pixel(word(hostile, 2 * i - 1) + 0.0)
+        hy[i] = tall * (word(hostile, 2 * i) + 0.0)
+        lw[i] = 0.5 * width_of(label_of(name[i])) * (is_bold(name[i]) ? 1.1 : 1)
     }
-    # The key, in the place of a ninth panel.
-    left = 34 + 2 * 276
-    top = 80 + 2 * 262
+    set print $points
+    do for [i = 1:n] {
+        best = 0
+        least = 1e9
+        do for [k = 0:119] {
+            now = cost(i, k)
+            if (now < least) {
+                least = now
+                best = k
+            }
+        }
+        lx[i] = place_x(i, best)
+        ly[i] = place_y(i, best)
+        print sprintf("%g,%g,%g,%g,%s", time_at(cx[i]), cy[i] / tall, time_at(hx[i]), hy[i] / tall, name[i])
+        if (ring(best) > 0) {
+            set arrow 200 + i from first time_at(from_x(i, best)),from_y(i, best) / tall to \
+                time_at(lx[i] + (abs(cos(turn(best))) < 0.1 ? 0 : cos(turn(best)) > 0 ? -lw[i] : lw[i])), \
+                (ly[i] - 6 * sgn(sin(turn(best))) * (abs(cos(turn(best))) < 0.1)) / tall nohead lw 0.6 lc rgb colour(name[i]) back
+        }
+    }
+    unset print
+
+    left = 56 + (p - 1) % 2 * 368
+    top = 104 + (p - 1) / 2 * 262
     eval place_panel(left, top)
-    unset border
-    unset tics
-    unset logscale x
-    set xrange [0:wide]
-    line(i) = 1 - (10 + 26.0 * i) / tall
-    set label 1 "clean input" at 40,line(0) tc rgb ink
-    set label 2 "hostile: noise, scale, many turns" at 40,line(1) tc rgb ink
-    set label 3 "rotconv's default" at 40,line(2) tc rgb strong font bold(11)
-    set label 4 "Eigen; the line: its time" at 40,line(3) tc rgb eigen font bold(11)
-    set label 5 "Pareto front, clean" at 40,line(4) tc rgb ink
-    set label 6 "Pareto front, hostile" at 40,line(5) tc rgb ink
-    set label 7 "rounding floor, half-turn" at 40,line(6) tc rgb ink
-    set arrow 5 from 0,line(4) to 30,line(4) nohead lw 4 lc rgb front_colour
-    set arrow 6 from 0,line(5) to 30,line(5) nohead lw 1.2 lc rgb front_colour
-    set arrow 7 from 0,line(6) to 30,line(6) nohead dt 3 lc rgb ink
-    plot "+" using (15):(line(0)) every ::0::0 with points pt 7 ps 0.6 lc rgb plain, \
-        "+" using (15):(line(1)) every ::0::0 with points pt 9 ps 0.7 lc rgb plain, \
-        "+" using (15):(line(2)) every ::0::0 with points pt 7 ps 0.8 lc rgb strong, \
-        "+" using (15):(line(3)) every ::0::0 with points pt 7 ps 0.8 lc rgb eigen
+    eval good_half
+    set label 10 shown_pair(pair) at screen across(left + wide / 2),down(top - 16) center font bold(13) tc rgb ink
+    set label 11 "time of a row / time of Eigen's" at screen across(left + wide / 2),down(top + tall + 34) center font sized(11) tc rgb ink
+    if (p % 2 == 1) {
+        set label 12 error_title at screen across(left - 43),down(top + tall / 2) center rotate font sized(11) tc rgb ink
+    }
+    set arrow 1 from 1,0 to 1,1 nohead lw 1 lc rgb "#b8d3e8" back
+    do for [i = 1:n] {
+        set label 100 + i label_of(name[i]) at time_at(lx[i]),ly[i] / tall center \
+            font (is_bold(name[i]) ? bold(11) : sized(11)) tc rgb colour(name[i]) front
+    }
+    plot for [i = 1:n] $points every ::i - 1::i - 1 using 1:2:($3 - $1):($4 - $2) with vectors nohead lw 1 lc rgb colour(name[i]), \
+        for [i = 1:n] $points every ::i - 1::i - 1 using 1:2 with points pt 7 ps 0.7 lc rgb colour(name[i]), \
+        for [i = 1:n] $points every ::i - 1::i - 1 using 3:4 with points pt 9 ps 0.8 lc rgb colour(name[i])
     unset label
     unset arrow
-    unset multiplot
-    unset output
-    set border 3 lc rgb ink
+    unset object
 }
+unset multiplot
+unset output

@@ -1,65 +1,89 @@
-# Worst error on the way to each singularity, from bench_methods' figures:
+# Worst error on the way to each singularity, and by the noise of a matrix, from bench_methods' figures:
 # gnuplot -e "csv='methods.csv'; out='DIRECTORY'" stability.gp, in this folder
 
 load "common.gp"
 
-sweeps = "'dcm-quat/to half-turn' 'dcm-quat/noise' 'dcm-rotvec/to half-turn' 'dcm-rotvec/to identity' 'quat-rotvec/to identity' 'quat-euler/to lock'"
-headings = "'dcm to quat: to a half-turn' 'dcm to quat: noise of each number' 'dcm to rotvec: to a half-turn' 'dcm to rotvec: to the identity, relative' 'quat to rotvec: to the identity, relative' 'quat to euler ZYX: to lock'"
-colours = "#e6ab02 #1b9e77 #7b5ea7 #a6761d #66a61e #17a2b8 #444444 #e377c2 #999999 #0b3d91 #8c9b2f #c05a2b #5ec8a5 #b39ddb"
+sweeps = "'dcm-quat/to half-turn' 'dcm-rotvec/to half-turn' 'dcm-rotvec/to identity' 'quat-rotvec/to identity' 'quat-euler/to lock' 'dcm-quat/noise'"
+headings = "'dcm to quat, to a half-turn' 'dcm to rotvec, to a half-turn' 'dcm to rotvec, to the identity' 'quat to rotvec, to the identity' 'quat to euler:ZYX, to gimbal lock' ''"
+pair_of(sweep) = sweep[1:strstrt(sweep, "/") - 1]
 of_sweep(sweep) = stringcolumn("from") . "-" . stringcolumn("to") . "/" . stringcolumn("stratum") eq sweep
 of_method(sweep, method) = of_sweep(sweep) && stringcolumn("method") eq method
 
-high = 848
-wide = 240.0
-tall = 214.0
+# A typed call errs as the fast way.
+shown_on(sweep) = sweep eq "dcm-quat/noise" ? shown_methods("dcm-quat-noise") \
+    : sweep eq "dcm-quat/to half-turn" ? shown_methods("dcm-quat-line") : shown_methods(pair_of(sweep))
 
-do for [kind in "svg png"] {
-    eval begin("stability")
-    small = sized(10)
-    eval error_tics
-    set logscale x
-    set xrange [0.2:5e-17]
-    set xtics ("10^{-1}" 1e-1, "10^{-4}" 1e-4, "10^{-8}" 1e-8, "10^{-12}" 1e-12, "10^{-16}" 1e-16) \
-        scale 0.4 nomirror font small tc rgb ink offset 0,0.2
-    set multiplot
-    set label 1 "Worst error on the way to each singularity" at screen 0.5,down(16) center font sized(15) tc rgb ink
-    set label 2 "across: distance in radians;  up: worst attitude error in 2^{-52} rad, compressed above 10;  nan: some results not finite" \
-        at screen 0.5,down(38) center font sized(11) tc rgb ink
-    do for [p = 1:6] {
-        sweep = word(sweeps, p)
-        error = strstrt(word(headings, p), "relative") > 0 ? "relative" : "worst"
-        # A method's place in the legend is that of its line: by the sum of its heights. A typed call errs as its default.
-        names = ""
-        heights = ""
-        stats csv using (of_sweep(sweep) && column("distance") > 0.05 && stringcolumn("method") ne "typed" \
-            ? (names = names . " " . stringcolumn("method"), 1) : NaN) nooutput
-        n = words(names)
-        do for [i = 1:n] {
-            stats csv using (of_method(sweep, word(names, i)) ? height(column(error), column("not_finite")) : NaN) nooutput
-            heights = heights . sprintf(" %.9f", STATS_sum)
-        }
-        place(i) = sum [j = 1:n] (word(heights, j) + 0 > word(heights, i) + 0 || (word(heights, j) eq word(heights, i) && j < i))
-        c_of(i) = colour(word(names, i)) eq plain ? word(colours, i) : colour(word(names, i))
-        width(i) = colour(word(names, i)) eq plain ? 1.5 : 3
+# Small angles have their own size as the measure.
+error_of(sweep) = strstrt(sweep, "identity") > 0 ? "relative" : "worst"
+relative_title = "worst error / angle, in 2^{-52}"
 
-        left = 36 + (p - 1) % 2 * 416
-        top = 80 + (p - 1) / 2 * 262
-        eval place_panel(left, top)
-        set label 10 word(headings, p) at screen across(left + wide / 2),down(top - 15) center font bold(12) tc rgb ink
-        set object 1 rectangle from graph 0,0 to graph 1,0.5 fc rgb "#f3f4f6" fs noborder behind
-        do for [i = 1:n] {
-            line = top + 2 + 15 * place(i)
-            set label 100 + i label_of(word(names, i)) at screen across(left + wide + 34),down(line) left \
-                font (width(i) > 2 ? bold(11) : sized(11)) tc rgb (width(i) > 2 ? c_of(i) : ink)
-            set arrow 100 + i from screen across(left + wide + 8),down(line) to screen across(left + wide + 29),down(line) \
-                nohead lw width(i) lc rgb c_of(i)
-        }
-        plot for [i = 1:n] csv using (of_method(sweep, word(names, i)) ? column("distance") : NaN) \
-                :(height(column(error), column("not_finite"))) with lines lw width(i) lc rgb c_of(i)
-        unset label
-        unset arrow
-        unset object
-    }
-    unset multiplot
-    unset output
+weight(method) = method eq "default" ? 3.2 : is_bold(method) ? 2.4 : 1.5
+
+high = 850
+wide = 196.0
+tall = 190.0
+names_left = 0
+name_x = wide + 26
+
+eval begin("stability")
+eval error_tics
+set logscale x
+set xrange [0.100001:1e-16]
+set xtics ("0.1" 0.1, "10^{-4}" 1e-4, "10^{-8}" 1e-8, "10^{-12}" 1e-12, "10^{-16}" 1e-16) \
+    scale 0.4 nomirror font small tc rgb ink offset 0,0.3
+set multiplot
+set label 1 "Where formulas fail: the way into each singularity" at screen 0.5,down(18) center font sized(16) tc rgb ink
+last = 1e-16
+do for [p = 1:5] {
+    sweep = word(sweeps, p)
+    left = 56 + (p - 1) % 2 * 374
+    top = 66 + (p - 1) / 2 * 262
+    load "stability-panel.gp"
+    set label 10 word(headings, p) at screen across(left + wide / 2),down(top - 16) center font bold(13) tc rgb ink
+    set label 11 "distance, rad" at screen across(left + wide / 2),down(top + tall + 34) center font sized(11) tc rgb ink
+    set label 12 (error_of(sweep) eq "relative" ? relative_title : error_title) \
+        at screen across(left - 43),down(top + tall / 2) center rotate font sized(11) tc rgb ink
+    plot for [i = n:1:-1] csv using (of_method(sweep, word(names, i)) ? column("distance") : NaN) \
+        :(height(column(error_of(sweep)), column("not_finite"))) with lines lw weight(word(names, i)) lc rgb colour(word(names, i))
+    unset label
+    unset arrow
+    unset object
 }
+# In the place of a sixth panel.
+left = 56 + 374
+top = 66 + 2 * 262
+set label 1 "Every panel runs to the singularity," at screen across(left),down(top + 20) left tc rgb ink
+set label 2 "from a tenth of a radian on its left." at screen across(left),down(top + 38) left tc rgb ink
+set label 3 "Grey: right to the last digits." at screen across(left),down(top + 66) left tc rgb ink
+set label 4 "Above: digits lost, up to a wrong" at screen across(left),down(top + 84) left tc rgb ink
+set label 5 "attitude (180°) or none (nan)." at screen across(left),down(top + 102) left tc rgb ink
+unset border
+unset tics
+plot NaN
+unset label
+unset multiplot
+unset output
+
+# --- Noise ---------------------------------------------------------------------------------------------------------
+
+sweep = "dcm-quat/noise"
+last = 0.1
+high = 350
+wide = 540.0
+tall = 220.0
+name_x = wide + 26
+eval begin("noise")
+set border 3 lc rgb ink
+eval error_tics
+set xrange [1e-16:0.1]
+set xtics ("10^{-16}" 1e-16, "10^{-12}" 1e-12, "10^{-8}" 1e-8, "10^{-4}" 1e-4, "0.1" 0.1) scale 0.4 nomirror font small tc rgb ink offset 0,0.3
+left = 56
+top = 66
+load "stability-panel.gp"
+set label 1 "A noisy matrix to a quaternion" at screen 0.5,down(18) center font sized(16) tc rgb ink
+set label 2 "error against the quaternion of the nearest rotation" at screen 0.5,down(42) center tc rgb ink
+set label 11 "noise of each number of the matrix" at screen across(left + wide / 2),down(top + tall + 40) center font sized(11) tc rgb ink
+set label 12 error_title at screen across(left - 43),down(top + tall / 2) center rotate font sized(11) tc rgb ink
+plot for [i = n:1:-1] csv using (of_method(sweep, word(names, i)) ? column("distance") : NaN) \
+    :(height(column("worst"), column("not_finite"))) with lines lw weight(word(names, i)) lc rgb colour(word(names, i))
+unset output
