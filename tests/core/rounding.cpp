@@ -47,6 +47,11 @@ double enlargement(const Spec& from, const Spec& to, std::span<const double> row
     return std::max(1.0, condition) * std::max(1.0, angle / std::fabs(number * in_radians(to))) * std::max(1.0, length);
 }
 
+/// Nearer to w = 0 than such decisions are promised: either sign may come out.
+bool is_half_turn(const Spec& from, std::span<const double> row) {
+    return abs(oracle::attitude(from, row).w()) < oracle::Real(0x1p-90);
+}
+
 double ulp_of(double number) {
     return std::nextafter(std::fabs(number), std::numeric_limits<double>::infinity()) - std::fabs(number);
 }
@@ -85,7 +90,7 @@ Rounding rounding_of(const Spec& from, const Spec& to, const std::vector<std::ve
             } else if (std::bit_cast<std::uint64_t>(exact[i].value) != std::bit_cast<std::uint64_t>(result[i])) {
                 const double enlarged = enlargement(from, to, row, reports[0].sensitivity.condition, exact[i].value);
                 const double off = std::fabs((result[i] - exact[i].value) - exact[i].rest) / ulp_of(exact[i].value);
-                if (off <= 0.5 + 0x1p-45 * enlarged) {
+                if (off <= 0.5 + 0x1p-45 * enlarged || (result[i] == -exact[i].value && is_half_turn(from, row))) {
                     ++count.beyond;
                     continue;
                 }
