@@ -10,10 +10,8 @@ namespace rotconv {
 
 /// A quaternion of 106 bits: w, x, y, z in two parts each, as those of Rotation.
 struct ExactQuaternion {
-    // NOLINTBEGIN(*-avoid-c-arrays): as in the sources that are compiled for newer processors
     double hi[4];
     double lo[4];
-    // NOLINTEND(*-avoid-c-arrays)
 };
 
 /// What a batch of an exact conversion needs to know beside its rows.

@@ -37,7 +37,7 @@ void relative_rotations(const Rotations& a, const Rotations& ref, Frame frame, s
 /// Takes numbers `begin` to `begin + count` of each row together.
 std::array<double, batch_rows * most_numbers> part_of(const double* rows_of, std::size_t width, std::size_t begin,
                                                       std::size_t count, std::size_t rows) noexcept {
-    std::array<double, batch_rows * most_numbers> part; // NOLINT(*-member-init): as many as there are
+    std::array<double, batch_rows * most_numbers> part; // as many as there are
     for (std::size_t i = 0; i < rows; ++i) {
         std::copy_n(rows_of + i * width + begin, count, part.data() + i * count);
     }
@@ -48,7 +48,7 @@ std::array<double, batch_rows * most_numbers> part_of(const double* rows_of, std
 /// are for nobody.
 void read_rounded(const Spec& spec, ReadBatch& attitudes, std::size_t rows) noexcept {
     static constexpr Spec quat{};
-    std::array<double, 4 * batch_rows> numbers; // NOLINT(*-member-init)
+    std::array<double, 4 * batch_rows> numbers;
     std::array<DiagnosticSet, batch_rows> diagnostics;
     batch_functions().convert({&spec, &quat, 0.0, nullptr, nullptr}, attitudes.own(), rows, attitudes, numbers.data(),
                               diagnostics.data());
@@ -94,7 +94,7 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     ReadBatch references(reference_, other_numbers.data(), rows);
     read_rounded(from_, attitudes, rows);
     read_rounded(reference_, references, rows);
-    Rotations relative; // NOLINT(*-member-init)
+    Rotations relative;
     relative_rotations(attitudes, references, settings_.frame, rows, relative);
 
     const double unit = settings_.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
@@ -133,10 +133,8 @@ void Comparison::write_relative(Rotations& relative, std::size_t rows, double* o
         relative.set(i, Rotation::from_components(to.passive ? -relative.w[i] : relative.w[i], relative.x[i],
                                                   relative.y[i], relative.z[i]));
     }
-    // NOLINTBEGIN(*-member-init): written before they are read
     std::array<double, batch_rows * most_numbers> own;
     std::array<double, batch_rows * most_numbers> written;
-    // NOLINTEND(*-member-init)
     batch_functions().write(to, settings_.reading.lock_margin, relative, rows, own.data(), diagnostics);
     to_written_order(to, own.data(), rows, written.data());
     for (std::size_t i = 0; i < rows; ++i) {

@@ -92,7 +92,7 @@ void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows
     std::array<DiagnosticSet, batch_rows> diagnostics;
     const std::size_t width = to_.size();
     if (to_.is_reordered()) {
-        std::array<double, batch_rows * most_numbers> numbers; // NOLINT(*-member-init)
+        std::array<double, batch_rows * most_numbers> numbers;
         convert(readings, rows, numbers.data(), diagnostics.data());
         to_written_order(to_, numbers.data(), rows, out);
     } else {

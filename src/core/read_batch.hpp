@@ -13,7 +13,6 @@ namespace rotconv {
 class ReadBatch : public Readings {
 public:
     /// @param in as written, at most `batch_rows` rows, which must outlive this
-    // NOLINTNEXTLINE(*-member-init): written before they are read
     ReadBatch(const Spec& spec, const double* in, std::size_t rows) noexcept
         : codec_(&codec_of(spec.name)), own_(in), size_(spec.size()) {
         if (spec.is_reordered()) {

@@ -24,8 +24,7 @@ inline constexpr std::size_t batch_rows = 128;
 template <class T> struct Column;
 
 template <> struct Column<double> {
-    double
-        hi[batch_rows]; // NOLINT(*-avoid-c-arrays): nothing inline of the standard library in sources of many targets
+    double hi[batch_rows]; // nothing inline of the standard library in sources of many targets
 
     ROTCONV_INLINE double operator[](std::size_t row) const noexcept { return hi[row]; }
     ROTCONV_INLINE double& operator[](std::size_t row) noexcept { return hi[row]; }
@@ -33,10 +32,8 @@ template <> struct Column<double> {
 };
 
 template <> struct Column<Real> {
-    // NOLINTBEGIN(*-avoid-c-arrays)
     double hi[batch_rows];
     double lo[batch_rows];
-    // NOLINTEND(*-avoid-c-arrays)
 
     ROTCONV_INLINE Real operator[](std::size_t row) const noexcept { return {hi[row], lo[row]}; }
     ROTCONV_INLINE void set(std::size_t row, Real value) noexcept {
@@ -48,7 +45,7 @@ template <> struct Column<Real> {
 using BatchColumn = Column<double>;
 
 /// Takes rows of N numbers apart, since compilers do not gather numbers that stand far from each other.
-template <std::size_t N> // NOLINTNEXTLINE(*-avoid-c-arrays)
+template <std::size_t N>
 ROTCONV_INLINE void to_columns(const double* numbers, std::size_t rows, double (&columns)[N][batch_rows]) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t k = 0; k < N; ++k) {

@@ -41,7 +41,6 @@ double squared_distance(const std::array<double, 9>& m) noexcept {
 
 /// All that a clean matrix needs; see clean_square.
 struct PowerStep {
-    // NOLINTNEXTLINE(*-member-init): all of them
     explicit PowerStep(const std::array<double, 9>& m) noexcept : square(squared_distance(m)) {
         const Davenport k(m.data());
         q = k.power_step(k.pivot_column());
@@ -107,9 +106,9 @@ Reading read_unclean(const double* numbers, double square) noexcept {
 
 ROTCONV_TARGET_CLONES
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    double m[9][batch_rows]; // NOLINT(*-avoid-c-arrays, *-member-init)
+    double m[9][batch_rows];
     to_columns(numbers, rows, m);
-    BatchColumn square; // NOLINT(*-member-init): written before it is read
+    BatchColumn square; // written before it is read
     for (std::size_t i = 0; i < rows; ++i) {
         const PowerStep step({m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i], m[8][i]});
         square[i] = step.square;
@@ -130,7 +129,7 @@ void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Reading
 } // namespace
 
 Reading to_rotation(const Dcm& matrix) noexcept {
-    std::array<double, 9> numbers; // NOLINT(*-member-init)
+    std::array<double, 9> numbers;
     Eigen::Map<RowMajor>{numbers.data()} = matrix;
     const PowerStep step(numbers);
     if (step.square <= clean_square) [[likely]] {

@@ -61,7 +61,7 @@ Reading read_any(const Vector5& y) noexcept {
 }
 
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    TwoColumns m; // NOLINT(*-member-init): as many rows as there are
+    TwoColumns m; // as many rows as there are
     columns_of(numbers, rows, m);
     read_columns(m, rows, readings,
                  [numbers](std::size_t i) { return read_any(Eigen::Map<const Vector5>(numbers + 5 * i)); });

@@ -41,8 +41,8 @@ template <class T> struct BasicRotations {
 
 /// A batch of what numbers describe; see Reading.
 template <class T> struct BasicReadings : BasicRotations<T> {
-    double defect[batch_rows]; // NOLINT(*-avoid-c-arrays)
-    Error error[batch_rows];   // NOLINT(*-avoid-c-arrays)
+    double defect[batch_rows];
+    Error error[batch_rows];
 
     using BasicRotations<T>::set;
     ROTCONV_INLINE void set(std::size_t row, const Reading& reading) noexcept {

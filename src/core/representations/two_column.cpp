@@ -24,7 +24,7 @@ Reading read_any(const Columns& m) noexcept {
 }
 
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    TwoColumns m; // NOLINT(*-member-init): as many rows as there are
+    TwoColumns m; // as many rows as there are
     to_columns(numbers, rows, m);
     read_columns(m, rows, readings,
                  [numbers](std::size_t i) { return read_any(Eigen::Map<const Columns>(numbers + 6 * i)); });
