@@ -61,8 +61,7 @@ void compensated(const double* r, double* m) noexcept {
     const auto scale = PowerOfTwo::to_unit(size);
     const double v[3] = {scale(r[0]), scale(r[1]), scale(r[2])};
     const Real t = root(sum_of_squares(v[0], v[1], v[2]));
-    const auto half =
-        sine_cosine<double>({0.5 * scale.undone(t.hi), 0.5 * scale.undone(t.lo)}, AngleUnit::radians);
+    const auto half = sine_cosine<double>({0.5 * scale.undone(t.hi), 0.5 * scale.undone(t.lo)}, AngleUnit::radians);
     const double q[4] = {t.hi * half.cosine + t.lo * half.cosine, half.sine * v[0], half.sine * v[1], half.sine * v[2]};
     quat_to_dcm::homogeneous(q, m);
 }
