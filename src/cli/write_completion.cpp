@@ -20,7 +20,7 @@ namespace rotconv::cli {
 namespace {
 
 /// A text in quotes of the shell.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     std::string result = "'";
     for (const char c : text) {
         result += c == '\'' ? R"('\'')" : std::string(1, c);
@@ -29,7 +29,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string joined(const std::vector<std::string_view>& words) {
-    return quoted(fmt::format("{}", fmt::join(words, " ")));
+    return in_quotes(fmt::format("{}", fmt::join(words, " ")));
 }
 
 std::vector<std::string_view> names_of(const Representation& entry) {
@@ -44,7 +44,7 @@ std::string sequences() {
         const auto letters = sequence.letters();
         all.emplace_back(letters.data(), letters.size());
     }
-    return quoted(fmt::format("{}", fmt::join(all, " ")));
+    return in_quotes(fmt::format("{}", fmt::join(all, " ")));
 }
 
 /// The modifiers that each representation takes.
@@ -53,7 +53,7 @@ std::string modifiers() {
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
         text += fmt::format("    {}) modifiers={}", fmt::join(names_of(entry), " | "),
-                            quoted(messages::words_of(entry.modifiers, " ")));
+                            in_quotes(messages::words_of(entry.modifiers, " ")));
         text += entry.takes_sequence ? fmt::format(" sequences={} ;;\n", sequences()) : " ;;\n";
     }
     return text + "    esac\n";
@@ -67,7 +67,7 @@ std::string lines_of(const std::vector<OptionText>& options) {
             lines += fmt::format("{} {} {}\n", name, option.argument.empty() ? "-" : option.argument, option.about);
         }
     }
-    return quoted(lines);
+    return in_quotes(lines);
 }
 
 std::string words() {
@@ -89,14 +89,14 @@ std::string words() {
         if (!command.name.empty()) {
             commands += fmt::format("{} - {}\n", command.name, command.about);
         }
-        options += fmt::format("    {})\n        options={}\n", quoted(command.name), lines_of(command.options));
+        options += fmt::format("    {})\n        options={}\n", in_quotes(command.name), lines_of(command.options));
         options +=
             command.takes_name ? "        operands=\"$names $presets methods presets\"\n        ;;\n" : "        ;;\n";
     }
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
         "    names={}\n    presets={}\n    methods={}\n    commands={}\n{}    esac\n{}}}\n",
-        joined(names), joined(preset_names), joined(method_names), quoted(commands), options, modifiers());
+        joined(names), joined(preset_names), joined(method_names), in_quotes(commands), options, modifiers());
 }
 
 } // namespace
