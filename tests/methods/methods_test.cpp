@@ -285,3 +285,30 @@ TEST_CASE("the README counts the methods") {
     INFO(text.str());
     CHECK(text_of(ROTCONV_README).find(text.str()) != std::string::npos);
 }
+
+// Would catch: a caption that stays as it was when the picture is measured anew.
+TEST_CASE("the README says what the picture of methods shows") {
+    std::string readme = text_of(ROTCONV_README);
+    std::ranges::replace(readme, '\n', ' ');
+    const std::string measured = text_of(ROTCONV_CHARTS "/methods.csv");
+    enum Column { ns = 12, x_eigen = 14 };
+    const auto figure = [&](const std::string& row, int column) {
+        std::istringstream line(measured.substr(measured.find('\n' + row + ",clean,0,") + 1));
+        std::string field;
+        for (int i = 0; i <= column; ++i) {
+            std::getline(line, field, ',');
+        }
+        std::ostringstream rounded;
+        rounded.precision(2);
+        rounded << std::stod(field);
+        return rounded.str();
+    };
+    const std::string to_quaternion = figure("dcm,quat,default", x_eigen);
+    for (const std::string& claim :
+         {"takes " + figure("dcm,quat,shepperd", x_eigen) + " of the time of",
+          "takes " + to_quaternion + " times that call", figure("dcm,quat,default", ns) + " ns a row",
+          figure("quat,euler,default", x_eigen) + " times it from a quaternion to angles"}) {
+        INFO(claim);
+        CHECK(readme.find(claim) != std::string::npos);
+    }
+}
