@@ -17,7 +17,7 @@ of_way(i, kind, motion) = stringcolumn(1) eq kind && stringcolumn(2) eq motion &
     stringcolumn(3) eq set_of[i] && stringcolumn(4) eq by[i] && column(6) == 0
 
 # What ends at a singularity, in words.
-why(set) = set eq "cayley" ? "half-turn" : "gimbal lock"
+why(set) = set eq "cayley" ? "half-turn" : "lock"
 
 set dashtype 2 (6,3)
 set logscale xy
