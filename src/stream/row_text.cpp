@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "decimal.hpp"
 #include "json_string.hpp"
 
 namespace rotconv::stream {
@@ -50,8 +51,8 @@ RowText::RowText(const Options& options, const Layout& layout) : options_(&optio
         const Digits digits = options.digits;
         middle_angle_ = options.operation.names.size() - 2;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
-        half_a_digit_ =
-            0.5 * std::pow(10.0, digits.decimals >= 0 ? -digits.decimals : (degrees ? 3 : 1) - digits.significant);
+        half_a_digit_ = Decimal::parse("0.5")->rounded(digits.decimals >= 0 ? -digits.decimals
+                                                                            : (degrees ? 3 : 1) - digits.significant);
         Buffer text;
         append_number(text, -half_turn_, digits);
         lower_end_ = fmt::to_string(text);
