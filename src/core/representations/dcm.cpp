@@ -145,7 +145,7 @@ double defect(const Dcm& matrix) noexcept {
     }
     // s^2 - 1 for the singular values s, without cancellation
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(excess, Eigen::EigenvaluesOnly);
+    solver.compute(excess, Eigen::EigenvaluesOnly);
     const auto from_one = [](double square_excess) {
         return std::fabs(square_excess) / (1.0 + std::sqrt(1.0 + square_excess));
     };
