@@ -1,9 +1,10 @@
 #include "row_transformer.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
+
+#include <Eigen/Core>
 
 namespace rotconv::stream {
 
@@ -157,7 +158,7 @@ double RowTransformer::norm_of(const Row& row, bool of_reference) const {
     const std::size_t size = parts_.numbers.size() / lines_.size();
     const double* const q =
         parts_.numbers.data() + row.index * size + (of_reference ? operation_.inputs : 0) + read.kept;
-    return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    return Eigen::Map<const Eigen::Vector4d>(q).stableNorm();
 }
 
 void RowTransformer::write(Output& output) {

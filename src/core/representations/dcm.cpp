@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
-#include "../numerics/angles.hpp"
 #include "../numerics/davenport.hpp"
+#include "../numerics/elementary.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/scaling.hpp"
 #include "codec.hpp"
@@ -25,6 +23,26 @@ constexpr double near_rotation = 0.05;
 
 /// M'M - I.
 Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
+
+struct Extremes {
+    double least, greatest;
+};
+
+/// Of the eigenvalues of a symmetric matrix, by the roots of its cubic as cosines of a third of an angle (Smith 1961).
+Extremes extreme_eigenvalues(const Eigen::Matrix3d& m) noexcept {
+    const double mean = m.trace() / 3.0;
+    const Eigen::Matrix3d rest = m - mean * Eigen::Matrix3d::Identity();
+    const double size = std::sqrt(rest.squaredNorm() / 6.0);
+    if (size == 0.0) {
+        return {mean, mean};
+    }
+    const double cosine = std::clamp(0.5 * (rest / size).determinant(), -1.0, 1.0);
+    const double third = angle_of(cosine, std::sqrt((1.0 - cosine) * (1.0 + cosine)), AngleUnit::radians).hi / 3.0;
+    const auto root = [&](double angle) {
+        return mean + 2.0 * size * sine_cosine<double>(angle, AngleUnit::radians).cosine;
+    };
+    return {root(third + 2.0 * std::numbers::pi / 3.0), root(third)};
+}
 
 /// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
 /// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
@@ -144,12 +162,11 @@ double defect(const Dcm& matrix) noexcept {
         return far_from_rotation(matrix).defect();
     }
     // s^2 - 1 for the singular values s, without cancellation
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.compute(excess, Eigen::EigenvaluesOnly);
+    const Extremes extremes = extreme_eigenvalues(excess);
     const auto from_one = [](double square_excess) {
         return std::fabs(square_excess) / (1.0 + std::sqrt(1.0 + square_excess));
     };
-    return std::max(from_one(solver.eigenvalues()[0]), from_one(solver.eigenvalues()[2]));
+    return std::max(from_one(extremes.least), from_one(extremes.greatest));
 }
 
 Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
