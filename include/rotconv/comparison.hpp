@@ -21,13 +21,12 @@ struct ComparisonSettings {
     Frame frame = Frame::body; ///< its axes: R_REF' R of the reference's body, R R_REF' of the reference axes
 };
 
-template <class T> struct BasicRotations;
-
 /// The angle between two attitudes R and R_REF of a row, whatever their representations.
 ///
 /// It is twice the angle of (|v|, |s|) where (s, v) is the product of one quaternion and the other's inverse, formed
 /// with products of 106 bits: 0 where the numbers of one SPEC are the same, and to their own digits where quaternions
-/// near the identity differ by as little as 1e-150. Attitudes are read to 106 bits and rounded: 4 eps at most.
+/// near the identity differ by as little as 1e-150. Attitudes are read to 106 bits and rounded: 4 eps at most. Each
+/// number of the relative attitude is rounded once.
 /// Thread-safe: running it changes nothing in it.
 class Comparison {
 public:
@@ -48,8 +47,8 @@ public:
 private:
     void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
                    std::vector<Report>& reports) const;
-    /// Behind each angle; brings `relative` to the norm of a Rotation first.
-    void write_relative(BasicRotations<double>& relative, std::size_t rows, double* out,
+    /// Behind each angle.
+    void write_relative(const double* attitudes, const double* references, std::size_t rows, double* out,
                         DiagnosticSet* diagnostics) const noexcept;
 
     Spec from_;

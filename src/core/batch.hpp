@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include <rotconv/frame.hpp>
 #include <rotconv/spec.hpp>
 
 #include "representations/rotation_batch.hpp"
@@ -23,6 +24,15 @@ struct ExactBatch {
     const ExactQuaternion* right; ///< or from the right
 };
 
+/// What a batch of relative attitudes, R_REF' R or R R_REF', needs to know beside its rows.
+struct RelativeBatch {
+    const Spec* from;
+    const Spec* reference;
+    const Spec* to;
+    Frame frame;
+    double lock_margin;
+};
+
 /// How batches of rows, at most `batch_rows`, are read and written by the functions of one kind of processor. Numbers
 /// are in the representation's own order, attitudes not yet inverted: of a Spec's conventions the sequence and the unit
 /// are left to them. Diagnostics are what there is to remark on each row; the sets are empty at first.
@@ -38,6 +48,9 @@ struct BatchFunctions {
     /// written, rounded, with the defects and errors of the rows.
     void (*convert)(const ExactBatch& batch, const double* in, std::size_t rows, Readings& readings, double* out,
                     DiagnosticSet* diagnostics) noexcept;
+    /// The relative attitudes of rows and those of a reference, each number rounded once.
+    void (*relate)(const RelativeBatch& batch, const double* in, const double* reference, std::size_t rows, double* out,
+                   DiagnosticSet* diagnostics) noexcept;
     /// Reads one row to the last bit.
     void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
 };

@@ -104,7 +104,7 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     }
     std::array<DiagnosticSet, batch_rows> diagnostics{};
     if (settings_.relative) {
-        write_relative(relative, rows, out, diagnostics.data());
+        write_relative(attitudes.own(), references.own(), rows, out, diagnostics.data());
     }
     for (std::size_t i = 0; i < rows; ++i) {
         Report found = report_of(attitudes, references, i, settings_.reading);
@@ -118,7 +118,9 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
                 continue;
             }
             if (settings_.relative) {
-                found.sensitivity = codec_of(settings_.relative->name).sensitivity(*settings_.relative, relative.at(i));
+                const Spec& to = *settings_.relative;
+                found.sensitivity =
+                    codec_of(to.name).sensitivity(to, to.passive ? relative.at(i).inverse() : relative.at(i));
             }
         }
         found.row = first + i;
@@ -126,16 +128,13 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     }
 }
 
-void Comparison::write_relative(Rotations& relative, std::size_t rows, double* out,
+void Comparison::write_relative(const double* attitudes, const double* references, std::size_t rows, double* out,
                                 DiagnosticSet* diagnostics) const noexcept {
     const Spec& to = *settings_.relative;
-    for (std::size_t i = 0; i < rows; ++i) {
-        relative.set(i, Rotation::from_components(to.passive ? -relative.w[i] : relative.w[i], relative.x[i],
-                                                  relative.y[i], relative.z[i]));
-    }
     std::array<double, batch_rows * most_numbers> own;
     std::array<double, batch_rows * most_numbers> written;
-    batch_functions().write(to, settings_.reading.lock_margin, relative, rows, own.data(), diagnostics);
+    batch_functions().relate({&from_, &reference_, &to, settings_.frame, settings_.reading.lock_margin}, attitudes,
+                             references, rows, own.data(), diagnostics);
     to_written_order(to, own.data(), rows, written.data());
     for (std::size_t i = 0; i < rows; ++i) {
         std::copy_n(written.data() + i * to.size(), to.size(), out + i * outputs() + 1);

@@ -61,7 +61,7 @@ TEST_CASE("differences of a constant rate are that rate, at every row") {
 TEST_CASE("differences know their unit, their frame and the unit of times") {
     // Catches a header that does not tell radians from degrees, and a factor.
     const std::string rows = "0 0 0 0\n500 0 0 30\n1000 0 0 60\n";
-    CHECK(run(rounded + "-f rpy -d --time-unit ms --header add", rows) ==
+    CHECK(run(differences + "-f rpy -d --time-unit ms --header add", rows) ==
           done("1 wx_deg_s wy_deg_s wz_deg_s\n0 0 0 60\n500 0 0 60\n1000 0 0 60\n"));
     CHECK(run(differences + "-f rpy:deg --time-unit ms -p 6", rows) ==
           done("0 0 0 1.0472\n500 0 0 1.0472\n1000 0 0 1.0472\n"));

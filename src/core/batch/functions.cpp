@@ -80,14 +80,18 @@ void turn(const ExactQuaternion& by, bool from_the_left, BasicRotations<Real>& r
     }
 }
 
+void invert(BasicRotations<Real>& rotations, std::size_t rows) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        rotations.w.set(i, -rotations.w[i]);
+    }
+}
+
 void convert(const ExactBatch& batch, const double* in, std::size_t rows, Readings& rounded, double* out,
              DiagnosticSet* diagnostics) noexcept {
     BasicReadings<Real> readings;
     read_by(batch_codec_of(batch.from->name).exact, *batch.from, in, rows, readings);
     if (batch.from->passive != batch.to->passive) {
-        for (std::size_t i = 0; i < rows; ++i) {
-            readings.w.set(i, -readings.w[i]);
-        }
+        invert(readings, rows);
     }
     if (batch.left != nullptr) {
         turn(*batch.left, true, readings, rows);
@@ -101,6 +105,37 @@ void convert(const ExactBatch& batch, const double* in, std::size_t rows, Readin
         rounded.defect[i] = readings.defect[i];
         rounded.error[i] = readings.error[i];
     }
+}
+
+void read_upright(const Spec& spec, const double* numbers, std::size_t rows, BasicReadings<Real>& readings) noexcept {
+    read_by(batch_codec_of(spec.name).exact, spec, numbers, rows, readings);
+    if (spec.passive) {
+        invert(readings, rows);
+    }
+}
+
+void relate(const RelativeBatch& batch, const double* in, const double* reference, std::size_t rows, double* out,
+            DiagnosticSet* diagnostics) noexcept {
+    BasicReadings<Real> readings;
+    BasicReadings<Real> references;
+    read_upright(*batch.from, in, rows, readings);
+    read_upright(*batch.reference, reference, rows, references);
+    invert(references, rows);
+    BasicRotations<Real> relative;
+    for (std::size_t i = 0; i < rows; ++i) {
+        Real own[4];
+        Real other[4];
+        Real product[4];
+        readings.get(i, own);
+        references.get(i, other);
+        const bool from_the_left = batch.frame == Frame::body;
+        multiply(from_the_left ? other : own, from_the_left ? own : other, product);
+        relative.set(i, product);
+    }
+    if (batch.to->passive) {
+        invert(relative, rows);
+    }
+    batch_codec_of(batch.to->name).exact.write(*batch.to, batch.lock_margin, relative, rows, out, diagnostics);
 }
 
 void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept {
@@ -142,6 +177,7 @@ constinit const BatchFunctions ROTCONV_FUNCTIONS_OF(ROTCONV_TARGET){.read = read
                                                                     .read_one = read_one,
                                                                     .write_one = write_one,
                                                                     .convert = convert,
+                                                                    .relate = relate,
                                                                     .read_exactly = read_exactly};
 
 } // namespace rotconv
