@@ -228,3 +228,18 @@ TEST_CASE("in doubles the sine and cosine are right to 2^-51.9, the angle of a v
     CHECK(worst_of_angles<70>(vectors, AngleUnit::radians) <= -51.0);
     CHECK(worst_of_angles<70>(vectors, AngleUnit::degrees) <= -51.0);
 }
+
+// Would catch: a number made of what is none, and a place outside of a table.
+TEST_CASE("of what is no number there is no sine, cosine or angle") {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double value : {nan, HUGE_VAL, -HUGE_VAL}) {
+        for (const AngleUnit unit : {AngleUnit::radians, AngleUnit::degrees}) {
+            INFO(value);
+            CHECK(std::isnan(exact::sine_cosine<double>(value, unit).sine));
+            CHECK(std::isnan(exact::sine_cosine<exact::Real>(value, unit).cosine.hi));
+        }
+    }
+    CHECK(std::isnan(exact::angle_of(nan, 1.0, AngleUnit::radians).hi));
+    CHECK(std::isnan(exact::angle_of(1.0, nan, AngleUnit::radians).hi));
+    CHECK(std::isnan(exact::angle_of(exact::Real(nan), exact::Real(nan), AngleUnit::degrees).hi));
+}

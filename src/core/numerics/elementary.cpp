@@ -242,6 +242,9 @@ double without_turns(double degrees) noexcept {
 Steps sum_of(Steps a, Steps b) noexcept { return {a.count + b.count, a.rest + b.rest}; }
 
 Steps steps_in_large(Real angle, AngleUnit unit) noexcept {
+    if (!(__builtin_fabs(angle.hi) <= 0x1.fffffffffffffp1023)) {
+        return {0.0, angle.hi - angle.hi}; // nan
+    }
     if (unit == AngleUnit::degrees) {
         // each part alone, then the sum, which may be a turn more
         return steps_in_degrees(exact_sum(without_turns(angle.hi), without_turns(angle.lo)));
@@ -387,7 +390,7 @@ template <class T> ROTCONV_INLINE Real from_x_axis(T x, T y, Real acute, double 
 }
 
 ROTCONV_INLINE Real arc_tangent_of_steps(double count) noexcept {
-    const auto place = static_cast<unsigned>(static_cast<std::int64_t>(count));
+    const auto place = static_cast<unsigned>(static_cast<std::int64_t>(count <= 64.0 ? count : 0.0)); // it may be nan
     return {arc_tangent_table[place][0], arc_tangent_table[place][1]};
 }
 
