@@ -55,12 +55,24 @@ std::vector<Spec> all_of(const std::string& name, rotconv::AngleUnit unit) {
 
 const std::vector<Way>& ways() {
     static const std::vector<Way> table{
-        {"quat", "quat", 1, 0.84},     {"quat", "dcm", 1, 0.89},          {"quat", "6d", 1.5, 1.21},
-        {"quat", "5d", 4, 2.6},        {"quat", "rotvec", 3, 2.7},        {"quat", "axis-angle", 3.5, 3.01},
-        {"quat", "cayley", 1, 0.93},   {"quat", "mrp", 1.5, 0.94},        {"quat", "euler", 4, 3.44},
-        {"dcm", "quat", 2.5, 2.21},    {"6d", "quat", 2.5, 2.1},          {"5d", "quat", 4, 2.4},
-        {"cayley", "quat", 1.5, 0.82}, {"mrp", "quat", 2, 1.13},          {"euler", "quat", 2.5, 2.11},
-        {"rotvec", "quat", 2.5, 2.32}, {"axis-angle", "quat", 2.5, 2.12}, {"rotvec", "dcm", 2.5, 2.06},
+        {"quat", "quat", 1, 0.8},
+        {"quat", "dcm", 1, 0.82},
+        {"quat", "6d", 1.5, 0.96},
+        {"quat", "5d", 4, 2.4},
+        {"quat", "rotvec", 3, 1.49},
+        {"quat", "axis-angle", 3.5, 1.38},
+        {"quat", "cayley", 1, 0.88},
+        {"quat", "mrp", 1.5, 0.94},
+        {"quat", "euler", 4, 2.66},
+        {"dcm", "quat", 2.5, 2.21},
+        {"6d", "quat", 2.5, 2},
+        {"5d", "quat", 4, 2.14},
+        {"cayley", "quat", 1.5, 0.82},
+        {"mrp", "quat", 2, 1.13},
+        {"euler", "quat", 2.5, 1.97},
+        {"rotvec", "quat", 2.5, 2.09},
+        {"axis-angle", "quat", 2.5, 1.82},
+        {"rotvec", "dcm", 2.5, 1.81},
     };
     return table;
 }

@@ -95,7 +95,7 @@ const std::vector<Known>& known() {
         {"quat", "dcm", "normalise-first", 2, 0, 2.5},
         {"quat", "rotvec", "default", 3, 0, 3},
         {"quat", "rotvec", "acos", 4, 1e7, inf},
-        {"quat", "rotvec", "atan2", 3, 0, 6},
+        {"quat", "rotvec", "atan2", 3, 0, 8},
         {"quat", "rotvec", "compensated", 1.6, 0, 1.6},
         {"quat", "euler", "default", 4, 0, 4},
         {"quat", "euler", "classic", 4, 1e7, inf},

@@ -11,7 +11,7 @@ struct Matrix {
 
     template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[9]) noexcept {
         scaled_matrix_of(q, numbers);
-        divide(numbers, squared_norm(q));
+        divide_entries(numbers, squared_norm(q));
     }
 };
 

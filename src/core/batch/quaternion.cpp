@@ -44,11 +44,13 @@ template <class T> void write(const Spec& /*spec*/, double /*lock_margin*/, cons
     for (std::size_t i = 0; i < rows; ++i) {
         double* const q = numbers + 4 * i;
         if constexpr (std::is_same_v<T, Real>) {
-            Real given[4];
-            rotations.get(i, given);
-            if (rotations.as_given && is_unit(given)) {
-                for (std::size_t k = 0; k < 4; ++k) {
-                    q[k] = given[k].hi;
+            if (rotations.as_given) {
+                Real given[4];
+                rotations.get(i, given);
+                if (is_unit(given)) {
+                    for (std::size_t k = 0; k < 4; ++k) {
+                        q[k] = given[k].hi;
+                    }
                 }
             }
         }

@@ -22,6 +22,18 @@ template <std::size_t N> ROTCONV_INLINE void divide(double (&numbers)[N], double
     }
 }
 
+/// The same of the entries of a rotation matrix, by one division: 1 and -1 are met exactly.
+template <class T, std::size_t N> ROTCONV_INLINE void divide_entries(T (&numbers)[N], const T& divisor) noexcept {
+    divide(numbers, divisor);
+}
+template <std::size_t N> ROTCONV_INLINE void divide_entries(double (&numbers)[N], double divisor) noexcept {
+    const double inverse = 1.0 / divisor;
+    for (double& number : numbers) {
+        const double one = number == divisor ? 1.0 : -1.0;
+        number = __builtin_fabs(number) == divisor ? one : number * inverse;
+    }
+}
+
 inline bool is_ordinary_row(const BasicRotations<Real>& q, std::size_t row) noexcept {
     return is_ordinary(q.w.hi[row]) && is_ordinary(q.x.hi[row]) && is_ordinary(q.y.hi[row]) && is_ordinary(q.z.hi[row]);
 }

@@ -17,7 +17,7 @@ struct TwoColumns {
             numbers[k] = m[3 * k];
             numbers[3 + k] = m[3 * k + 1];
         }
-        divide(numbers, squared_norm(q));
+        divide_entries(numbers, squared_norm(q));
     }
 
     /// The columns themselves.
