@@ -9,6 +9,8 @@
 
 namespace rotconv {
 
+// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
+
 /// A quaternion of 106 bits: w, x, y, z in two parts each, as those of Rotation.
 struct ExactQuaternion {
     double hi[4];
@@ -63,5 +65,7 @@ struct BatchFunctions {
 
 /// One row; with a lock margin of 0 nothing is given up to lock. Returns what there is to remark on it.
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin = 0.0) noexcept;
+
+// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace rotconv

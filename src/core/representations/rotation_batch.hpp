@@ -8,6 +8,8 @@
 
 namespace rotconv {
 
+// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
+
 /// The attitudes of a batch; not set at first. As in Rotation the quaternions are not normalised, |q|^2 is in [1/4, 4),
 /// and both signs of q are the same attitude. T is the scalar, double or Real.
 template <class T> struct BasicRotations {
@@ -58,5 +60,7 @@ template <class T> struct BasicReadings : BasicRotations<T> {
 
 using Rotations = BasicRotations<double>;
 using Readings = BasicReadings<double>;
+
+// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace rotconv
