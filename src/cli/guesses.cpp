@@ -183,7 +183,7 @@ bool has_modifier(const Representation& entry, std::string_view word) {
 }
 
 bool has_column(const Representation& entry, std::string_view word) {
-    const auto end = entry.columns.begin() + static_cast<std::ptrdiff_t>(entry.size);
+    const auto* const end = entry.columns.begin() + static_cast<std::ptrdiff_t>(entry.size);
     return std::find(entry.columns.begin(), end, word) != end;
 }
 
