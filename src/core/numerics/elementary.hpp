@@ -24,7 +24,7 @@ inline constexpr Real exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab4
 template <class T> struct SineCosine { T sine, cosine; };
 
 /// The sine and cosine of an angle in radians or degrees: as Real each to 2^-103 of itself, where the angle is a double
-/// of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.9. Multiples of 90 degrees
+/// of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.5. Multiples of 90 degrees
 /// are exact.
 template <class T> [[nodiscard]] SineCosine<T> sine_cosine(Real angle, AngleUnit unit) noexcept;
 /// Those of a batch of rows.
