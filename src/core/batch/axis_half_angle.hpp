@@ -33,7 +33,7 @@ template <class T> struct AxisHalfAngles {
             y.set(i, own_y);
             z.set(i, own_z);
             w.set(i, scaled(rotations.w[i], sign));
-            length.set(i, root(quick_sum(quick_sum(exact_square(own_x), exact_square(own_y)), exact_square(own_z))));
+            length.set(i, root(sum_of_squares(own_x, own_y, own_z)));
             back[i] = scale.back;
         }
     }

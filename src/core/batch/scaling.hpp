@@ -40,8 +40,8 @@ template <class T> struct ScaledVector {
     T x, y, length;
 };
 
-[[nodiscard]] ROTCONV_INLINE Real sum_of_squares(double x, double y, double z) noexcept {
-    return quick_sum(quick_sum(exact_product(x, x), exact_product(y, y)), exact_product(z, z));
+template <class T> [[nodiscard]] ROTCONV_INLINE Real sum_of_squares(T x, T y, T z) noexcept {
+    return quick_sum(quick_sum(exact_square(x), exact_square(y)), exact_square(z));
 }
 
 [[nodiscard]] ROTCONV_INLINE bool all_finite(double x, double y, double z) noexcept {

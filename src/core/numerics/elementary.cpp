@@ -175,13 +175,6 @@ Binary binary_of(double value) noexcept {
             static_cast<int>((bits >> 52U) & 0x7ffU) - 1075, (bits >> 63U) != 0};
 }
 
-double power_of_two(int exponent) noexcept {
-    const std::uint64_t bits = static_cast<std::uint64_t>(1023 + exponent) << 52U;
-    double value = 0.0;
-    __builtin_memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
 /// Of any double of 1 or more: the digits of angle/(2 pi) behind the point, by way of 320 digits of 1/pi (Payne and
 /// Hanek 1983).
 Steps steps_in_large_radians(double angle) noexcept {

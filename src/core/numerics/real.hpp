@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <cstdint>
 
 // The sources of ../batch and the elementary functions are compiled twice where that pays, for every processor and for
 // those that have fused multiply-add as an instruction, each time in a namespace of its own, so that no function of one
@@ -111,6 +111,11 @@ ROTCONV_INLINE Real operator*(Real a, double b) noexcept {
     return exact_sum_of_ordered(high.hi, high.lo + a.lo * b);
 }
 ROTCONV_INLINE Real operator*(double a, Real b) noexcept { return b * a; }
+
+/// 2^exponent, for a normal result.
+ROTCONV_INLINE double power_of_two(int exponent) noexcept {
+    return __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52U);
+}
 
 /// Times a power of two: exact.
 ROTCONV_INLINE Real scaled(Real a, double power_of_two) noexcept { return {a.hi * power_of_two, a.lo * power_of_two}; }

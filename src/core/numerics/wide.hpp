@@ -8,11 +8,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-/// 2^exponent, for a normal result.
-inline double power_of_two(int exponent) noexcept {
-    return __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52U);
-}
-
 /// The exponent of a normal number's leading bit; -1023 for 0.
 inline int exponent_of(double value) noexcept {
     return static_cast<int>((__builtin_bit_cast(std::uint64_t, value) >> 52U) & 0x7ffU) - 1023;
