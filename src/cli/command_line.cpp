@@ -31,7 +31,8 @@ void set_help(CLI::App& app) {
 }
 
 void define_list(CLI::App& app, RawOptions& texts) {
-    app.add_option("NAME", texts.listed, "A representation, a preset, methods or presets");
+    app.add_option("NAME", texts.listed,
+                   "A representation, a preset, presets, or methods, perhaps of a pair: methods FROM TO");
 }
 
 /// A command beside the conversion.
@@ -45,9 +46,11 @@ struct Entry {
 };
 
 constexpr std::array<Entry, 6> commands{
-    {{"list", "List the representations, methods or presets, or explain one", "Usage: rotconv list [NAME]\n",
-      define_list,
-      [](const RawOptions& texts, const Operands& /*operands*/) -> Command { return ListCommand{texts.listed}; }},
+    {{"list", "List the representations, methods or presets, or explain one",
+      "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", define_list,
+      [](const RawOptions& texts, const Operands& /*operands*/) -> Command {
+          return PrintCommand{list(texts.listed)};
+      }},
      {"rates", "Rates of the numbers from the angular velocity, and back; angular velocity from attitudes",
       "Usage: rotconv rates -f SPEC [OPTION]... [VALUE]...\n"
       "       rotconv rates -f SPEC [OPTION]... [FILE]\n"
@@ -137,7 +140,7 @@ std::string help(CLI::App& app, RawOptions& texts) {
 
 /// The published method of the pair, or null for rotconv's own two.
 const Method* method_of(const Spec& from, const Spec& to, const std::string& text) {
-    if (text == "default" || text == fast_method) {
+    if (text == default_method || text == fast_method) {
         return nullptr;
     }
     const Method* method = find_method(from.name, to.name, text);
@@ -145,6 +148,16 @@ const Method* method_of(const Spec& from, const Spec& to, const std::string& tex
         throw Usage("--method " + messages::no_such_method(from.name, to.name, text));
     }
     return method;
+}
+
+/// What the method of that name makes of the rows, or all of them.
+stream::RowOperation operation_of(const Conversion& own, const std::string& method) {
+    if (method == all_methods) {
+        return stream::all_methods_operation(MethodConversion::all(own));
+    }
+    const Method* const published = method_of(own.from(), own.to(), method);
+    return published == nullptr ? stream::conversion_operation(own)
+                                : stream::method_operation(MethodConversion(own, *published));
 }
 
 RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
@@ -155,12 +168,17 @@ RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     Settings settings = settings_of(texts);
     settings.fast = texts.method == fast_method;
-    const Method* const method = method_of(from, to, texts.method);
-    const Conversion own(from, to, settings);
-    auto operation = method == nullptr ? stream::conversion_operation(own)
-                                       : stream::method_operation(MethodConversion(own, *method));
-    return rows_command(texts, texts.continuous ? stream::continuous(std::move(operation)) : std::move(operation),
-                        messages::subject_of(from, settings.tolerance), operands);
+    auto operation = operation_of(Conversion(from, to, settings), texts.method);
+    if (texts.method == all_methods && texts.continuous) {
+        throw Usage("--continuous follows one answer, and --method all writes several to a row");
+    }
+    RowsCommand command =
+        rows_command(texts, texts.continuous ? stream::continuous(std::move(operation)) : std::move(operation),
+                     messages::subject_of(from, settings.tolerance), operands);
+    if (texts.method == all_methods && command.options.format == stream::Format::f64) {
+        throw Usage("--format f64 has no place for the names that --method all writes");
+    }
+    return command;
 }
 
 /// A word that CLI11 did not know, with the nearest option of the command that it was given to.

@@ -64,12 +64,7 @@ struct IdentifyCommand {
     bool json = false;
 };
 
-/// `rotconv list [NAME]`.
-struct ListCommand {
-    std::string name;
-};
-
-/// A text to print on stdout: help or version.
+/// A text to print on stdout: a list, help or version.
 struct PrintCommand {
     std::string text;
 };
@@ -79,8 +74,7 @@ struct UsageError {
     std::string message;
 };
 
-using Command =
-    std::variant<RowsCommand, SurveyCommand, CompareCommand, IdentifyCommand, ListCommand, PrintCommand, UsageError>;
+using Command = std::variant<RowsCommand, SurveyCommand, CompareCommand, IdentifyCommand, PrintCommand, UsageError>;
 
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
 

@@ -11,6 +11,7 @@
 
 #include "../methods/method.hpp"
 #include "messages.hpp"
+#include "options.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -60,8 +61,6 @@ std::string effects_of(const Preset& preset) {
 
 std::string_view name_of(const Representation& entry) { return entry.takes_sequence ? "euler:SEQ" : entry.text; }
 
-} // namespace
-
 std::string list_all() {
     std::string text = fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", "NAME", "also", "n", "numbers",
                                    "range on output", "singular at");
@@ -74,40 +73,31 @@ std::string list_all() {
     return text;
 }
 
-std::optional<std::string> list_one(std::string_view name) {
-    const Representation* const found = find_representation(name);
-    if (found == nullptr) {
-        return std::nullopt;
-    }
-    const std::string aliases = aliases_of(*found);
-    std::string text = fmt::format("{}{}\n", found->text, aliases.empty() ? "" : " (also " + aliases + ")");
+std::string list_one(const Representation& entry) {
+    const std::string aliases = aliases_of(entry);
+    std::string text = fmt::format("{}{}\n", entry.text, aliases.empty() ? "" : " (also " + aliases + ")");
     const auto line = [&text](std::string_view label, std::string_view what) {
         text += fmt::format("  {:<10} {}\n", label, what);
     };
-    line("formula", found->formula);
-    line("numbers", columns_of(*found));
-    line("range", found->range);
-    line("singular", found->singular);
-    if (found->takes_sequence) {
+    line("formula", entry.formula);
+    line("numbers", columns_of(entry));
+    line("range", entry.range);
+    line("singular", entry.singular);
+    if (entry.takes_sequence) {
         line("sequences", "three letters, neighbours different: upper case XYZ turns about the body's own");
         line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic)");
     }
-    line("modifiers", messages::words_of(found->modifiers, " "));
+    line("modifiers", messages::words_of(entry.modifiers, " "));
     for (const Preset& preset : presets()) {
         line(&preset == presets().data() ? "presets" : "",
-             fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, *found), preset.about));
+             fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, entry), preset.about));
     }
     return text;
 }
 
-std::optional<std::string> list_preset(std::string_view name) {
-    const auto all = presets();
-    const auto found = std::ranges::find(all, name, &Preset::text);
-    if (found == all.end()) {
-        return std::nullopt;
-    }
-    return fmt::format("{}: {}\n  sets       {}\n  leaves     all else as it is\n", name, found->about,
-                       effects_of(*found));
+std::string list_preset(const Preset& preset) {
+    return fmt::format("{}: {}\n  sets       {}\n  leaves     all else as it is\n", preset.text, preset.about,
+                       effects_of(preset));
 }
 
 std::string list_presets() {
@@ -118,16 +108,77 @@ std::string list_presets() {
     return text + "\nA preset goes behind a name, as in quat:tum; it leaves all else as it is.\n";
 }
 
-std::string list_methods() {
-    constexpr const char* line = "{:<6}  {:<6}  {:<16}  {:<40}  {}\n";
-    std::string text = fmt::format(line, "FROM", "TO", "METHOD", "holds for", "reference");
-    text += fmt::format(line, "any", "any", fast_method, "every input that describes an attitude",
-                        "rotconv, in plain double arithmetic: right to a few eps");
-    for (const Method& method : methods()) {
-        text += fmt::format(line, representation(method.from).text, representation(method.to).text, method.name,
-                            method.domain, method.reference);
+Usage unknown_name(const std::string& name) {
+    return Usage(messages::explain(SpecError{SpecError::What::unknown_name, name}));
+}
+
+/// Of a SPEC, so that those of a command line can be copied.
+RepresentationId named(const std::string& spec) {
+    const Representation* const found = find_representation(std::string_view(spec).substr(0, spec.find(':')));
+    const auto id = std::ranges::find(all_representations, found, [](auto each) { return &representation(each); });
+    if (id == all_representations.end()) {
+        throw unknown_name(spec);
+    }
+    return *id;
+}
+
+/// A heading, rotconv's own two methods, and those published.
+std::string list_pair(std::string_view from, std::string_view to, std::span<const Method> published) {
+    constexpr const char* line = "  {:<16}  {:<40}  {}\n";
+    constexpr std::string_view every_input = "every input that describes an attitude";
+    std::string text = fmt::format("{} to {}\n", from, to);
+    text += fmt::format(line, default_method, every_input, "rotconv, each number rounded once");
+    text += fmt::format(line, fast_method, every_input, "rotconv, in plain doubles");
+    for (const Method& method : published) {
+        if (method.run != nullptr) {
+            text += fmt::format(line, method.name, method.domain, method.reference);
+        }
     }
     return text;
+}
+
+/// All pairs with published methods, or those from the first of the names, or to the second.
+std::string list_methods(const std::vector<std::string>& pair) {
+    if (pair.size() == 2) {
+        const RepresentationId from = named(pair[0]);
+        const RepresentationId to = named(pair[1]);
+        return list_pair(representation(from).text, representation(to).text, methods_of(from, to));
+    }
+    std::string text;
+    for (const Method& method : methods()) {
+        if (method.run == nullptr && (pair.empty() || named(pair[0]) == method.from)) {
+            text += list_pair(representation(method.from).text, representation(method.to).text,
+                              methods_of(method.from, method.to)) +
+                    "\n";
+        }
+    }
+    return text + list_pair(pair.empty() ? "any" : representation(named(pair[0])).text, text.empty() ? "any" : "any other", {});
+}
+
+} // namespace
+
+std::string list(const std::vector<std::string>& words) {
+    const std::string first = words.empty() ? "" : words.front();
+    const std::size_t most = first == "methods" ? 3 : 1;
+    if (words.size() > most) {
+        throw Usage("unexpected argument " + messages::quoted(words[most]));
+    }
+    if (words.empty()) {
+        return list_all();
+    }
+    if (first == "presets") {
+        return list_presets();
+    }
+    if (first == "methods") {
+        return list_methods({words.begin() + 1, words.end()});
+    }
+    const Representation* const found = find_representation(first);
+    const auto all = presets();
+    const auto preset = std::ranges::find(all, first, &Preset::text);
+    if (found == nullptr && preset == all.end()) {
+        throw unknown_name(first);
+    }
+    return found != nullptr ? list_one(*found) : list_preset(*preset);
 }
 
 std::string help_footer() {

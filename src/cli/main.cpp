@@ -9,7 +9,6 @@
 #include "compare.hpp"
 #include "exit_code.hpp"
 #include "identify.hpp"
-#include "list.hpp"
 #include "messages.hpp"
 #include "print_error.hpp"
 #include "rows.hpp"
@@ -44,22 +43,6 @@ struct Run {
     ExitCode operator()(const IdentifyCommand& command) const { return identify(command); }
     ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
     ExitCode operator()(const UsageError& error) const { return usage(error.message); }
-    ExitCode operator()(const ListCommand& command) const {
-        if (command.name.empty()) {
-            return print(list_all());
-        }
-        if (command.name == "methods") {
-            return print(list_methods());
-        }
-        if (command.name == "presets") {
-            return print(list_presets());
-        }
-        auto text = list_one(command.name);
-        if (!text) {
-            text = list_preset(command.name);
-        }
-        return text ? print(*text) : usage(messages::explain(SpecError{SpecError::What::unknown_name, command.name}));
-    }
 };
 
 } // namespace

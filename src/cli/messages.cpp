@@ -207,17 +207,18 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
     const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
     const auto rows = methods_of(from, to);
     if (rows.empty()) {
-        return fmt::format("{}: from {} only the default and fast are known", quoted(text), pair);
+        return fmt::format("{}: from {} only default, fast and all are known", quoted(text), pair);
     }
     std::vector<std::string_view> legal;
     std::ranges::transform(rows, std::back_inserter(legal), &Method::name);
-    legal.push_back(fast_method);
+    legal.insert(legal.end(), {fast_method, all_methods});
     std::string message = fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair,
                                       suggestion(text, guess_by_spelling(text, legal)));
     for (const Method& method : rows) {
         message += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }
-    message += fmt::format("\n  {:<18} {}", fast_method, rows.front().domain);
+    message += fmt::format("\n  {:<18} {}\n  {:<18} each of these, a line each", fast_method, rows.front().domain,
+                           all_methods);
     return message;
 }
 
@@ -346,8 +347,9 @@ std::string_view meaning(DiagnosticKind kind) {
 }
 
 std::string describe(const stream::Diagnostic& diagnostic) {
-    return fmt::format("{}: {} {:.3g}; {}", name_of(diagnostic.kind), figure_name(diagnostic.kind), diagnostic.figure,
-                       meaning(diagnostic.kind));
+    const std::string answer = diagnostic.answer.empty() ? std::string() : fmt::format("{}: ", diagnostic.answer);
+    return fmt::format("{}: {}{} {:.3g}; {}", name_of(diagnostic.kind), answer, figure_name(diagnostic.kind),
+                       diagnostic.figure, meaning(diagnostic.kind));
 }
 
 } // namespace rotconv::cli::messages

@@ -40,7 +40,7 @@ struct RawOptions {
     std::string lock_margin;
     std::string threads;
     std::string method = "default";
-    std::string listed;
+    std::vector<std::string> listed;
     std::string frame = "body";
     std::string initial;
     std::string left;

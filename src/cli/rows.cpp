@@ -44,8 +44,12 @@ public:
         }
         const auto& diagnostic = std::get<stream::Diagnostic>(event);
         Count& count = counts_.at(index_of(diagnostic.kind, diagnostic.of_reference));
-        if (count.rows++ == 0) {
+        if (count.rows == 0) {
             count.first = diagnostic;
+        }
+        if (count.rows == 0 || count.last_line != diagnostic.line) { // a row may have several answers
+            ++count.rows;
+            count.last_line = diagnostic.line;
         }
         if (command_->diagnostics == ShowDiagnostics::rows) {
             tell(diagnostic.line, messages::describe(diagnostic), diagnostic.of_reference);
@@ -126,6 +130,7 @@ private:
 
     struct Count {
         std::size_t rows = 0;
+        std::size_t last_line = 0;
         stream::Diagnostic first;
     };
     [[nodiscard]] const Count& count_of(DiagnosticKind kind) const { return counts_.at(index_of(kind, false)); }

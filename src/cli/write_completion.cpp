@@ -77,7 +77,7 @@ std::string words() {
     }
     std::vector<std::string_view> preset_names;
     std::ranges::transform(presets(), std::back_inserter(preset_names), &Preset::text);
-    std::vector<std::string_view> method_names{fast_method};
+    std::vector<std::string_view> method_names{fast_method, all_methods};
     for (const Method& method : methods()) {
         if (std::ranges::find(method_names, method.name) == method_names.end()) {
             method_names.push_back(method.name);

@@ -12,6 +12,12 @@ namespace rotconv {
 /// A method's answer that is further than this (radians) from the attitude is reported.
 inline constexpr double reported_method_error = 1e-6;
 
+/// Every pair has it: rotconv's own way, each number rounded once.
+inline constexpr std::string_view default_method = "default";
+
+/// Stands for every method of the pair.
+inline constexpr std::string_view all_methods = "all";
+
 /// The method of every pair that is rotconv's own way in plain double arithmetic: Settings::fast.
 inline constexpr std::string_view fast_method = "fast";
 

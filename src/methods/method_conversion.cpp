@@ -1,21 +1,21 @@
 #include "method_conversion.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <rotconv/angle.hpp>
 
 #include "../core/representations/codec.hpp"
-#include "../core/representations/half_turn.hpp"
 #include "formulas.hpp"
 
 namespace rotconv {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The numbers of the inverse rotation, of a representation that methods start from.
 void invert(RepresentationId name, double* numbers) noexcept {
@@ -35,90 +35,161 @@ void make_sign_canonical(double* q) noexcept {
     }
 }
 
+/// The same turns, with any defect: what to refuse is for the conversion itself.
+Settings turns_of(const Settings& settings) {
+    return {.tolerance = infinity, .left = settings.left, .right = settings.right};
+}
+
+Settings fast(Settings settings) {
+    settings.fast = true;
+    return settings;
+}
+
+/// Row i of the one is row k of the other.
+bool are_same(std::span<const double> a, std::size_t i, std::span<const double> b, std::size_t k, std::size_t size) {
+    return std::ranges::equal(a.subspan(i * size, size), b.subspan(k * size, size));
+}
+
+std::vector<double> run(const Conversion& conversion, std::span<const double> in) {
+    std::vector<double> out(in.size() / conversion.from().size() * conversion.to().size());
+    std::vector<Report> reports;
+    conversion.run(in, out, reports);
+    return out;
+}
+
 } // namespace
 
-MethodConversion::MethodConversion(const Conversion& own, const Method& method)
-    : own_(own), method_(&method), turns_(own.settings(), own.from().passive) {
+MethodConversion::MethodConversion(const Conversion& own)
+    : own_(own), attitudes_(own.from(), Spec{}, turns_of(own.settings())),
+      comparison_(Spec{}, own.to(), {.reading = {.tolerance = infinity}}) {}
+
+MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
     if (!method.serves(from().name, to().name) || method.run == nullptr) {
         throw std::invalid_argument("not a published method of this pair");
     }
+    published_.push_back(&method);
 }
 
-void MethodConversion::run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const {
-    std::vector<Report> own;
-    own_.run(in, out, own);
-    reports.clear();
-    auto next = own.cbegin();
+MethodConversion MethodConversion::all(const Conversion& own) {
+    MethodConversion conversion(own);
+    conversion.fast_.emplace(own.from(), own.to(), fast(own.settings()));
+    for (const Method& method : methods_of(own.from().name, own.to().name)) {
+        if (method.run != nullptr) {
+            conversion.published_.push_back(&method);
+        }
+    }
+    return conversion;
+}
+
+std::vector<std::string_view> MethodConversion::names() const {
+    std::vector<std::string_view> names;
+    if (fast_) {
+        names = {default_method, fast_method};
+    }
+    std::ranges::transform(published_, std::back_inserter(names), &Method::name);
+    return names;
+}
+
+void MethodConversion::run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
+                           std::vector<Report>& reports) const {
     const std::size_t rows = in.size() / from().size();
-    for (std::size_t first = 0; first < rows; first += batch_rows) {
-        const std::size_t some = std::min(batch_rows, rows - first);
-        const auto end =
-            std::find_if(next, own.cend(), [&](const Report& report) { return report.row >= first + some; });
-        run_batch(in.data() + first * from().size(), first, some, out.data() + first * to().size(), {next, end},
-                  reports);
-        next = end;
+    std::vector<double> own_numbers(rows * to().size());
+    std::vector<Report> own;
+    own_.run(in, own_numbers, own);
+
+    std::vector<std::vector<double>> answers;
+    if (fast_) {
+        answers.push_back(own_numbers);
+        answers.push_back(rotconv::run(*fast_, in));
+    }
+    if (!published_.empty()) {
+        const auto numbers = starting_numbers(in);
+        for (const Method* method : published_) {
+            answers.push_back(answers_of(*method, numbers));
+        }
+    }
+    const auto attitudes = rotconv::run(attitudes_, in);
+    angles.resize(rows * answers.size());
+    for (std::size_t a = 0; a < answers.size(); ++a) {
+        const auto found = angles_of(attitudes, answers[a]);
+        for (std::size_t i = 0; i < rows; ++i) {
+            const std::size_t at = i * answers.size() + a;
+            angles[at] = found[i];
+            std::copy_n(answers[a].data() + i * to().size(), to().size(), out.data() + at * to().size());
+        }
+    }
+
+    reports.clear();
+    for (std::size_t i = 0, next = 0; i < rows; ++i) {
+        const bool is_reported = next < own.size() && own[next].row == i;
+        const Report of_row = is_reported ? own[next++] : Report{};
+        const bool is_infinite = of_row.diagnostics.has(DiagnosticKind::infinite);
+        for (std::size_t at = i * answers.size(); at < (i + 1) * answers.size(); ++at) {
+            Report report = of_row;
+            report.row = at;
+            if (is_infinite && are_same(out, at, own_numbers, i, to().size())) {
+                angles[at] = 0.0;
+            }
+            report.deviation = angles[at];
+            const bool is_off = !is_infinite && !(angles[at] <= reported_method_error); // no finite number is nearer
+            report.diagnostics |= {DiagnosticKind::method_error, report.error == Error::none && is_off};
+            if (is_reported || !report.diagnostics.empty()) {
+                reports.push_back(report);
+            }
+        }
     }
 }
 
-void MethodConversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
-                                 std::span<const Report> own, std::vector<Report>& reports) const {
-    const std::size_t in_size = from().size();
-    const std::size_t out_size = to().size();
-    const bool inverse = from().passive != to().passive;
-
-    // What the methods do not know of is done to the numbers: order, the inverse, and degrees.
-    std::array<double, batch_rows * most_numbers> numbers; // NOLINT(*-member-init): written before it is read
-    to_own_order(from(), in, rows, numbers.data());
-    Readings attitudes; // NOLINT(*-member-init)
-    batch_functions().read(from(), numbers.data(), rows, attitudes);
-    if (turns_.any()) { // the methods start from numbers
-        turns_.turn(attitudes, rows);
-        std::array<DiagnosticSet, batch_rows> diagnostics; // NOLINT(*-member-init)
-        batch_functions().write(from(), 0.0, attitudes, rows, numbers.data(), diagnostics.data());
+std::vector<double> MethodConversion::starting_numbers(std::span<const double> in) const {
+    if (own_.settings().left || own_.settings().right) { // no numbers are given of what has been turned
+        return rotconv::run({from(), {.name = from().name, .passive = to().passive}, turns_of(own_.settings())}, in);
     }
-    if (inverse) {
-        for (std::size_t i = 0; i < rows; ++i) {
-            invert(from().name, numbers.data() + i * in_size);
+    std::vector<double> numbers(in.size());
+    to_own_order(from(), in.data(), in.size() / from().size(), numbers.data());
+    if (from().passive != to().passive) {
+        for (std::size_t i = 0; i < numbers.size(); i += from().size()) {
+            invert(from().name, numbers.data() + i);
         }
     }
     if (from().unit == AngleUnit::degrees) {
-        std::for_each_n(numbers.begin(), rows * in_size, [](double& v) { v *= radians_per_degree; });
+        std::ranges::for_each(numbers, [](double& v) { v *= radians_per_degree; });
     }
+    return numbers;
+}
 
-    std::array<double, batch_rows * most_numbers> answers; // NOLINT(*-member-init): written before it is read
-    method_->run(to().sequence, numbers.data(), rows, answers.data());
+std::vector<double> MethodConversion::answers_of(const Method& method, std::span<const double> numbers) const {
+    const std::size_t rows = numbers.size() / from().size();
+    std::vector<double> own(rows * to().size());
+    method.run(to().sequence, numbers.data(), rows, own.data());
     if (to().unit == AngleUnit::degrees) {
-        std::for_each_n(answers.begin(), rows * out_size, [](double& v) { v *= degrees_per_radian; });
+        std::ranges::for_each(own, [](double& v) { v *= degrees_per_radian; });
     }
-    Readings answered; // NOLINT(*-member-init)
-    batch_functions().read(to(), answers.data(), rows, answered);
+    if (to().name == RepresentationId::quat) {
+        for (std::size_t i = 0; i < own.size(); i += to().size()) {
+            make_sign_canonical(own.data() + i);
+        }
+    }
+    std::vector<double> written(own.size());
+    to_written_order(to(), own.data(), rows, written.data());
+    return written;
+}
 
+std::vector<double> MethodConversion::angles_of(std::span<const double> attitudes,
+                                                std::span<const double> answers) const {
+    const std::size_t size = to().size();
+    const std::size_t rows = answers.size() / size;
+    std::vector<double> pairs;
+    pairs.reserve(attitudes.size() + answers.size());
     for (std::size_t i = 0; i < rows; ++i) {
-        Report report{.row = first + i};
-        const bool reported = !own.empty() && own.front().row == report.row;
-        if (reported) {
-            report = own.front();
-            own = own.subspan(1);
-        }
-        if (report.error != Error::none) {
-            reports.push_back(report);
-            continue;
-        }
-        if (!report.diagnostics.has(DiagnosticKind::infinite)) { // else no finite number is nearer
-            const Rotation attitude = inverse ? attitudes.at(i).inverse() : attitudes.at(i);
-            report.deviation = answered.error[i] == Error::none ? angle_of(attitude.inverse() * answered.at(i))
-                                                                : std::numeric_limits<double>::quiet_NaN();
-            report.diagnostics |= {DiagnosticKind::method_error, !(report.deviation <= reported_method_error)};
-        }
-        if (reported || !report.diagnostics.empty()) {
-            reports.push_back(report);
-        }
-        double* const answer = answers.data() + i * out_size;
-        if (to().name == RepresentationId::quat) {
-            make_sign_canonical(answer);
-        }
-        to_written_order(to(), answer, 1, out + i * out_size);
+        const auto attitude = attitudes.subspan(4 * i, 4);
+        const auto answer = answers.subspan(size * i, size);
+        pairs.insert(pairs.end(), attitude.begin(), attitude.end());
+        pairs.insert(pairs.end(), answer.begin(), answer.end());
     }
+    std::vector<double> angles(rows);
+    std::vector<Report> reports;
+    comparison_.run(pairs, angles, reports);
+    return angles;
 }
 
 } // namespace rotconv

@@ -1,39 +1,56 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include <rotconv/comparison.hpp>
 #include <rotconv/conversion.hpp>
 
-#include "../core/representations/constant_turns.hpp"
 #include "method.hpp"
 
 namespace rotconv {
 
-/// A conversion whose numbers are a method's: errors, defects and diagnostics are those of rotconv's own, which also
-/// says how far the method's answer is off.
+/// A conversion whose numbers are those of one method, or of each of its pair: errors, defects and diagnostics are
+/// those of rotconv's own, and every answer's angle to the attitude is told.
 /// Thread-safe: running it changes nothing in it.
 class MethodConversion {
 public:
     /// Throws std::invalid_argument where the method is one of another pair, or rotconv's own.
     MethodConversion(const Conversion& own, const Method& method);
 
+    /// rotconv's own two, default and fast, which every pair has, and all that are published.
+    [[nodiscard]] static MethodConversion all(const Conversion& own);
+
     [[nodiscard]] const Spec& from() const noexcept { return own_.from(); }
     [[nodiscard]] const Spec& to() const noexcept { return own_.to(); }
+    /// Of each row's answers, in their order.
+    [[nodiscard]] std::vector<std::string_view> names() const;
 
-    /// As Conversion::run(). Report::deviation is the angle from the attitude to the method's answer, nan where that is
-    /// none.
-    void run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const;
+    /// As Conversion::run(), with names().size() answers to each row, one behind the other, of which Report::row is the
+    /// index. `angles` become those from the attitude to each answer, in radians and right to 5 eps, nan where the
+    /// answer describes none; 0 where it is infinite as it should be. Report::deviation is the same.
+    void run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
+             std::vector<Report>& reports) const;
 
 private:
-    /// `own`: the reports of rotconv's own numbers of these rows, of which the first is row `first`.
-    void run_batch(const double* in, std::size_t first, std::size_t rows, double* out, std::span<const Report> own,
-                   std::vector<Report>& reports) const;
+    explicit MethodConversion(const Conversion& own);
+
+    /// What published methods start from: numbers in the representation's own order, active, in radians, of the
+    /// rotation that is to be written.
+    [[nodiscard]] std::vector<double> starting_numbers(std::span<const double> in) const;
+    [[nodiscard]] std::vector<double> answers_of(const Method& method, std::span<const double> numbers) const;
+    /// Of rows of a quaternion each.
+    [[nodiscard]] std::vector<double> angles_of(std::span<const double> attitudes,
+                                                std::span<const double> answers) const;
 
     Conversion own_;
-    const Method* method_;
-    ConstantTurns turns_; ///< of attitudes as they are read
+    Conversion attitudes_; ///< to quaternions, turned as own_ does
+    Comparison comparison_;
+    std::optional<Conversion> fast_; ///< the answer after own_'s, where all are wanted
+    std::vector<const Method*> published_;
 };
 
 } // namespace rotconv

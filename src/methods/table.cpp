@@ -11,7 +11,7 @@ namespace {
 using formula::each_row;
 
 constexpr Method own(RepresentationId from, RepresentationId to) noexcept {
-    return {from, to, "default", "rotconv", "every input that describes an attitude", nullptr};
+    return {from, to, default_method, "rotconv", "every input that describes an attitude", nullptr};
 }
 
 using enum RepresentationId;
@@ -34,7 +34,7 @@ constexpr std::array table{
     Method{dcm, quat, "klumpp", "Klumpp 1976, after its abstract", "no component near 0", each_row<9, 4, dq::klumpp>},
     Method{dcm, quat, "shepperd", "Shepperd 1978", "orthogonal matrices", each_row<9, 4, dq::shepperd>},
     Method{dcm, quat, "markley", "Markley 2008", "orthogonal matrices", each_row<9, 4, dq::markley>},
-    Method{dcm, quat, "cayley", "Cayley's factorisation, in Sarabandi and Thomas 2019", "theta below 180 deg",
+    Method{dcm, quat, "cayley", "Cayley, in Sarabandi and Thomas 2019", "theta below 180 deg",
            each_row<9, 4, dq::cayley>},
     Method{dcm, quat, "sarabandi-thomas", "Sarabandi and Thomas 2018, eta = 0", "theta below 180 deg",
            each_row<9, 4, dq::sarabandi_thomas>},
@@ -43,11 +43,11 @@ constexpr std::array table{
     Method{dcm, quat, "svd", "Markley 1988, then Shepperd 1978", "any proper matrix", each_row<9, 4, dq::svd>},
     Method{dcm, quat, "polar", "Higham 1986, then Shepperd 1978", "any proper matrix, not near-singular",
            each_row<9, 4, dq::polar>},
-    Method{dcm, quat, "compensated", "Davenport 1968, products after Dekker 1971", "near rotations, defect to 1e-8",
+    Method{dcm, quat, "compensated", "Davenport 1968, with Dekker 1971", "near rotations, defect to 1e-8",
            each_row<9, 4, dq::compensated>},
 
     own(dcm, rotvec),
-    Method{dcm, rotvec, "acos", "common property; Shuster 1993, Euler axis and angle", "theta away from 0 and 180 deg",
+    Method{dcm, rotvec, "acos", "Shuster 1993, Euler axis and angle", "theta away from 0 and 180 deg",
            each_row<9, 3, dr::acos>},
     Method{dcm, rotvec, "atan2", "common property, the angle by atan2", "theta above 0, below 180 deg",
            each_row<9, 3, dr::atan2>},
@@ -55,12 +55,12 @@ constexpr std::array table{
            each_row<9, 3, dr::polynomial>},
     Method{dcm, rotvec, "quaternion", "Shepperd 1978, then Sola 2017", "orthogonal matrices",
            each_row<9, 3, dr::quaternion>},
-    Method{dcm, rotvec, "compensated", "Davenport 1968, products after Dekker 1971", "near rotations, defect to 1e-8",
+    Method{dcm, rotvec, "compensated", "Davenport 1968, with Dekker 1971", "near rotations, defect to 1e-8",
            each_row<9, 3, dr::compensated>},
 
     own(dcm, cayley),
     Method{dcm, cayley, "lu", "Stuelpnagel 1964, section 6", "theta below 180 deg", each_row<9, 3, dc::lu>},
-    Method{dcm, cayley, "polynomial", "common property; Shuster 1993, Rodrigues vector", "theta below 180 deg",
+    Method{dcm, cayley, "polynomial", "Shuster 1993, Rodrigues vector", "theta below 180 deg",
            each_row<9, 3, dc::polynomial>},
     Method{dcm, cayley, "quaternion", "Shepperd 1978, then v/w", "orthogonal matrices", each_row<9, 3, dc::quaternion>},
 
@@ -74,8 +74,7 @@ constexpr std::array table{
            each_row<4, 9, qd::normalise_first>},
 
     own(quat, rotvec),
-    Method{quat, rotvec, "acos", "common property; Shuster 1993", "unit quaternions, theta away from 0",
-           each_row<4, 3, qr::acos>},
+    Method{quat, rotvec, "acos", "Shuster 1993", "unit quaternions, theta away from 0", each_row<4, 3, qr::acos>},
     Method{quat, rotvec, "atan2", "Sola 2017, logarithmic map", "norms from 1e-150 to 1e150",
            each_row<4, 3, qr::atan2>},
     Method{quat, rotvec, "compensated", "logarithm, products after Dekker 1971", "norms from 1e-150 to 1e150",
@@ -84,28 +83,27 @@ constexpr std::array table{
     own(quat, euler),
     Method{quat, euler, "classic", "Diebel 2006, the twelve sequences", "unit quaternions away from lock",
            each_row<4, 3, qe::classic>},
-    Method{quat, euler, "matrix-threshold", "Shoemake 1994, Eul_FromQuat, threshold 1.9e-6", "to 4e-6 rad near lock",
+    Method{quat, euler, "matrix-threshold", "Shoemake 1994, threshold 1.9e-6", "to 4e-6 rad near lock",
            each_row<4, 3, qe::matrix_threshold>},
-    Method{quat, euler, "bernardes-arccos", "Bernardes and Viollet 2022, threshold 1e-7", "to 2e-7 rad near lock",
+    Method{quat, euler, "bernardes-arccos", "Bernardes, Viollet 2022, limit 1e-7", "to 2e-7 rad near lock",
            each_row<4, 3, qe::bernardes_arccos>},
-    Method{quat, euler, "bernardes-atan2", "Bernardes and Viollet 2022, atan2 for arccos", "any quaternion but 0",
+    Method{quat, euler, "bernardes-atan2", "Bernardes, Viollet 2022, by atan2", "any quaternion but 0",
            each_row<4, 3, qe::bernardes_atan2>},
 
     own(rotvec, dcm),
-    Method{rotvec, dcm, "rodrigues", "Rodrigues 1840; Stuelpnagel 1964, section 6", "theta away from 0, moderate",
+    Method{rotvec, dcm, "rodrigues", "Rodrigues 1840; Stuelpnagel 1964", "theta away from 0, moderate",
            each_row<3, 9, rd::rodrigues>},
-    Method{rotvec, dcm, "half-angle", "Rodrigues 1840, 1 - cos by the half angle", "theta above 0, moderate",
+    Method{rotvec, dcm, "half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate",
            each_row<3, 9, rd::half_angle>},
-    Method{rotvec, dcm, "quaternion", "Euler-Rodrigues parameters; Stuelpnagel 1964, section 5",
-           "theta above 0, moderate", each_row<3, 9, rd::quaternion>},
-    Method{rotvec, dcm, "compensated", "Euler-Rodrigues parameters, products after Dekker 1971", "lengths below 1e15",
+    Method{rotvec, dcm, "quaternion", "Stuelpnagel 1964, section 5", "theta above 0, moderate",
+           each_row<3, 9, rd::quaternion>},
+    Method{rotvec, dcm, "compensated", "Stuelpnagel 1964, with Dekker 1971", "lengths below 1e15",
            each_row<3, 9, rd::compensated>},
 
     own(cayley, dcm),
     Method{cayley, dcm, "inverse", "Stuelpnagel 1964, section 6", "lengths far below 1e16",
            each_row<3, 9, cd::inverse>},
-    Method{cayley, dcm, "closed", "common property; Shuster 1993, Rodrigues vector", "lengths below 1e150",
-           each_row<3, 9, cd::closed>},
+    Method{cayley, dcm, "closed", "Shuster 1993, Rodrigues vector", "lengths below 1e150", each_row<3, 9, cd::closed>},
 };
 
 constexpr RepresentationId set_of(RepresentationId name) noexcept {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct Diagnostic {
     DiagnosticKind kind = DiagnosticKind::normalized;
     double figure = 0.0;
     bool of_reference = false; ///< the line is one of the reference
+    std::string_view answer{}; ///< whose it is, of several answers to a row
 };
 
 using Event = std::variant<RowError, Diagnostic>;

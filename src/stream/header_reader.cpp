@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "row_text.hpp"
+
 namespace rotconv::stream {
 namespace {
 
@@ -39,14 +41,7 @@ bool has_all(const std::variant<std::vector<std::size_t>, ColumnError>& found) n
 
 /// The names of the result's columns, parted by the delimiter.
 void append_result_names(Buffer& to, const Options& options, char delimiter) {
-    const auto& names = options.operation.names;
-    fmt::format_to(std::back_inserter(to), "{}", fmt::join(names, std::string_view(&delimiter, 1)));
-    if (options.diagnostic_columns) {
-        for (const std::string_view name : diagnostic_names) {
-            to.push_back(delimiter);
-            append(to, name);
-        }
-    }
+    fmt::format_to(std::back_inserter(to), "{}", fmt::join(result_columns(options), std::string_view(&delimiter, 1)));
 }
 
 } // namespace
@@ -227,11 +222,7 @@ void HeaderReader::settle(const Line& row, Output& output) {
         write_added_header(header_of(row, layout_.delimiter).fields.size(), output);
     }
     if (!names_.empty()) {
-        std::vector<std::string_view> taken(options_->operation.names.begin(), options_->operation.names.end());
-        if (options_->diagnostic_columns) {
-            std::ranges::copy(diagnostic_names, std::back_inserter(taken));
-        }
-        layout_.keys = JsonKeys(std::exchange(names_, {}), taken, [this](std::size_t at) {
+        layout_.keys = JsonKeys(std::exchange(names_, {}), result_columns(*options_), [this](std::size_t at) {
             return options_->append || !std::ranges::binary_search(layout_.replaced, at);
         });
     }

@@ -150,16 +150,14 @@ private:
     std::size_t answered_ = 0;      ///< of the rows at hand
 };
 
-/// What a conversion makes of its rows, whether rotconv's own or a method's.
-template <class AnyConversion> RowOperation operation_of(const AnyConversion& conversion) {
-    return {.inputs = conversion.from().size(),
-            .input_names = column_names(conversion.from()),
-            .from = conversion.from(),
-            .names = column_names(conversion.to()),
-            .attitude = conversion.to(),
-            .run = [conversion](const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) {
-                conversion.run(rows.numbers, out, reports);
-            }};
+/// What a conversion makes of its rows, but for the running.
+RowOperation operation_of(const Spec& from, const Spec& to) {
+    return {.inputs = from.size(),
+            .input_names = column_names(from),
+            .from = from,
+            .names = column_names(to),
+            .attitude = to,
+            .run = {}};
 }
 
 } // namespace
@@ -169,9 +167,40 @@ std::vector<std::string> velocity_names(bool degrees) {
                    : std::vector<std::string>{"wx", "wy", "wz"};
 }
 
-RowOperation conversion_operation(const Conversion& conversion) { return operation_of(conversion); }
+RowOperation conversion_operation(const Conversion& conversion) {
+    RowOperation operation = operation_of(conversion.from(), conversion.to());
+    operation.run = [conversion](const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) {
+        conversion.run(rows.numbers, out, reports);
+    };
+    return operation;
+}
 
-RowOperation method_operation(const MethodConversion& conversion) { return operation_of(conversion); }
+RowOperation method_operation(const MethodConversion& conversion) {
+    RowOperation operation = operation_of(conversion.from(), conversion.to());
+    operation.run = [conversion, angles = std::vector<double>()](const NumberRows& rows, std::span<double> out,
+                                                                 std::vector<Report>& reports) mutable {
+        conversion.run(rows.numbers, out, angles, reports);
+    };
+    return operation;
+}
+
+RowOperation all_methods_operation(const MethodConversion& conversion) {
+    RowOperation operation = operation_of(conversion.from(), conversion.to());
+    const auto names = conversion.names();
+    operation.answers.assign(names.begin(), names.end());
+    operation.names.emplace_back("angle");
+    operation.run = [conversion, angles = std::vector<double>(), numbers = std::vector<double>()](
+                        const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) mutable {
+        const std::size_t size = conversion.to().size();
+        numbers.resize(out.size() / (size + 1) * size);
+        conversion.run(rows.numbers, numbers, angles, reports);
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            std::copy_n(numbers.data() + i * size, size, out.data() + i * (size + 1));
+            out[i * (size + 1) + size] = angles[i];
+        }
+    };
+    return operation;
+}
 
 RowOperation continuous(RowOperation operation) {
     const auto chosen = std::make_shared<ContinuousNumbers>(operation.attitude.value());

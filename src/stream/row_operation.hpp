@@ -34,12 +34,17 @@ struct RowOperation {
     std::size_t kept = 0;           ///< how many of the first of them, such as a time or a key, also pass as they are
     std::vector<std::string> names; ///< the columns of the result
     std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
+    /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
+    /// Report::row is then the index of the answer among those of all rows.
+    std::vector<std::string> answers{};
     /// Told once, before the first row, which fields hold the numbers, from 0; none where a row is its numbers.
     std::function<void(const std::vector<std::size_t>& positions)> selected{};
     bool in_order = false; ///< all rows must come to it in their order; else each copy may answer any of them
 
-    /// Answers rows of `inputs` numbers with names.size() numbers each. `reports` become those of the rows of which
-    /// there is something to tell, in their order.
+    [[nodiscard]] std::size_t answers_of_row() const noexcept { return answers.empty() ? 1 : answers.size(); }
+
+    /// Answers rows of `inputs` numbers with names.size() numbers each, or so many for each answer. `reports` become
+    /// those of the rows of which there is something to tell, in their order.
     std::function<void(const NumberRows& rows, std::span<double> out, std::vector<Report>& reports)> run;
     /// Where an answer depends on the rows after it, to be called in the place of `run`: answers as many of the first
     /// rows as it can, or all with `flush`. The others come first in the next call.
@@ -54,6 +59,8 @@ struct RowOperation {
 /// The conversion of attitudes.
 [[nodiscard]] RowOperation conversion_operation(const Conversion& conversion);
 [[nodiscard]] RowOperation method_operation(const MethodConversion& conversion);
+/// The answers of all its methods, each with its angle to the attitude.
+[[nodiscard]] RowOperation all_methods_operation(const MethodConversion& conversion);
 
 /// The same operation, whose result follows the motion; see ContinuousNumbers.
 [[nodiscard]] RowOperation continuous(RowOperation operation);

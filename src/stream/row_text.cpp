@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::string_view separator = ", "; // of JSON's members
 
+constexpr std::string_view answer_column = "method";
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Kinds joined by '+'.
@@ -43,13 +45,25 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
 
 } // namespace
 
+std::vector<std::string_view> result_columns(const Options& options) {
+    const RowOperation& operation = options.operation;
+    std::vector<std::string_view> columns(operation.names.begin(), operation.names.end());
+    if (!operation.answers.empty()) {
+        columns.insert(columns.end() - 1, answer_column);
+    }
+    if (options.diagnostic_columns) {
+        columns.insert(columns.end(), diagnostic_names.begin(), diagnostic_names.end());
+    }
+    return columns;
+}
+
 RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
     const auto& spec = options.operation.attitude;
     const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation.choose;
     if (!options.digits.shortest() && has_range) {
         const bool degrees = spec->unit == AngleUnit::degrees;
         const Digits digits = options.digits;
-        middle_angle_ = options.operation.names.size() - 2;
+        middle_angle_ = spec->size() - 2;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
         half_a_digit_ = Decimal::parse("0.5")->rounded(digits.decimals >= 0 ? -digits.decimals
                                                                             : (degrees ? 3 : 1) - digits.significant);
@@ -64,8 +78,7 @@ RowText::RowText(const Options& options, const Layout& layout) : options_(&optio
         append(key, ": ");
         json_keys_.push_back(fmt::to_string(key));
     };
-    std::ranges::for_each(options.operation.names, add_key);
-    std::ranges::for_each(diagnostic_names, add_key);
+    std::ranges::for_each(result_columns(options), add_key);
 }
 
 void RowText::write(Buffer& to, const ConvertedRow& row) const {
@@ -91,11 +104,15 @@ void RowText::write_number(Buffer& to, double value, std::size_t column) const {
 
 void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (std::isinf(half_turn_)) {
+    if (std::isinf(half_turn_) && options_->operation.answers.empty()) {
         append_numbers(to, row.result, delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             if (i > 0) {
+                to.push_back(delimiter);
+            }
+            if (stands_name_before(i)) {
+                append(to, row.answer);
                 to.push_back(delimiter);
             }
             write_number(to, row.result[i], i);
@@ -130,8 +147,9 @@ void RowText::write_csv(Buffer& to, const ConvertedRow& row) const {
 void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
     std::size_t passed = separator.size(); // before the first key
-    const auto key = [&](std::size_t i) {
-        append(to, std::string_view(json_keys_[i]).substr(passed));
+    auto next_key = json_keys_.begin();
+    const auto key = [&] {
+        append(to, std::string_view(*next_key++).substr(passed));
         passed = 0;
     };
     const auto other = [&](std::size_t i) {
@@ -161,16 +179,20 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
         }
     };
     for (std::size_t i = 0; i < row.result.size(); ++i) {
-        key(i);
+        if (stands_name_before(i)) {
+            key();
+            append_json_string(to, row.answer);
+        }
+        key();
         number(row.result[i], i);
     }
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);
-        for (std::size_t i = 0; i < figures.size(); ++i) {
-            key(row.result.size() + i);
-            number(figures[i], middle_angle_); // a figure is no outer angle
+        for (const double figure : figures) {
+            key();
+            number(figure, middle_angle_); // a figure is no outer angle
         }
-        key(row.result.size() + figures.size());
+        key();
         to.push_back('"');
         append_notes(to, row);
         to.push_back('"');
@@ -182,11 +204,15 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
     const auto out = std::back_inserter(to);
     const auto& spec = options_->operation.attitude;
     fmt::format_to(out, "line {}\n", row.number);
+    if (!row.answer.empty()) {
+        fmt::format_to(out, "  {:<9}  {}\n", answer_column, row.answer);
+    }
     const auto text_of = [&](std::size_t i) {
         Buffer text;
         write_number(text, row.result[i], i);
         return fmt::to_string(text);
     };
+    std::size_t labelled = 0; // the first number that is not part of a matrix
     if (spec && spec->name == RepresentationId::dcm) {
         const auto order = spec->order();
         std::array<std::string, 9> texts;
@@ -199,11 +225,10 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
             fmt::format_to(out, "  {:>{}}  {:>{}}  {:>{}}\n", texts[i], width, texts[i + 1], width, texts[i + 2],
                            width);
         }
-    } else {
-        const auto& names = options_->operation.names;
-        for (std::size_t i = 0; i < row.result.size(); ++i) {
-            fmt::format_to(out, "  {:<9}  {}\n", names[i], text_of(i));
-        }
+        labelled = texts.size();
+    }
+    for (std::size_t i = labelled; i < row.result.size(); ++i) {
+        fmt::format_to(out, "  {:<9}  {}\n", options_->operation.names[i], text_of(i));
     }
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);

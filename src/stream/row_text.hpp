@@ -22,7 +22,11 @@ struct ConvertedRow {
     std::span<const double> result; ///< nan where the row failed
     const Report* report = nullptr;
     bool failed = false;
+    std::string_view answer{}; ///< its name, of several to the row
 };
+
+/// The columns of the result, and of its diagnostics where those are shown. They are views into the options.
+[[nodiscard]] std::vector<std::string_view> result_columns(const Options& options);
 
 /// Writes converted rows in the format of the options.
 class RowText {
@@ -39,6 +43,10 @@ private:
     /// The result and, if asked for, the four diagnostic columns.
     void write_result(Buffer& to, const ConvertedRow& row) const;
     void write_number(Buffer& to, double value, std::size_t column) const;
+    /// Where answers have names, theirs stands before this number.
+    [[nodiscard]] bool stands_name_before(std::size_t column) const noexcept {
+        return !options_->operation.answers.empty() && column + 1 == options_->operation.names.size();
+    }
 
     const Options* options_;
     const Layout* layout_;

@@ -40,7 +40,7 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output) {
 }
 
 void RowTransformer::answer(Output& output, const InTurn& in_turn) {
-    results_.resize(lines_.size() * operation_.names.size());
+    results_.resize(lines_.size() * operation_.answers_of_row() * operation_.names.size());
     operation_.run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
     choose(output, in_turn);
     if (!output.stopped) {
@@ -179,50 +179,64 @@ void RowTransformer::write(Output& output) {
 }
 
 void RowTransformer::write_row(Row& row, Output& output) {
-    const std::string_view given = row.line.text;
-    const bool is_ours = row.number > 0; // else there is nothing but an error of the reference
+    const std::string_view given = row.line.text; // a binary row becomes text
+    const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
     if (is_ours && options_->width > 0 && reader_.needs_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }
     const std::size_t size = operation_.names.size();
-    const Report& report = report_of(row);
-    const bool failed = !row.has_numbers() || report.error != Error::none;
-    const ConvertedRow converted{.line = row.line,
-                                 .number = row.number,
-                                 .fields = std::span(parts_.fields).subspan(row.first_field, row.field_count),
-                                 .result = failed ? std::span<const double>(nans_)
-                                                  : std::span(results_).subspan(row.index * size, size),
-                                 .report = &report,
-                                 .failed = failed};
-    if (!failed) {
-        row_text_.write(output.bytes, converted);
-        ++output.answered;
-        tell_diagnostics(row, report, output);
-        return;
-    }
-    if (!row.has_numbers()) {
-        output.events.emplace_back(errors_[row.error]);
-    } else {
-        const bool of_reference = report.of_reference && row.pair != nullptr;
-        output.events.emplace_back(
-            RowError{.line = of_reference ? row.pair->reference_number : row.number,
-                     .what = RowError::What::attitude,
-                     .text = of_reference ? reference_reader_->selected_text(row.pair->reference.text)
-                                          : reader_.selected_text(given),
-                     .error = report.error,
-                     .defect = report.defect,
-                     .norm = report.error == Error::defect ? norm_of(row, report.of_reference) : 0.0,
-                     .of_reference = of_reference});
-    }
-    if (options_->on_error == OnError::stop) {
-        output.stopped = true;
-    } else if (options_->on_error == OnError::nan && is_ours) {
-        row_text_.write(output.bytes, converted);
+    const std::size_t answers = operation_.answers_of_row();
+    for (std::size_t i = 0; i < answers; ++i) {
+        const std::size_t index = row.index * answers + i;
+        const Report& report = report_of(row, index);
+        const bool failed = !row.has_numbers() || report.error != Error::none;
+        if (failed && i == 0) {
+            tell_error(row, given, report, output);
+            output.stopped = options_->on_error == OnError::stop;
+        }
+        if (failed && (options_->on_error != OnError::nan || !is_ours)) {
+            continue; // each answer's report is passed over
+        }
+        row_text_.write(
+            output.bytes,
+            {.line = row.line,
+             .number = row.number,
+             .fields = std::span(parts_.fields).subspan(row.first_field, row.field_count),
+             .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
+             .report = &report,
+             .failed = failed,
+             .answer = operation_.answers.empty() ? std::string_view() : operation_.answers[i]});
+        if (!failed) {
+            output.answered += i == 0 ? 1 : 0;
+            tell_diagnostics(row, report, i, output);
+        }
     }
 }
 
-void RowTransformer::tell_diagnostics(const Row& row, const Report& report, Output& output) {
+void RowTransformer::tell_error(const Row& row, std::string_view given, const Report& report, Output& output) {
+    if (!row.has_numbers()) {
+        output.events.emplace_back(errors_[row.error]);
+        return;
+    }
+    const bool of_reference = report.of_reference && row.pair != nullptr;
+    output.events.emplace_back(RowError{.line = of_reference ? row.pair->reference_number : row.number,
+                                        .what = RowError::What::attitude,
+                                        .text = of_reference
+                                                    ? reference_reader_->selected_text(row.pair->reference.text)
+                                                    : reader_.selected_text(given),
+                                        .error = report.error,
+                                        .defect = report.defect,
+                                        .norm = report.error == Error::defect ? norm_of(row, report.of_reference) : 0.0,
+                                        .of_reference = of_reference});
+}
+
+void RowTransformer::tell_diagnostics(const Row& row, const Report& report, std::size_t answer, Output& output) {
     for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
+        if (diagnostic.kind == DiagnosticKind::method_error && !operation_.answers.empty()) {
+            diagnostic.answer = options_->operation.answers[answer]; // outlives this
+        } else if (answer > 0) {
+            return; // that is the row's, and told
+        }
         if (diagnostic.kind == DiagnosticKind::normalized && row.pair != nullptr) { // of either, or of both
             if (report.reference_defect > reported_defect) {
                 output.events.emplace_back(Diagnostic{.line = row.pair->reference_number,
@@ -239,9 +253,9 @@ void RowTransformer::tell_diagnostics(const Row& row, const Report& report, Outp
     });
 }
 
-const Report& RowTransformer::report_of(const Row& row) noexcept {
+const Report& RowTransformer::report_of(const Row& row, std::size_t answer) noexcept {
     static constexpr Report nothing{};
-    const bool is_next = row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == row.index;
+    const bool is_next = row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == answer;
     return is_next ? reports_[next_report_++] : nothing;
 }
 

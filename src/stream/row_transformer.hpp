@@ -78,13 +78,16 @@ private:
     void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
-    /// What is to be told of the row; to be asked of each in turn.
-    [[nodiscard]] const Report& report_of(const Row& row) noexcept;
+    /// What is to be told of the row's answer of that index; to be asked of each in turn.
+    [[nodiscard]] const Report& report_of(const Row& row, std::size_t answer) noexcept;
     /// Answers the rows and writes them.
     void answer(Output& output, const InTurn& in_turn = {});
     void write(Output& output);
     void write_row(Row& row, Output& output);
-    static void tell_diagnostics(const Row& row, const Report& report, Output& output);
+    /// `given`: the row as it was read.
+    void tell_error(const Row& row, std::string_view given, const Report& report, Output& output);
+    /// Of the row's answer of that number.
+    void tell_diagnostics(const Row& row, const Report& report, std::size_t answer, Output& output);
     void note_error(Row& row, RowError error);
     /// Of the quaternion of a row, or of its partner; 0 where that is none.
     [[nodiscard]] double norm_of(const Row& row, bool of_reference) const;

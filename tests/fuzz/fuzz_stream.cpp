@@ -408,9 +408,9 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     const bool fixed = !argument_of(words, "--decimals").empty();
     const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
     if (format == "pretty" || format == "f64" || program.options.width > 0 || command == "survey" ||
-        command == "identify" || argument_of(words, "--interpolation") == "cubic" ||
+        command == "identify" || !operation.answers.empty() || argument_of(words, "--interpolation") == "cubic" ||
         ((precision > 0 || fixed) && is_euler)) {
-        return std::nullopt; // pretty and f64, rows that wait, and -pi that rounds
+        return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
     }
     fuzz::Rules rules = reading_rules_of(words, operation);
     rules.precision = precision;
@@ -624,6 +624,7 @@ constexpr std::array option_words{"--from=quat",
                                   "--time-unit=ns",
                                   "--condition=10",
                                   "--method=shepperd",
+                                  "--method=all",
                                   "--key=1",
                                   "--key=t",
                                   "--key-within=0.5",

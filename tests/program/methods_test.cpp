@@ -29,21 +29,139 @@ TEST_CASE("a wrong method is answered with the legal ones and where they hold") 
           "");
     const auto none = run("-f mrp -t 6d --method shepperd 0 0 0");
     CHECK(none.exit_code == 2);
-    CHECK(missing(none.err, {"mrp to 6d", "only the default"}) == "");
+    CHECK(missing(none.err, {"mrp to 6d", "only default, fast and all"}) == "");
     CHECK(run("-f mrp -t 6d --method default 0 0 0").exit_code == 0);
 }
 
 TEST_CASE("methods are listed with where they hold and their reference") {
-    // Catches a table that lacks a pair, and figures that are compiled in.
+    // Catches a table that lacks a pair, figures that are compiled in, and lines too long for a terminal.
     const auto listed = run("list methods");
     CHECK(listed.exit_code == 0);
-    CHECK(count_rows(listed.out) == 47);
-    CHECK(listed.out.starts_with(
-        "FROM    TO      METHOD            holds for                                 reference\n"));
-    CHECK(missing(listed.out, {"\nany     any     fast   ", "sarabandi-thomas", "Stuelpnagel 1964", "any proper matrix",
-                               "rodrigues", "bernardes-arccos"}) == "");
-    CHECK(missing(listed.out, {"\nquat    euler   matrix-threshold  to 4e-6 rad near lock                     "
-                               "Shoemake 1994, Eul_FromQuat, threshold 1.9e-6\n"}) == "");
+    CHECK(listed.out.starts_with("dcm to quat\n  default           every input that describes an attitude "));
+    CHECK(missing(listed.out, {"\nquat to euler\n", "\ncayley to dcm\n", "\nany to any other\n", "sarabandi-thomas",
+                               "Stuelpnagel 1964", "any proper matrix", "rodrigues", "bernardes-arccos"}) == "");
+    CHECK(missing(listed.out, {"\n  matrix-threshold  to 4e-6 rad near lock                     "
+                               "Shoemake 1994, threshold 1.9e-6\n"}) == "");
+    for (const std::string& line : fields_of(listed.out, '\n')) {
+        CHECK(line.size() <= 100);
+    }
+}
+
+TEST_CASE("list methods takes a pair, as a command line names it") {
+    // Catches a pair that is not found by its other name or with its modifiers, and a pair that is none.
+    const auto pair = run("list methods dcm quat");
+    CHECK(pair.exit_code == 0);
+    CHECK(pair.out.starts_with("dcm to quat\n"));
+    CHECK(count_rows(pair.out) == 15);
+    CHECK(run("list methods matrix quat:tum") == pair);
+    CHECK(missing(run("list methods quat rpy:deg").out, {"quat to rpy\n", "bernardes-atan2"}) == "");
+    const auto from = run("list methods dcm");
+    CHECK(missing(from.out, {"dcm to quat\n", "dcm to rotvec\n", "dcm to cayley\n", "dcm to any other\n"}) == "");
+    CHECK(from.out.find("quat to dcm") == std::string::npos);
+    CHECK(count_rows(run("list methods mrp 6d").out) == 3);
+    const auto wrong = run("list methods dcm quot");
+    CHECK(wrong.exit_code == 2);
+    CHECK(missing(wrong.err, {"'quot' is not a known representation", "did you mean quat?"}) == "");
+    for (const char* arguments : {"list methods dcm quat mrp", "list dcm quat", "list presets tum"}) {
+        CHECK(run(arguments).exit_code == 2);
+        CHECK(missing(run(arguments).err, {"unexpected argument"}) == "");
+    }
+}
+
+/// The methods of a pair, by name.
+Words methods_of(const std::string& pair) {
+    Words names;
+    for (const std::string& line : fields_of(run("list methods " + pair).out, '\n')) {
+        if (line.starts_with("  ")) {
+            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        }
+    }
+    return names;
+}
+
+TEST_CASE("each row is written once for every method of the pair") {
+    // Catches a method that is left out or stands beside another's answer, and a right answer that is called wrong.
+    const std::string half_turn = "-1 0 0 0 1 0 0 0 -1";
+    const Words names = methods_of("dcm quat");
+    CHECK(names.size() == 14);
+    std::string expected;
+    for (const std::string& name : names) {
+        const auto alone = run("-f dcm -t quat --diagnostics off --method " + name, half_turn + "\n");
+        CHECK(alone.exit_code == 0);
+        const bool is_wrong = name == "trace" || name == "baruh"; // they divide by w
+        expected += alone.out.substr(0, alone.out.size() - 1) + " " + name + (is_wrong ? " nan\n" : " 0\n");
+    }
+    const auto all = run("-f dcm -t quat --method all -- " + half_turn);
+    CHECK(all.out == expected);
+    CHECK(all.exit_code == 0);
+    CHECK(missing(all.err, {"rotconv: argument: method-error: trace: angle nan; "}) == "");
+    const auto rows = run("-f dcm -t quat --method all --diagnostics rows -- " + half_turn);
+    CHECK(missing(rows.err, {"method-error: trace: angle nan", "method-error: baruh: angle nan"}) == "");
+    CHECK(count_rows(rows.err) == 2);
+    CHECK(run("--strict -f dcm -t quat --method all -- " + half_turn).exit_code == 1);
+    CHECK(run("-f mrp -t 6d --method all 0 0 0") == done("1 0 0 0 1 0 default 0\n1 0 0 0 1 0 fast 0\n"));
+    // acos of 1 - 5e-19 is 0, and the attitude is 2e-9 rad away; the others are off by the rounding of 2e-9.
+    const auto small = run("-f quat -t rotvec --method all 1 1e-9 0 0");
+    CHECK(missing(small.out, {"2e-09 0 0 default ", "e-25\n", "0 0 0 acos 2e-09\n"}) == "");
+}
+
+TEST_CASE("answers of all methods stand among the other fields, in columns of their own") {
+    // Catches a header that does not fit the rows, and fields that are lost in every second row.
+    const std::string input = "id,w,x,y,z,note\n7,1,0,0,0,a\n";
+    const std::string arguments = "-f quat -t cayley --method all --columns w,x,y,z ";
+    CHECK(run(arguments, input) == done("id,cx,cy,cz,method,angle,note\n7,0,0,0,default,0,a\n7,0,0,0,fast,0,a\n"));
+    CHECK(run(arguments + "--append --diagnostics columns", input) ==
+          done("id,w,x,y,z,note,cx,cy,cz,method,angle,margin,condition,defect,notes\n"
+               "7,1,0,0,0,a,0,0,0,default,0,3.141592653589793,0.5,0,\n7,1,0,0,0,a,0,0,0,fast,0,3.141592653589793,0.5,0,"
+               "\n"));
+    CHECK(run(arguments + "--format json", "id,w,x,y,z,method\n7,1,0,0,0,a\n") ==
+          done("{\"id\": 7, \"6\": \"a\", \"cx\": 0, \"cy\": 0, \"cz\": 0, \"method\": \"default\", \"angle\": 0}\n"
+               "{\"id\": 7, \"6\": \"a\", \"cx\": 0, \"cy\": 0, \"cz\": 0, \"method\": \"fast\", \"angle\": 0}\n"));
+    CHECK(run("-f quat -t dcm:col --method all --format pretty 1 0 0 0")
+              .out.starts_with("line 1\n  method     default\n  1  0  0\n  0  1  0\n  0  0  1\n  angle      0\n\nline "
+                               "1\n  method     fast\n"));
+    CHECK(missing(run("-f mrp -t rotvec --header add --method all", "0 0 0\n").out,
+                  {"rx ry rz method angle\n0 0 0 default 0\n0 0 0 fast 0\n"}) == "");
+    // A column of doubles that passes, into text.
+    const double row[]{1, 0, 0, 0, 5};
+    const std::string_view bytes(reinterpret_cast<const char*>(row), sizeof row);
+    CHECK(run("-f quat -t mrp --method all --input-format f64 --width 5 --columns 1-4", bytes) ==
+          done("0,0,0,default,0,5\n0,0,0,fast,0,5\n"));
+}
+
+TEST_CASE("rows that fail under --method all") {
+    // Catches an error that is told once for each method, or rows that are lost.
+    const std::string input = "1 0 0 0\n0 0 0 0\nx 0 0 0\n0 1 0 0\n";
+    const std::string arguments = "-f quat -t mrp --diagnostics off --method all --on-error ";
+    const auto with_nan = run(arguments + "nan", input);
+    CHECK(with_nan.out == "0 0 0 default 0\n0 0 0 fast 0\nnan nan nan default nan\nnan nan nan fast nan\n"
+                          "nan nan nan default nan\nnan nan nan fast nan\n1 0 0 default 0\n1 0 0 fast 0\n");
+    CHECK(with_nan.exit_code == 1);
+    CHECK(count_rows(with_nan.err) == 2);
+    CHECK(missing(with_nan.err, {"rotconv: -:2: ", "rotconv: -:3: not a number: 'x'"}) == "");
+    const auto skipped = run(arguments + "skip", input);
+    CHECK(skipped.out == "0 0 0 default 0\n0 0 0 fast 0\n1 0 0 default 0\n1 0 0 fast 0\n");
+    CHECK(skipped.err == with_nan.err);
+    CHECK(skipped.exit_code == 1);
+    const auto stopped = run(arguments + "stop", input);
+    CHECK(stopped.out == "0 0 0 default 0\n0 0 0 fast 0\n");
+    CHECK(stopped.exit_code == 2);
+    CHECK(count_rows(stopped.err) == 1);
+    const auto summary = run("-f dcm -t quat --method all", repeated("-1 0 0 0 1 0 0 0 -1\n1 0 0 0 1 0 0 0 1\n", 50));
+    CHECK(count_rows(summary.out) == 100 * 14);
+    CHECK(missing(summary.err, {"method-error: 50 rows, first at line 1; "}) == "");
+    const auto singular = run("-f dcm -t rotvec --method all", "-1 0 0 0 1 0 0 0 -1\n");
+    CHECK(missing(singular.err, {"half-turn: 1 row, first at line 1; "}) == "");
+}
+
+TEST_CASE("all methods are not combined with what has no place for them") {
+    // Catches bytes in which nobody finds a method, and answers that follow one another's motion.
+    const auto doubles = run("-f quat -t mrp --method all --format f64 1 0 0 0");
+    CHECK(doubles.exit_code == 2);
+    CHECK(missing(doubles.err, {"--format f64", "--method all"}) == "");
+    const auto continuous = run("-f quat -t rpy --method all --continuous 1 0 0 0");
+    CHECK(continuous.exit_code == 2);
+    CHECK(missing(continuous.err, {"--continuous", "--method all"}) == "");
 }
 
 TEST_CASE("numbers are rounded once, but with --method fast") {
