@@ -36,7 +36,7 @@ namespace dcm {
 /// decomposition.
 ///
 /// The defect is exact only above `reported_defect`; below, it is an upper bound. See defect().
-/// Errors: not_finite, not_proper. Accuracy: the table in the README.
+/// Errors: not_finite, not_proper. Accuracy: the table of examples/accuracy.md.
 [[nodiscard]] Reading to_rotation(const Dcm& matrix) noexcept;
 
 /// Largest singular value of M - (polar factor of M), that is max |s_i - 1| over the singular values of M.

@@ -145,7 +145,7 @@ std::string text_of(const char* path) {
 
 // Would catch: a method that is listed and never tried, or never measured.
 TEST_CASE("every method of the table is known to the tests and to methods.csv") {
-    const std::string measured = text_of(ROTCONV_CHARTS "/methods.csv");
+    const std::string measured = text_of(ROTCONV_EXAMPLES "/charts/methods.csv");
     CHECK(rotconv::methods().size() == known().size());
     for (const Method& method : rotconv::methods()) {
         const auto found = std::ranges::find_if(known(), [&](const Known& row) {
@@ -368,39 +368,15 @@ TEST_CASE("a conversion takes no method of another pair") {
     CHECK_THROWS_AS(conversion("quat", "dcm", *own), std::invalid_argument);
 }
 
-// Would catch: a README that counts other methods than there are.
-TEST_CASE("the README counts the methods") {
+// Would catch: pages that count other methods than there are.
+TEST_CASE("the pages count the methods") {
     const auto all = rotconv::methods();
     const auto own = std::ranges::count(all, nullptr, &Method::run);
-    std::ostringstream text;
-    text << "names\n" << static_cast<std::ptrdiff_t>(all.size()) - own << " beside the default of " << own << " pairs";
-    INFO(text.str());
-    CHECK(text_of(ROTCONV_README).find(text.str()) != std::string::npos);
-}
-
-// Would catch: a caption that stays as it was when the picture is measured anew.
-TEST_CASE("the README says what the picture of methods shows") {
-    std::string readme = text_of(ROTCONV_README);
-    std::ranges::replace(readme, '\n', ' ');
-    const std::string measured = text_of(ROTCONV_CHARTS "/methods.csv");
-    enum Column { ns = 12, x_eigen = 14 };
-    const auto figure = [&](const std::string& row, int column) {
-        std::istringstream line(measured.substr(measured.find('\n' + row + ",clean,0,") + 1));
-        std::string field;
-        for (int i = 0; i <= column; ++i) {
-            std::getline(line, field, ',');
-        }
-        std::ostringstream rounded;
-        rounded.precision(2);
-        rounded << std::stod(field);
-        return rounded.str();
-    };
-    const std::string to_quaternion = figure("dcm,quat,default", x_eigen);
-    for (const std::string& claim :
-         {"takes " + figure("dcm,quat,shepperd", x_eigen) + " of the time of",
-          "takes " + to_quaternion + " times that call", figure("dcm,quat,default", ns) + " ns a row",
-          figure("quat,euler,default", x_eigen) + " times it from a quaternion to angles"}) {
-        INFO(claim);
-        CHECK(readme.find(claim) != std::string::npos);
-    }
+    const std::string published = std::to_string(std::ssize(all) - own);
+    CHECK(text_of(ROTCONV_README).find(published + " published methods") != std::string::npos);
+    std::string page = text_of(ROTCONV_EXAMPLES "/methods.md");
+    std::ranges::replace(page, '\n', ' ');
+    const std::string claim = "names " + published + " beside the default of " + std::to_string(own) + " pairs";
+    INFO(claim);
+    CHECK(page.find(claim) != std::string::npos);
 }

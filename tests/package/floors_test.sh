@@ -1,6 +1,6 @@
 #!/bin/sh
-# floors_test.sh SOURCE: a file includes only files of its own floor and of those below; README.md has the table. What stands
-# against it would be listed here, each with its reason; a line that is not needed fails too, so that the list stays empty.
+# floors_test.sh SOURCE: a file includes only files of its own floor and of those below; src/README.md has the table. What
+# stands against it would be listed here, each with its reason; a line that is not needed fails too, so that the list stays empty.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -9,8 +9,8 @@ trap 'rm -rf "$work"' EXIT
 
 # Markdown: ```console ... ```; mdoc: .Bd -literal ... .Ed, where \e is a backslash.
 case $file in
-*.md) sed -n '/^```console$/,/^```$/p' "$file" | grep -v '^```' ;;
-*) sed -n '/^\.Bd -literal/,/^\.Ed/p' "$file" | grep -v '^\.' | sed 's/\\e/\\/g' ;;
+*.md) sed -n '/^```console$/,/^```$/{/^```/!p;}' "$file" ;;
+*) sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./!{s/\\e/\\/g;p;};}' "$file" ;;
 esac > "$work/blocks"
 
 run=0
@@ -38,4 +38,5 @@ while IFS= read -r line; do
 done < "$work/blocks"
 check
 echo "$run commands, $failed failed"
-[ "$run" -gt 0 ] && [ "$failed" -eq 0 ]
+# None stands anywhere else.
+[ "$run" -eq "$(grep -c '^\$ ' "$file")" ] && [ "$failed" -eq 0 ]

@@ -1,0 +1,91 @@
+#!/bin/sh
+# figures_test.sh FOLDER: what the pages of examples say of their charts, and the table of comparison.md, is what was measured.
+set -eu
+cd "$1"
+work=$(mktemp)
+trap 'rm -f "$work"' EXIT
+
+# claims PAGE MEASUREMENT PROGRAM: the program of awk prints phrases that stand in the page, however its lines are broken.
+claims() {
+    awk -F, "$3" "charts/$2" | sed 's/e[+]0*/e/; s/e-0*/e-/g' > "$work"
+    [ -s "$work" ] || {
+        echo "$1: nothing was measured"
+        exit 1
+    }
+    while IFS= read -r phrase; do
+        tr '\n' ' ' < "$1" | grep -qF -- "$phrase" || {
+            echo "$1 does not say: $phrase"
+            exit 1
+        }
+    done < "$work"
+}
+# shellcheck disable=SC2016 # the programs are for awk
+claims methods.md methods.csv '
+    $1 FS $2 FS $4 == "dcm,quat,clean" { time[$3] = $13; ratio[$3] = $15; clean[$3] = $9 }
+    $1 FS $2 FS $4 == "dcm,quat,hostile" { hostile[$3] = $9 }
+    $1 FS $2 FS $3 FS $4 == "quat,euler,default,clean" { to_angles = $15 }
+    END {
+        printf "method takes %.2g of the time of Eigen\n", ratio["shepperd"]
+        printf "lose %d digits on noisy\n", log(hostile["shepperd"] / clean["shepperd"]) / log(10)
+        printf "lose %d digits on noisy\n", log(hostile["Eigen"] / clean["Eigen"]) / log(10)
+        printf "takes %.2g times that call, %.2g ns a row\n", ratio["default"], time["default"]
+        printf "from a quaternion to Euler angles %.2g times\n", to_angles
+    }'
+claims accuracy.md methods.csv '
+    $1 FS $2 FS $3 FS $4 FS $6 == "dcm,quat,Eigen,noise,1e-08" { printf "is off by about %.0e x 2^-52 rad\n", $9 }'
+claims streams.md scaling.csv '
+    $1 FS $3 == "text,0" { rate[$2] = $4 / 1e6 }
+    END { printf "one thread converts %.1f million rows of text a second, and two convert %.1f million\n", rate[1], rate[2] }'
+claims comparison.md kinematics.csv '
+    $1 FS $2 FS $4 FS $6 FS $7 == "drift,tumbling,rk4,0,1e+04" { error[$3] = $8; drift[$3] = $11 }
+    END {
+        printf "the matrix is off by %.1e rad, and its nine numbers are %.1e away", error["dcm"], drift["dcm"]
+        printf " from a rotation; of the quaternion it is %.1e rad and %.1e\n", error["quat"], drift["quat"]
+    }'
+
+# The table.
+awk -F, '$1 == "work" && $2 == "tumbling" && $5 == 0.01 && $6 == 0 && $12 == "ok" {
+        printf "%s %s %.1e %.1e %.3g\n", $3, $4, $8, $11, $9
+    }' charts/kinematics.csv | sed 's/e-0/e-/g' > "$work"
+
+found=0
+while IFS='|' read -r _ set _ _ error drift time _; do
+    set=$(echo "$set" | tr -d '`,')
+    # shellcheck disable=SC2086 # words
+    set -- $set
+    case "$*" in
+    *magnus*) integrator=$2 ;;
+    *) integrator=rk4 ;;
+    esac
+    measured=$(grep "^$1 $integrator " "$work") || {
+        echo "not measured: $1 $integrator"
+        exit 1
+    }
+    error=$(echo $error)
+    drift=$(echo $drift)
+    seconds=$(echo "$time" | tr -d ' ' | awk '{ printf "%.3g", $1 }')
+    expected="$1 $integrator $error ${drift:-0.0e+00}"
+    case "$measured" in
+    "$expected "*) ;;
+    *)
+        echo "the page says $expected, the measurement $measured"
+        exit 1
+        ;;
+    esac
+    echo "$measured $seconds" | awk '{ exit !($6 > 0.99 * $5 && $6 < 1.01 * $5) }' || {
+        echo "the page says $seconds ns, the measurement $measured"
+        exit 1
+    }
+    found=$((found + 1))
+done <<END
+$(grep '^| `' comparison.md | grep -v half-turn)
+END
+sets=$(sed -n 's/^| `\([^`:]*\).*/\1/p' comparison.md | sort -u | wc -l)
+head -n 1 comparison.md | grep -q " eight " && [ "$sets" -eq 8 ] || {
+    echo "$sets sets are listed: $(head -n 1 comparison.md)"
+    exit 1
+}
+[ "$found" -eq 9 ] || {
+    echo "$found rows of the table were checked, not 9"
+    exit 1
+}
