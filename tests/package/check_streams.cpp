@@ -1,4 +1,4 @@
-// check_streams FOLDER: converts the TUM, EuRoC and KITTI files of the folder as the README does. Every attitude must
+// check_streams FOLDER: converts the TUM, EuRoC and KITTI files of the folder as the examples do. Every attitude must
 // be the input's to the table's limits, every other field the same bytes, every line there.
 
 #include <algorithm>
