@@ -112,3 +112,25 @@ TEST_CASE("the page on accuracy shows the table of limits") {
         CHECK(page.find(row.str()) != std::string::npos);
     }
 }
+
+// Would catch: a README that promises less or more than the table.
+TEST_CASE("the README lists the limits of plain double arithmetic") {
+    std::ifstream file(ROTCONV_README);
+    std::string readme{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::ranges::replace(readme, '\n', ' ');
+    double one_of_others = 0.0;
+    for (const auto& way : accuracy::ways()) {
+        if (way.to == "quat" && way.from != "5d") {
+            one_of_others = std::max(one_of_others, way.limit);
+        }
+    }
+    const auto to = [](const std::string& name) { return accuracy::limit_to(spec(name)); };
+    std::ostringstream text;
+    text << "at most " << std::max({to("quat"), to("dcm"), to("cayley")})
+         << " eps = 2^-52 rad in quat, dcm and cayley, " << std::max(to("6d"), to("mrp")) << " in 6d and mrp, "
+         << to("rotvec") << " in rotvec, " << to("axis-angle") << " in axis-angle, "
+         << std::max(to("5d"), to("euler:ZYX")) << " in 5d and euler; a quaternion from another set by at most "
+         << one_of_others << ", from 5d " << accuracy::limit_from(spec("5d")) << '.';
+    INFO(text.str());
+    CHECK(readme.find(text.str()) != std::string::npos);
+}
