@@ -115,7 +115,8 @@ Usage unknown_name(const std::string& name) {
 /// Of a SPEC, so that those of a command line can be copied.
 RepresentationId named(const std::string& spec) {
     const Representation* const found = find_representation(std::string_view(spec).substr(0, spec.find(':')));
-    const auto id = std::ranges::find(all_representations, found, [](auto each) { return &representation(each); });
+    const auto* const id =
+        std::ranges::find(all_representations, found, [](auto each) { return &representation(each); });
     if (id == all_representations.end()) {
         throw unknown_name(spec);
     }
@@ -152,7 +153,8 @@ std::string list_methods(const std::vector<std::string>& pair) {
                     "\n";
         }
     }
-    return text + list_pair(pair.empty() ? "any" : representation(named(pair[0])).text, text.empty() ? "any" : "any other", {});
+    return text + list_pair(pair.empty() ? "any" : representation(named(pair[0])).text,
+                            text.empty() ? "any" : "any other", {});
 }
 
 } // namespace
