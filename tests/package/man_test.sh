@@ -1,5 +1,6 @@
 #!/bin/sh
-# man_test.sh PROGRAM PAGE: the manual page is clean, and it and the program name the same options and commands.
+# man_test.sh PROGRAM PAGE: the manual page is clean, it and the program name the same options and commands, and the numbers of
+# its worked example and its commands for files of other programs are right.
 set -eu
 program=$1
 page=$2
@@ -34,5 +35,32 @@ for command in $commands; do
         printf '%s\n' "$text" | grep -qE "^ {5}.*$option\\b" || fail "the page does not explain $option of $command"
     done
 done
+
+# The worked example: all representations, each line written from the quaternion and read back.
+lines=$(sed -n '/^\.Ss A worked example/,/^\.Ss Conv/p' "$page" | grep -E '^[a-z0-9-]+(:[a-zA-Z]+)* +-?[0-9.]+ ')
+for name in $("$program" list | sed -n '2,/^$/s/^\([a-z0-9-]*\).*/\1/p'); do
+    printf '%s\n' "$lines" | grep -qE "^${name}[: ]" || fail "the worked example has no $name"
+done
+while read -r spec numbers; do
+    written=$("$program" -f quat -t "$spec" -p 8 0.96 0.08 0.12 0.24)
+    [ "$written" = "$numbers" ] || fail "the worked example in $spec: $numbers, not $written"
+    # shellcheck disable=SC2086 # the numbers are words
+    "$program" compare -f "$spec" -t quat --within 1e-7 --diagnostics off $numbers 0.96 0.08 0.12 0.24 > /dev/null ||
+        fail "the worked example from $spec: $numbers"
+done << EOF
+$lines
+EOF
+
+# The commands for files of other programs, on the least of each; the rows are ours.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+printf '// Update Rate: 100.0Hz\nPacketCounter\tQuat_q0\tQuat_q1\tQuat_q2\tQuat_q3\n1\t0.5\t0.5\t0.5\t0.5\n' > "$work/mt.txt"
+printf 'FMT, 129, 31, ATT, QccccCC, TimeUS,DesRoll,Roll,DesPitch,Pitch,DesYaw,Yaw\nATT, 1000, 0.1, 0, 0.2, 0, 0.3, 180\n' \
+    > "$work/flight.log"
+printf 'CCSDS_AEM_VERS = 1.0\nDATA_START\n2026-11-01T00:00:00.0 0.5 0.5 0.5 0.5\nDATA_STOP\n' > "$work/sat.aem"
+expected=$(printf 'PacketCounter\troll\tpitch\tyaw\n1\t90\t0\t90\nATT, 1000, 0.1,0,0,0,1, 0.2, 0.3\n2026-11-01T00:00:00.0 90 0 90')
+commands=$(sed -n '/^grep -v/,/^\.Ed/p' "$page" | grep -v '^\.')
+answers=$(cd "$work" && PATH=$(dirname "$program"):$PATH sh -c "$commands" 2>&1) || true
+[ "$answers" = "$expected" ] || fail "the commands for files of other programs print: $answers"
 
 exit "$failed"

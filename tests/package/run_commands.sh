@@ -1,16 +1,16 @@
 #!/bin/sh
 # run_commands.sh FILE FOLDER: runs each "$ command" of the console blocks of a Markdown file, or of the literal displays of a
-# manual page, in FOLDER, and compares what it prints (stdout and stderr) with the lines below it.
+# manual page, in FOLDER, and compares what it prints (stdout and stderr) with the lines below it. A command goes on after a \.
 set -eu
 file=$1
 cd "$2"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Markdown: ```console ... ```; mdoc: .Bd -literal ... .Ed, where \e is a backslash.
+# Markdown: ```console ... ```; mdoc: .Bd -literal ... .Ed that begins with a command, where \e is a backslash.
 case $file in
 *.md) sed -n '/^```console$/,/^```$/{/^```/!p;}' "$file" ;;
-*) sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./!{s/\\e/\\/g;p;};}' "$file" ;;
+*) awk '/^\.Ed/ { shown = 0 } begins && /^\$ / { shown = 1 } shown; { begins = /^\.Bd -literal/ }' "$file" | sed 's/\\e/\\/g' ;;
 esac > "$work/blocks"
 
 run=0
@@ -33,7 +33,12 @@ while IFS= read -r line; do
         command=${line#??}
         : > "$work/expected"
         ;;
-    *) printf '%s\n' "$line" >> "$work/expected" ;;
+    *)
+        case $command in
+        *\\) command=$(printf '%s\n%s' "$command" "$line") ;;
+        *) printf '%s\n' "$line" >> "$work/expected" ;;
+        esac
+        ;;
     esac
 done < "$work/blocks"
 check
