@@ -31,8 +31,7 @@ void set_help(CLI::App& app) {
 }
 
 void define_list(CLI::App& app, RawOptions& texts) {
-    app.add_option("NAME", texts.listed,
-                   "A representation, a preset, presets, or methods, perhaps of a pair: methods FROM TO");
+    app.add_option("NAME", texts.listed, "A representation, a preset, presets, or methods [FROM [TO]]");
 }
 
 /// A command beside the conversion.
@@ -51,7 +50,7 @@ constexpr std::array<Entry, 6> commands{
       [](const RawOptions& texts, const Operands& /*operands*/) -> Command {
           return PrintCommand{list(texts.listed)};
       }},
-     {"rates", "Rates of the numbers from the angular velocity, and back; angular velocity from attitudes",
+     {"rates", "Turn angular velocity into rates of change of the numbers, and back",
       "Usage: rotconv rates -f SPEC [OPTION]... [VALUE]...\n"
       "       rotconv rates -f SPEC [OPTION]... [FILE]\n"
       "       rotconv rates --differences -f SPEC [OPTION]... [FILE]\n",
@@ -60,16 +59,16 @@ constexpr std::array<Entry, 6> commands{
      {"propagate", "Integrate angular velocities to attitudes", "Usage: rotconv propagate -t SPEC [OPTION]... [FILE]\n",
       define_propagate,
       [](const RawOptions& texts, const Operands& operands) -> Command { return propagate_command(texts, operands); }},
-     {"survey", "Which sets serve a motion, and the smallest", "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n",
-      define_survey,
+     {"survey", "Find the representations that serve a motion, and the smallest",
+      "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n", define_survey,
       [](const RawOptions& texts, const Operands& operands) -> Command { return survey_command(texts, operands); }},
-     {"compare", "A check: the angles between attitudes and those of a reference",
+     {"compare", "Check attitudes against a reference, by the angles between them",
       "Usage: rotconv compare -f SPEC [-t SPEC] [OPTION]... FILE REFERENCE\n"
       "       rotconv compare -f SPEC [-t SPEC] [OPTION]... [FILE]\n"
       "       rotconv compare -f SPEC [-t SPEC] [OPTION]... VALUE...\n",
       define_compare,
       [](const RawOptions& texts, const Operands& operands) -> Command { return compare_command(texts, operands); }, 2},
-     {"identify", "Which convention numbers have, from the same attitudes in a known one",
+     {"identify", "Find the convention of numbers, from the same attitudes in a known one",
       "Usage: rotconv identify -t KNOWN [-f NAME] [OPTION]... FILE [REFERENCE]\n"
       "       rotconv identify -t KNOWN [-f NAME] [OPTION]... VALUE...\n",
       define_identify,

@@ -109,11 +109,14 @@ std::string in_json(const CompareCommand& command, const RowsResult& result, con
 
 void define_compare(CLI::App& app, RawOptions& texts) {
     define_from(app, texts);
-    app.add_option("-t,--to", texts.to, "What the reference is (default: as --from)")->type_name("SPEC");
-    app.add_option("--within", texts.within, "The greatest angle that passes, in radians or with -d degrees")
+    app.add_option("-t,--to", texts.to, "The representation of the reference (default: that of --from)")
+        ->type_name("SPEC");
+    app.add_option("--within", texts.within, "The largest angle that passes, in radians or, with -d, degrees")
         ->type_name("ANGLE");
-    app.add_option("--as", texts.relative, "With --format csv: the relative attitude too")->type_name("SPEC");
-    app.add_option("--frame", texts.frame, "Axes of the relative attitude: body or reference")->type_name("FRAME");
+    app.add_option("--as", texts.relative, "With --format csv: print the relative attitude too, in SPEC")
+        ->type_name("SPEC");
+    app.add_option("--frame", texts.frame, "Axes of the relative attitude: body (default) or reference")
+        ->type_name("FRAME");
     define_pairing(app, texts);
     define_input(app, texts);
     define_output(app, texts);

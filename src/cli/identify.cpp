@@ -219,15 +219,15 @@ private:
 
 void define_identify(CLI::App& app, RawOptions& texts) {
     begin_group(app, "What");
-    app.add_option("-t,--to", texts.to, "What the known numbers are: NAME[:MODIFIER]...")->type_name("KNOWN");
-    app.add_option("-f,--from", texts.from, "The representation of the unknown numbers, where that is known")
-        ->type_name("NAME");
-    app.add_option("--within", texts.within, "Greatest angle of what fits (default 1e-3 rad; degrees with -d)")
+    app.add_option("-t,--to", texts.to, "The representation of the known attitudes: NAME[:MODIFIER]...")
+        ->type_name("KNOWN");
+    app.add_option("-f,--from", texts.from, "Try only this representation for the unknown numbers")->type_name("NAME");
+    app.add_option("--within", texts.within, "The largest angle that fits (default 1e-3 rad; with -d in degrees)")
         ->type_name("ANGLE");
     define_pairing(app, texts);
     define_input(app, texts);
     begin_group(app, "Output");
-    app.add_option("--format", texts.format, "pretty or json")->type_name("FORMAT");
+    app.add_option("--format", texts.format, "pretty (default), a table, or json")->type_name("FORMAT");
 }
 
 IdentifyCommand identify_command(const RawOptions& texts, const Operands& operands) {

@@ -44,7 +44,7 @@ Integrator integrator_of(const Spec& set, const std::string& text) {
 }
 
 void define_time_unit(CLI::App& app, RawOptions& texts) {
-    app.add_option("--time-unit", texts.time_unit, "Of the times: s (default), ms, us or ns")->type_name("UNIT");
+    app.add_option("--time-unit", texts.time_unit, "Unit of the times: s (default), ms, us or ns")->type_name("UNIT");
 }
 
 int time_power_of(const RawOptions& texts) {
@@ -56,9 +56,7 @@ Frame frame_of(const RawOptions& texts) {
 }
 
 void explain_degrees(CLI::App& app) {
-    app.get_option("--degrees")
-        ->description("Angles in degrees, and the angular velocity in degrees a second: after :deg alone it is in "
-                      "radians a second");
+    app.get_option("--degrees")->description("Degrees, and degrees a second; :deg alone leaves radians a second");
 }
 
 RowsCommand differences_command(const RawOptions& texts, const Operands& operands) {
@@ -83,10 +81,11 @@ RowsCommand differences_command(const RawOptions& texts, const Operands& operand
 
 void define_rates(CLI::App& app, RawOptions& texts) {
     define_from(app, texts);
-    app.add_option("--frame", texts.frame, "Axes of the angular velocity: body or reference")->type_name("FRAME");
-    app.add_flag("--inverse", texts.inverse, "From the rates of the numbers to the angular velocity");
+    app.add_option("--frame", texts.frame, "Axes of the angular velocity: body (default) or reference")
+        ->type_name("FRAME");
+    app.add_flag("--inverse", texts.inverse, "Read the numbers and their rates, print the angular velocity");
     app.add_flag("--differences", texts.differences,
-                 "From rows of a time and an attitude to the angular velocity since the row before");
+                 "Read times and attitudes, print the angular velocity between rows");
     define_time_unit(app, texts);
     define_input(app, texts);
     explain_degrees(app);
@@ -95,17 +94,18 @@ void define_rates(CLI::App& app, RawOptions& texts) {
 
 void define_propagate(CLI::App& app, RawOptions& texts) {
     define_to(app, texts);
-    app.add_option("--initial", texts.initial, "The first attitude, as SPEC: NUMBERS (default: the identity)")
+    app.add_option("--initial", texts.initial, "The attitude at the first row, as \"SPEC: NUMBERS\"")
         ->type_name("ATTITUDE");
-    app.add_option("--with", texts.with, "The set that is integrated (default quat)")->type_name("SET");
-    app.add_option("--integrator", texts.integrator, "rk4, or for the quaternion magnus4 or magnus6")
+    app.add_option("--with", texts.with, "The representation in which to integrate (default quat)")->type_name("SET");
+    app.add_option("--integrator", texts.integrator, "rk4, or for quat also magnus4 (its default) or magnus6")
         ->type_name("INTEGRATOR");
-    app.add_option("--substeps", texts.substeps, "Steps from one row to the next (default 1)")->type_name("N");
+    app.add_option("--substeps", texts.substeps, "Integration steps from one row to the next (default 1)")
+        ->type_name("N");
     app.add_option("--interpolation", texts.interpolation,
-                   "Of the angular velocity between rows: linear, or cubic, which answers one row late")
+                   "Angular velocity between rows: linear (default), or cubic, a row late")
         ->type_name("HOW");
     define_time_unit(app, texts);
-    app.add_flag("--renormalise", texts.renormalise, "Bring the numbers back to the set after every step");
+    app.add_flag("--renormalise", texts.renormalise, "Make the numbers unit, or orthogonal, again after every step");
     define_attitudes(app, texts);
     define_input(app, texts);
     explain_degrees(app);
@@ -115,10 +115,10 @@ void define_propagate(CLI::App& app, RawOptions& texts) {
 
 void define_survey(CLI::App& app, RawOptions& texts) {
     define_from(app, texts);
-    app.add_option("--condition", texts.condition, "The greatest condition that serves (default 1e3)")
+    app.add_option("--condition", texts.condition, "How much a representation may enlarge a small turn (default 1e3)")
         ->type_name("LIMIT");
     begin_group(app, "Output");
-    app.add_option("--format", texts.format, "pretty or json")->type_name("FORMAT");
+    app.add_option("--format", texts.format, "pretty (default), a table, or json")->type_name("FORMAT");
     define_input(app, texts);
 }
 

@@ -184,22 +184,24 @@ std::string list(const std::vector<std::string>& words) {
 }
 
 std::string help_footer() {
-    std::string text = "Representations (rotconv list explains them):\n ";
+    std::string text =
+        "A SPEC is a representation, with modifiers or a preset behind it: quat, quat:xyzw, euler:ZYX:deg.\n\n"
+        "Representations (rotconv list explains them):\n ";
     for (const RepresentationId id : all_representations) {
         text += fmt::format(" {}", name_of(representation(id)));
     }
-    text += "\n\nModifiers, NAME:MODIFIER...:\n ";
+    text += "\n\nModifiers (rotconv list NAME has those of one representation):\n ";
     for (const Modifier modifier : all_modifiers) {
         text += fmt::format(" {}", rotconv::name_of(modifier));
     }
-    text += "\n\nPresets, NAME:PRESET (rotconv list presets explains them):\n ";
+    text += "\n\nPresets set the modifiers of a project (rotconv list presets explains them):\n ";
     for (const Preset& preset : presets()) {
         text += fmt::format(" {}", preset.text);
     }
     text += "\n\nExit status:\n"
-            "  0  every row is done\n"
-            "  1  ran to the end, but rows failed, --strict met a diagnostic, or a check did not hold\n"
-            "  2  did not run to the end: usage, a row error under --on-error stop, a file\n"
+            "  0  all rows are done\n"
+            "  1  it ran to the end, but rows failed, --strict met a diagnostic, or a check did not hold\n"
+            "  2  it stopped: wrong usage, a bad row under --on-error stop, or a file that cannot be used\n"
             "\nExamples:\n"
             "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"
             "  rotconv -f quat:xyzw -t rpy:deg 0 0 0.7071067811865476 0.7071067811865476\n"

@@ -131,67 +131,71 @@ void begin_group(CLI::App& app, const char* title) { app.option_defaults()->grou
 
 void define_from(CLI::App& app, RawOptions& texts) {
     begin_group(app, "What");
-    app.add_option("-f,--from", texts.from, "What the input is: NAME[:MODIFIER]...")->type_name("SPEC");
+    app.add_option("-f,--from", texts.from, "The representation to read: NAME[:MODIFIER]...")->type_name("SPEC");
 }
 
 void define_to(CLI::App& app, RawOptions& texts) {
     begin_group(app, "What");
-    app.add_option("-t,--to", texts.to, "What to make of it: NAME[:MODIFIER]...")->type_name("SPEC");
+    app.add_option("-t,--to", texts.to, "The representation to write: NAME[:MODIFIER]...")->type_name("SPEC");
 }
 
 void define_lock_margin(CLI::App& app, RawOptions& texts) {
     begin_group(app, "Errors");
-    app.add_option("--lock-margin", texts.lock_margin, "Radians from gimbal lock that count as locked (default 1e-15)")
+    app.add_option("--lock-margin", texts.lock_margin,
+                   "Treat attitudes this near to gimbal lock as locked (radians, 1e-15)")
         ->type_name("ANGLE");
 }
 
 void define_attitudes(CLI::App& app, RawOptions& texts) {
     begin_group(app, "What");
-    app.add_option("--left", texts.left, "Turn every attitude R into L R, of L as SPEC: NUMBERS")
+    app.add_option("--left", texts.left, "Other reference axes: write L R instead of R; L as \"SPEC: NUMBERS\"")
         ->type_name("ATTITUDE");
-    app.add_option("--right", texts.right, "Turn every attitude R into R S, of S as SPEC: NUMBERS")
+    app.add_option("--right", texts.right, "Other body axes: write R S instead of R; S as \"SPEC: NUMBERS\"")
         ->type_name("ATTITUDE");
-    app.add_flag("--continuous", texts.continuous,
-                 "Of all numbers that mean an attitude those nearest to the last: whole turns, signs, Euler triples");
+    app.add_flag("--continuous", texts.continuous, "Let signs and angles run on from the last row, without jumps");
 }
 
 void define_input(CLI::App& app, RawOptions& texts) {
     begin_group(app, "What");
-    app.add_flag("-d,--degrees", texts.degrees, "Angles in degrees, wherever there are angles");
+    app.add_flag("-d,--degrees", texts.degrees, "All angles are in degrees, read and written");
     begin_group(app, "Columns");
-    app.add_option("--columns", texts.columns, "Input columns: indices from 1, ranges 5-8, names")->type_name("LIST");
-    app.add_option("--header", texts.header, "auto, yes, no or add")->type_name("MODE");
-    app.add_option("--delimiter", texts.delimiter, "One character, or comma, tab, semicolon, blank")->type_name("D");
-    app.add_option("-i,--input", texts.input, "Read FILE instead of stdin (-)")->type_name("FILE");
-    app.add_option("--input-format", texts.input_format, "csv, or f64: little-endian doubles and nothing else")
+    app.add_option("--columns", texts.columns, "The columns to read: indices from 1, ranges such as 5-8, or names")
+        ->type_name("LIST");
+    app.add_option("--header", texts.header, "Is there a header: auto (default), yes, no, or add, to print one")
+        ->type_name("MODE");
+    app.add_option("--delimiter", texts.delimiter,
+                   "What separates fields: a character, or comma, tab, semicolon, blank")
+        ->type_name("D");
+    app.add_option("-i,--input", texts.input, "Read FILE; - is standard input")->type_name("FILE");
+    app.add_option("--input-format", texts.input_format, "csv (default), which is text, or f64, little-endian doubles")
         ->type_name("FORMAT");
-    app.add_option("--width", texts.width, "Doubles of an f64 row (default: the numbers of the input)")->type_name("N");
+    app.add_option("--width", texts.width, "Doubles in an f64 row of input, if more than those that are read")
+        ->type_name("N");
     begin_group(app, "Output");
-    app.add_option("-o,--output", texts.output, "Write FILE instead of stdout (-)")->type_name("FILE");
+    app.add_option("-o,--output", texts.output, "Write FILE; - is standard output")->type_name("FILE");
     begin_group(app, "Errors");
-    app.add_option("--on-error", texts.on_error, "What becomes of a row without a result: stop, nan or skip")
+    app.add_option("--on-error", texts.on_error, "What becomes of a row without a result: stop (default), nan, skip")
         ->type_name("POLICY");
-    app.add_option("--tolerance", texts.tolerance, "Largest accepted defect of a quaternion or matrix (default 1e-3)")
+    app.add_option("--tolerance", texts.tolerance, "How far from exact a quaternion or matrix may be (default 1e-3)")
         ->type_name("T");
 }
 
 void define_output(CLI::App& app, RawOptions& texts) {
     begin_group(app, "Output");
-    app.add_flag("--append", texts.append, "Keep the row and add the result at its end");
-    app.add_option("--format", texts.format, "csv, json, pretty, or f64: little-endian doubles and nothing else")
+    app.add_flag("--append", texts.append, "Keep the whole row and add the result at its end");
+    app.add_option("--format", texts.format, "csv (default), json, pretty for people, or f64, little-endian doubles")
         ->type_name("FORMAT");
-    app.add_option("-p,--precision", texts.precision, "Significant digits (default: the shortest that read back equal)")
+    app.add_option("-p,--precision", texts.precision, "Significant digits (default: the fewest that read back equal)")
         ->type_name("N");
-    app.add_option("--decimals", texts.decimals, "Digits after the point, in the place of significant ones")
+    app.add_option("--decimals", texts.decimals, "Digits after the decimal point, instead of --precision")
         ->type_name("N");
     begin_group(app, "Errors");
-    app.add_option("--diagnostics", texts.diagnostics, "Where they are shown: off, summary, rows or columns")
+    app.add_option("--diagnostics", texts.diagnostics,
+                   "Where to show diagnostics: off, summary (default), rows or columns")
         ->type_name("WHERE");
-    app.add_flag("--strict", texts.strict, "Exit 1 where any diagnostic but normalized was met");
+    app.add_flag("--strict", texts.strict, "Exit with 1 if there was a diagnostic other than normalized");
     begin_group(app, "More");
-    app.add_option("--threads", texts.threads,
-                   "At most N threads (default: as many as processors); the output does not depend on N")
-        ->type_name("N");
+    app.add_option("--threads", texts.threads, "At most N threads; the output is the same for every N")->type_name("N");
 }
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {

@@ -33,13 +33,15 @@ const std::string& or_else(const std::string& text, const std::string& other) { 
 
 void define_pairing(CLI::App& app, RawOptions& texts) {
     begin_group(app, "Columns");
-    app.add_option("--reference-columns", texts.reference_columns, "Columns of REFERENCE (default: as --columns)")
+    app.add_option("--reference-columns", texts.reference_columns,
+                   "The columns to read in REFERENCE (default: those of --columns)")
         ->type_name("LIST");
-    app.add_option("--key", texts.key, "Pair rows of the same key in this column, not of the same number")
+    app.add_option("--key", texts.key, "Pair rows by the key in this column, such as a time, not by number")
         ->type_name("COLUMN");
-    app.add_option("--reference-key", texts.reference_key, "The key's column of REFERENCE (default: as --key)")
+    app.add_option("--reference-key", texts.reference_key,
+                   "The column of the key in REFERENCE (default: that of --key)")
         ->type_name("COLUMN");
-    app.add_option("--key-within", texts.key_within, "By how much keys of a pair may differ (default 0)")
+    app.add_option("--key-within", texts.key_within, "By how much the keys of a pair may differ (default 0)")
         ->type_name("T");
 }
 

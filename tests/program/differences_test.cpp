@@ -154,6 +154,6 @@ TEST_CASE("differences refuse what has no meaning with them") {
 TEST_CASE("the help of rates and propagate tells what is in degrees") {
     // Catches :deg that is taken for the unit of the angular velocity.
     for (const char* command : {"rates", "propagate"}) {
-        CHECK(missing(run(command + std::string(" --help")).out, {"after :deg alone it is in radians a second"}) == "");
+        CHECK(missing(run(command + std::string(" --help")).out, {":deg alone leaves radians a second"}) == "");
     }
 }
