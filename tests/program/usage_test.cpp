@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "usage.hpp"
 
 using namespace program;
@@ -222,6 +224,17 @@ TEST_CASE("an option without effect on the conversion is legal") {
               "--delimiter comma",
               "1,0,0,0\n") == done("1,0,0,0,1,0,0,0,1\n"));
     CHECK(run("-f rotvec -t cayley --tolerance 0 --append --columns 1-3 --header no 0 0 0") == done("0 0 0 0 0 0\n"));
+}
+
+TEST_CASE("no line of a help is wider than 100 columns") {
+    // Catches a help that breaks in the middle of words.
+    for (const char* command : {"", "list", "rates", "propagate", "survey", "compare", "identify"}) {
+        std::istringstream help(run(command + std::string(" --help")).out);
+        for (std::string line; std::getline(help, line);) {
+            INFO(line);
+            CHECK(line.size() <= 100);
+        }
+    }
 }
 
 TEST_CASE("help and version go to stdout with exit 0") {
