@@ -31,7 +31,7 @@ void set_help(CLI::App& app) {
 }
 
 void define_list(CLI::App& app, RawOptions& texts) {
-    app.add_option("NAME", texts.listed, "A representation, a preset, presets, or methods [FROM [TO]]");
+    app.add_option("NAME", texts.listed, "A representation, a preset, presets, or methods [FROM [TO]]")->type_name("");
 }
 
 /// A command beside the conversion.
@@ -114,8 +114,7 @@ void define(CLI::App& app, RawOptions& texts) {
     define_output(app, texts);
     define_lock_margin(app, texts);
     begin_group(app, "More");
-    app.add_option("--method", texts.method,
-                   "A published formula in the place of rotconv's own, or fast: plain double; see rotconv list methods")
+    app.add_option("--method", texts.method, "A published formula (see rotconv list methods), fast, or all of them")
         ->type_name("METHOD");
     set_help(app);
     app.set_version_flag("--version", "rotconv " ROTCONV_VERSION, "Print the version and exit");
