@@ -10,7 +10,6 @@
 #include <Eigen/SVD>
 
 #include "../numerics/davenport.hpp"
-#include "../numerics/elementary.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/scaling.hpp"
 #include "codec.hpp"
@@ -28,6 +27,22 @@ struct Extremes {
     double least, greatest;
 };
 
+/// The largest root of x^3 - 3 x = 2 c for c in [-1, 1], 2 cos(acos(c)/3) to 4e-12: in the cosine of half the angle it
+/// has no singularity near, and this polynomial meets it in the Chebyshev points of [0, 1].
+double largest_root(double c) noexcept {
+    constexpr std::array coefficients{-0.00014717953787685018, 0.001134197404638232,  -0.00412384290426036,
+                                      0.0096281607649311,      -0.016817242070370317, 0.02465678662997338,
+                                      -0.033499987945140405,   0.04560020089465416,   -0.06582459024308872,
+                                      0.10691511081910582,     -0.22222215094074232,  1.1547005371224666,
+                                      1.0000000000037088};
+    const double u = std::sqrt(0.5 + 0.5 * c);
+    double sum = 0.0;
+    for (const double coefficient : coefficients) {
+        sum = sum * u + coefficient;
+    }
+    return sum;
+}
+
 /// Of the eigenvalues of a symmetric matrix, by the roots of its cubic as cosines of a third of an angle (Smith 1961).
 Extremes extreme_eigenvalues(const Eigen::Matrix3d& m) noexcept {
     const double mean = m.trace() / 3.0;
@@ -36,12 +51,8 @@ Extremes extreme_eigenvalues(const Eigen::Matrix3d& m) noexcept {
     if (size == 0.0) {
         return {mean, mean};
     }
-    const double cosine = std::clamp(0.5 * (rest / size).determinant(), -1.0, 1.0);
-    const double third = angle_of(cosine, std::sqrt((1.0 - cosine) * (1.0 + cosine)), AngleUnit::radians).hi / 3.0;
-    const auto root = [&](double angle) {
-        return mean + 2.0 * size * sine_cosine<double>(angle, AngleUnit::radians).cosine;
-    };
-    return {root(third + 2.0 * std::numbers::pi / 3.0), root(third)};
+    const double cosine = std::clamp(0.5 * (rest * (1.0 / size)).determinant(), -1.0, 1.0);
+    return {mean - size * largest_root(-cosine), mean + size * largest_root(cosine)};
 }
 
 /// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
