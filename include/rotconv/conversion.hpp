@@ -45,7 +45,7 @@ struct Report {
     bool of_reference = false; ///< where rows hold two attitudes: the error, and its defect, are those of the second
     DiagnosticSet diagnostics{};
     double defect = 0.0;           ///< below `reported_defect` and without Settings::sensitivity only an upper bound
-    Sensitivity sensitivity{};     ///< of a row without error
+    Sensitivity sensitivity{};     ///< of a row with diagnostics of its result, or with Settings::sensitivity
     double reference_defect = 0.0; ///< of the second attitude, where rows hold two
     double deviation = 0.0; ///< angle in radians by which the numbers may be off, where whoever made them says so
 };

@@ -115,7 +115,9 @@ void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows
             if (!settings_.sensitivity && found.diagnostics.empty()) {
                 continue;
             }
-            found.sensitivity = out_codec_->sensitivity(to_, readings.at(i));
+            if (settings_.sensitivity || !diagnostics[i].empty()) { // inexact input alone asks for none
+                found.sensitivity = out_codec_->sensitivity(to_, readings.at(i));
+            }
         }
         found.row = first + i;
         reports.push_back(found);
