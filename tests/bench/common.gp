@@ -5,14 +5,18 @@ set datafile separator comma
 set encoding utf8
 
 ink = "#222222"
-plain = "#747a83"
+plain = "#6c757d"
 
 page = 760.0 # pixels; `high` of a chart, `wide` and `tall` of its panels are its own
+whole = 38 # pixels: a multiple of so many is high a whole number of pixels at a width of 700 too
 sized(pixels) = sprintf("sans-serif,%g", pixels)
 small = sized(11)
 bold(pixels) = sprintf("sans-serif:Bold,%g", pixels)
-begin(name) = sprintf("set terminal svg size %d,%d font '%s' background 'white' enhanced; set output '%s/%s.svg'", \
-    page, high, sized(12), out, name)
+begin(name) = sprintf("chart = '%s/%s.svg'; high = whole * ceil(1.0 * high / whole); " \
+    . "set terminal svg size %d,high font '%s' background 'white' enhanced; set output chart", out, name, page, sized(12))
+# After `unset output`: `system described(...)` says in the file what it shows, for those who do not see it.
+described(title, text) = sprintf("sed -i 's|<title>Gnuplot</title>|<title>%s</title>|; s|<desc>.*</desc>|<desc>%s</desc>|' '%s'", \
+    title, text, chart)
 width_of(text) = 6.6 * strlen(text) # of 11 pixels high, nearly
 
 # Pixels from the upper left corner.
@@ -27,9 +31,9 @@ place_panel(left, top) = sprintf( \
 method_names = "default fast typed Eigen trace shepperd klumpp sarabandi-thomas bar-itzhack polar compensated" \
     . " unit two-over-norm homogeneous normalise-first acos atan2 polynomial quaternion" \
     . " classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed"
-method_colours = "#c1121f #d9630b #8f6b00 #1769aa #6c757d #2a9d5c #8c5a3c #0b3d91 #7b3fb5 #c2569b #0f8b8d" \
-    . " #6c757d #8c5a3c #0b7a3e #7b3fb5 #6c757d #8c9b2f #7b3fb5 #2a9d5c" \
-    . " #6c757d #8c5a3c #7b3fb5 #2a9d5c #6c757d #7b3fb5 #6c757d #6c757d #2a9d5c"
+method_colours = "#c1121f #c2560a #8f6b00 #1769aa #6c757d #1f8a4d #8c5a3c #c21e7a #7b3fb5 #b0468a #0b7d7f" \
+    . " #6c757d #8c5a3c #1f8a4d #7b3fb5 #6c757d #6b7a12 #7b3fb5 #1f8a4d" \
+    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #6c757d #7b3fb5 #6c757d #6c757d #1f8a4d"
 place_in(list, name) = sum [i = 1:words(list)] (word(list, i) eq name ? i : 0)
 colour(method) = place_in(method_names, method) > 0 ? word(method_colours, place_in(method_names, method)) : plain
 label_of(method) = method eq "default" ? "rotconv, exact" : method eq "fast" ? "rotconv, fast" \
@@ -55,7 +59,7 @@ h(error) = error < 10 ? 0.5 * log10((error < least_error ? least_error : error) 
 height(error, not_finite) = not_finite > 0 ? no_number : h(error > half_turn ? half_turn : error)
 
 error_title = "worst error of attitude, rad·2^{-52}"
-error_tics = "set yrange [0:1]; set ytics ('0.2' h(0.2), '0.5' h(0.5), '1' h(1), '2' h(2), '5' h(5), '10' h(10), '10^4' h(1e4), " \
+error_tics = "set yrange [0:1]; set ytics ('≤ 0.2' h(0.2), '0.5' h(0.5), '1' h(1), '2' h(2), '5' h(5), '10' h(10), '10^4' h(1e4), " \
     . "'10^8' h(1e8), '10^{12}' h(1e12), '180°' h(half_turn), 'nan' no_number) scale 0.4 nomirror font small " \
     . "tc rgb ink offset 0.6,0"
 good_half = "set object 1 rectangle from graph 0,0 to graph 1,0.5 fc rgb '#eef1f4' fs noborder behind"

@@ -5,8 +5,9 @@
 line_gap = 14.0
 array name_y[m]
 array order[m]
+rank(i) = end_y[i] + (names_left ? 0.3 * end_x[i] : 0) # names on the left: a line that begins further right is reached from above
 do for [i = 1:m] {
-    order[1 + (sum [j = 1:m] (end_y[j] < end_y[i] || (end_y[j] == end_y[i] && j < i)))] = i
+    order[1 + (sum [j = 1:m] (rank(j) < rank(i) || (rank(j) == rank(i) && j < i)))] = i
 }
 do for [i = 1:m] {
     name_y[i] = end_y[i]
