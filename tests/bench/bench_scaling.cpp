@@ -76,8 +76,7 @@ void measure(std::ostream& csv) {
     for (const Form& form : {text, doubles}) {
         for (const int others : {0, 1, 4, 16, 64, 256}) {
             write_input(input, form, others);
-            add(form, others, 1);
-            for (int threads = 2; threads <= (others == 0 ? 2 * processors : processors); ++threads) {
+            for (int threads = 1; threads <= processors; ++threads) {
                 add(form, others, threads);
             }
         }
