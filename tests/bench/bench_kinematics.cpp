@@ -162,14 +162,17 @@ void drift(std::ostream& csv, const Motion& motion) {
         double worst = 0.0;
         for (int point = 0; point <= 60; ++point) { // fifteen a decade, from 1 s on
             const auto goal = static_cast<std::size_t>(std::lround(std::pow(10.0, 2.0 + point / 15.0)));
-            const double start = static_cast<double>(done) * h;
-            error = integrate(stepper, omega, start, h, goal - done);
-            if (error != Error::none) { // the last point that it reached
-                write(csv, "drift", motion, way, h, start, none, none, none, error);
+            for (; done < goal; ++done) { // step by step, which says where it ended
+                error = integrate(stepper, omega, static_cast<double>(done) * h, h, 1);
+                if (error != Error::none) {
+                    break;
+                }
+            }
+            const double time = static_cast<double>(done) * h;
+            if (error != Error::none) {
+                write(csv, "drift", motion, way, h, time, none, none, none, error);
                 break;
             }
-            done = goal;
-            const double time = static_cast<double>(done) * h;
             const Reading reading = stepper.attitude();
             const Exact exact = exact_attitude(motion, oracle::Real(h) * static_cast<double>(done));
             worst = std::max(worst, error_of(exact, *reading));

@@ -1,6 +1,7 @@
 # The panel of one motion at (left, top): see kinematics.gp. `kind`, `finest` (its least step) and the columns `axis` and
 # `what` say what is drawn.
 
+set autoscale # the ranges of the panel before would limit `stats`
 m = 0
 drawn = ""
 said = 0
@@ -23,7 +24,7 @@ do for [i = 1:n] {
         end_bold[m] = i == n
     }
     if (until >= 0 && what == 8) {
-        set label 60 + said sprintf("%s: %s after %.1f s", named(i), why(set_of[i]), until) \
+        set label 60 + said sprintf("%s: %s at %.1f s", named(i), why(set_of[i]), until) \
             at screen across(left + wide - 2),down(top + 15 * said + 6) right font small tc rgb way_colour[i]
         said = said + 1
     }
@@ -32,11 +33,12 @@ load "names.gp"
 eval place_panel(left, top)
 set xrange [x_low:x_high]
 set yrange [y_low:y_high]
-set label 10 heading at screen across(left + wide / 2),down(top - 32) center font bold(13) tc rgb ink
+set label 10 over at screen across(left + wide / 2),down(top - 32) center font bold(13) tc rgb ink
 set label 11 defined at screen across(left + wide / 2),down(top - 15) center font small tc rgb ink
 set label 12 x_title at screen across(left + wide / 2),down(top + tall + 34) center font small tc rgb ink
 set label 13 y_title at screen across(left - 54),down(top + tall / 2) center rotate font small tc rgb ink
 plot for [k = 1:words(drawn)] csv using (of_way(word(drawn, k) + 0, kind, motion) ? column(axis) : NaN):what with lines \
-    lc rgb way_colour[word(drawn, k) + 0] lw (word(drawn, k) + 0 == n ? 3 : 1.8) dt dash[word(drawn, k) + 0]
+    lc rgb way_colour[word(drawn, k) + 0] lw (word(drawn, k) + 0 == n ? 3 : 1.8) dt dash[word(drawn, k) + 0] \
+    title named(word(drawn, k) + 0)
 unset label
 unset arrow

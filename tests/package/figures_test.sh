@@ -64,6 +64,8 @@ claims comparison.md kinematics.csv '
         printf "the matrix is off by %.1e rad, and its nine numbers are %.1e away", error["dcm"], drift["dcm"]
         printf " from a rotation; of the quaternion it is %.1e rad and %.1e\n", error["quat"], drift["quat"]
     }'
+claims comparison.md kinematics.csv '
+    $1 FS $2 FS $12 == "drift,tumbling,singular" { printf $3 == "cayley" ? "half-turn at %.1f s\n" : "after %.1f s\n", $7 }'
 
 # The table.
 awk -F, '$1 == "work" && $2 == "tumbling" && $5 == 0.01 && $6 == 0 && $12 == "ok" {
