@@ -106,8 +106,10 @@ do for [i = 1:n] {
     print sprintf("%g,%g,%g", mark_x[i], clean_y[i], mark_y[i])
 }
 unset print
-plot for [i = 1:n] $marks every ::i - 1::i - 1 using 1:2:(0):($3 - $2) with vectors nohead lw 1 lc rgb colour_of(i), \
+plot for [i = 1:n] $marks every ::i - 1::i - 1 using 1:2:(0):($3 - $2) with vectors nohead lw 1 lc rgb colour_of(i) title name[i], \
     for [i = 1:n] $marks every ::i - 1::i - 1 using 1:2 with points pt 7 ps 0.6 lc rgb "white", \
     for [i = 1:n] $marks every ::i - 1::i - 1 using 1:2 with points pt 6 ps 0.6 lw 1.5 lc rgb colour_of(i), \
     for [i = 1:n] $marks every ::i - 1::i - 1 using 1:3 with points pt 7 ps 1 lc rgb colour_of(i)
 unset output
+system described("A text file of rotation matrices to roll, pitch and yaw: rows a second against the worst attitude error", \
+    "Of each tool a filled mark at its worst error on rows with half-turns, gimbal lock and noise, and an open one at that of uniform rows.")
