@@ -107,7 +107,7 @@ TEST_CASE("what is told of a turned attitude is the input's defect and the outpu
     std::vector<double> out(6);
     std::vector<Report> reports;
     const std::array<double, 8> rows{1.0005, 0, 0, 0, 0.70745, 0, -0.70745, 0};
-    Conversion(Spec{}, degrees, {.tolerance = 1e-2, .left = down}).run(rows, out, reports);
+    Conversion(Spec{}, degrees, {.tolerance = 1e-2, .sensitivity = true, .left = down}).run(rows, out, reports);
     REQUIRE(reports.size() == 2);
     CHECK(reports[0].diagnostics.has(DiagnosticKind::gimbal_lock));
     CHECK(reports[0].sensitivity.margin <= 1e-15);
