@@ -98,6 +98,7 @@ public:
 
 const CLI::App* add(const Entry& entry, CLI::App& app, RawOptions& texts) {
     CLI::App* command = app.add_subcommand(std::string(entry.name), entry.description);
+    command->group("Commands");
     entry.define(*command, texts);
     set_help(*command);
     return command;

@@ -142,7 +142,7 @@ void define_to(CLI::App& app, RawOptions& texts) {
 void define_lock_margin(CLI::App& app, RawOptions& texts) {
     begin_group(app, "Errors");
     app.add_option("--lock-margin", texts.lock_margin,
-                   "Treat attitudes this near to gimbal lock as locked (radians, 1e-15)")
+                   "Treat attitudes this near to lock as locked (radians; default 1e-15)")
         ->type_name("ANGLE");
 }
 

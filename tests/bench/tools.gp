@@ -28,7 +28,7 @@ stats csv using (valid(7) ? (n = n + 1, name[n] = stringcolumn("tool"), mark_x[n
     clean_y[n] = pixel_y(column("clean")), half_turn = column("half_turn"), lock = column("lock"), noise = column("noise"), \
     worst = column("failed") > 0 ? pi : max(max(column("clean"), half_turn), max(lock, noise)), mark_y[n] = pixel_y(worst), \
     trouble[n] = worst < 1e-12 ? "" : worst == lock ? "gimbal lock: a wrong attitude" \
-        : worst == noise ? "noise: off by as much" : "", 1) \
+        : worst == noise ? "noise: off by the noise" : "", 1) \
     : (not_installed = not_installed . ", " . stringcolumn("tool"), 1)) nooutput
 
 is_ours(i) = name[i][1:7] eq "rotconv"
@@ -90,7 +90,7 @@ set xrange [0:wide]
 set yrange [0:tall]
 set xtics ("100 000" pixel_x(1e5), "300 000" pixel_x(3e5), "1 million" pixel_x(1e6), "3 million" pixel_x(3e6), \
     "10 million" pixel_x(1e7)) scale 0.4 nomirror font small tc rgb ink
-set ytics ("10^{-16}" pixel_y(1e-16), "10^{-12}" pixel_y(1e-12), "10^{-8}" pixel_y(1e-8), "10^{-4}" pixel_y(1e-4), "180°" tall) \
+set ytics ("10^{-16}" pixel_y(1e-16), "10^{-12}" pixel_y(1e-12), "10^{-8}" pixel_y(1e-8), "10^{-4}" pixel_y(1e-4), "π" tall) \
     scale 0.4 nomirror font small tc rgb ink
 set xlabel "rows a second (faster is further right)" font sized(12) tc rgb ink
 set ylabel "worst attitude error, rad (better is lower)" font sized(12) tc rgb ink offset 1,0
@@ -99,7 +99,7 @@ set label 2 "with half-turns," at mark_x[slowest] - 9,mark_y[slowest] - 18 right
 set label 3 "gimbal lock and noise" at mark_x[slowest] - 9,mark_y[slowest] - 33 right font small tc rgb plain
 set label 4 "uniform attitudes" at mark_x[slowest] - 9,clean_y[slowest] right font small tc rgb plain
 set label 5 (not_installed eq "" ? "" : "not installed: " . not_installed[3:*]) at wide,beneath / 4 right font small tc rgb plain
-set label 6 "right to the last digits" at 8,beneath / 2 left font small tc rgb plain
+set label 6 "right to 2e-15 rad" at 8,beneath / 2 left font small tc rgb plain
 set object 1 rectangle from 0,0 to wide,pixel_y(10 * 2.0**-52) fc rgb "#eef1f4" fs noborder behind
 set print $marks
 do for [i = 1:n] {

@@ -67,7 +67,7 @@ command -v zsh > /dev/null || {
 }
 # Columns of the program's own lists.
 names=$("$program" list | sed -n '2,/^$/p' | sed 's/euler:SEQ/euler/' | awk 'NF { print $1 }')
-commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
+commands=$("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
 modifiers=$("$program" list quat | sed -n 's/^  modifiers *//p')
 presets=$("$program" list quat | sed -n '/^  presets/,$p' | sed 's/^  presets/ /' | awk '{ print $1 }')
 [ "$(echo "$names $presets" | wc -w)" -gt 18 ] || fail "the lists were not read: $names $presets"

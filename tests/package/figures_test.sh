@@ -47,9 +47,10 @@ claims ../README.md tools.csv '
     $1 == "rotconv on 2 threads" { rate_of_two = $7 / 1e6 }
     END {
         printf "every tool is right to %.0e rad; with half-turns\n", uniform
-        if (lost == 4) print "NumPy, mawk, Miller and DuckDB ends 180° off, SciPy"
-        else print "not all formulas are 180° off"
-        printf "SciPy and Eigen are off by %.0e and %.0e rad, and rotconv stays within %.0e rad,", scipy, eigen, own
+        if (lost == 4) print "NumPy, mawk, Miller and DuckDB loses the attitude at lock, SciPy"
+        else print "not all formulas lose the attitude"
+        printf "from the rotation nearest to a noisy matrix by %.0e and %.0e rad, which is the noise,", scipy, eigen
+        printf " and rotconv stays within %.0e rad,", own
         printf " at %.1f million rows a second on one thread and %.1f million on two\n", rate, rate_of_two
     }'
 claims streams.md tools.csv '

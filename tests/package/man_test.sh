@@ -25,7 +25,7 @@ of_page=$(printf '%s\n' "$text" | sed -n '/^OPTIONS/,/^COMMANDS/p' | grep -E '^ 
 [ "$of_help" = "$of_page" ] || fail "options of --help: $of_help; of the page: $of_page"
 
 # Commands and their own options.
-commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
+commands=$("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
 [ "$(printf '%s\n' "$commands" | wc -l)" -ge 5 ] || fail "not all commands were seen: $commands"
 for command in $commands; do
     printf '%s\n' "$text" | sed -n '/^COMMANDS/,/^INPUT/p' | grep -qE "^ {5}$command\\b" || fail "the page does not explain $command"
