@@ -150,7 +150,7 @@ const Method* method_of(const Spec& from, const Spec& to, const std::string& tex
 }
 
 /// What the method of that name makes of the rows, or all of them.
-stream::RowOperation operation_of(const Conversion& own, const std::string& method) {
+stream::RowOperation conversion_by(const Conversion& own, const std::string& method) {
     if (method == all_methods) {
         return stream::all_methods_operation(MethodConversion::all(own));
     }
@@ -167,13 +167,15 @@ RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     Settings settings = settings_of(texts);
     settings.fast = texts.method == fast_method;
-    auto operation = operation_of(Conversion(from, to, settings), texts.method);
-    if (texts.method == all_methods && texts.continuous) {
+    auto operation = conversion_by(Conversion(from, to, settings), texts.method);
+    if (texts.continuous) {
+        operation = stream::continuous(std::move(operation));
+    }
+    if (operation.choose && !operation.answers.empty()) {
         throw Usage("--continuous follows one answer, and --method all writes several to a row");
     }
     RowsCommand command =
-        rows_command(texts, texts.continuous ? stream::continuous(std::move(operation)) : std::move(operation),
-                     messages::subject_of(from, settings.tolerance), operands);
+        rows_command(texts, std::move(operation), messages::subject_of(from, settings.tolerance), operands);
     if (texts.method == all_methods && command.options.format == stream::Format::f64) {
         throw Usage("--format f64 has no place for the names that --method all writes");
     }

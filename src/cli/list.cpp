@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -108,31 +109,31 @@ std::string list_presets() {
     return text + "\nA preset goes behind a name, as in quat:tum; it leaves all else as it is.\n";
 }
 
-Usage unknown_name(const std::string& name) {
-    return Usage(messages::explain(SpecError{SpecError::What::unknown_name, name}));
-}
-
 /// Of a SPEC, so that those of a command line can be copied.
-RepresentationId named(const std::string& spec) {
-    const Representation* const found = find_representation(std::string_view(spec).substr(0, spec.find(':')));
-    const auto* const id =
-        std::ranges::find(all_representations, found, [](auto each) { return &representation(each); });
-    if (id == all_representations.end()) {
-        throw unknown_name(spec);
+RepresentationId named(const std::string& text) {
+    const auto* const id = std::ranges::find(all_representations, find_representation(text),
+                                             [](auto each) { return &representation(each); });
+    if (id != all_representations.end()) {
+        return *id; // euler without its sequence too
     }
-    return *id;
+    const auto spec = parse_spec(text);
+    if (const auto* error = std::get_if<SpecError>(&spec)) {
+        throw Usage(messages::explain(*error));
+    }
+    return std::get<Spec>(spec).name;
 }
 
 /// A heading, rotconv's own two methods, and those published.
-std::string list_pair(std::string_view from, std::string_view to, std::span<const Method> published) {
-    constexpr const char* line = "  {:<16}  {:<40}  {}\n";
-    constexpr std::string_view every_input = "every input that describes an attitude";
+std::string list_pair(std::string_view from, std::string_view to, std::span<const Method> rows) {
     std::string text = fmt::format("{} to {}\n", from, to);
-    text += fmt::format(line, default_method, every_input, "rotconv, each number rounded once");
-    text += fmt::format(line, fast_method, every_input, "rotconv, in plain doubles");
-    for (const Method& method : published) {
+    const auto line = [&text](std::string_view name, std::string_view domain, std::string_view reference) {
+        text += fmt::format("  {:<16}  {:<40}  {}\n", name, domain, reference);
+    };
+    line(default_method, every_input, "rotconv, each number rounded once");
+    line(fast_method, every_input, "rotconv, in plain doubles");
+    for (const Method& method : rows) {
         if (method.run != nullptr) {
-            text += fmt::format(line, method.name, method.domain, method.reference);
+            line(method.name, method.domain, method.reference);
         }
     }
     return text;
@@ -178,7 +179,7 @@ std::string list(const std::vector<std::string>& words) {
     const auto all = presets();
     const auto preset = std::ranges::find(all, first, &Preset::text);
     if (found == nullptr && preset == all.end()) {
-        throw unknown_name(first);
+        throw Usage(messages::explain(SpecError{SpecError::What::unknown_name, first}));
     }
     return found != nullptr ? list_one(*found) : list_preset(*preset);
 }

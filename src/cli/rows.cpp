@@ -51,7 +51,7 @@ public:
             ++count.rows;
             count.last_line = diagnostic.line;
         }
-        if (command_->diagnostics == ShowDiagnostics::rows) {
+        if (command_->diagnostics == ShowDiagnostics::rows || is_told_apart(diagnostic)) {
             tell(diagnostic.line, messages::describe(diagnostic), diagnostic.of_reference);
         }
     }
@@ -84,7 +84,7 @@ public:
             return;
         }
         for (const Count& count : counts_) {
-            if (count.rows == 0) {
+            if (count.rows == 0 || is_told_apart(count.first)) {
                 continue;
             }
             if (command_->has_values) {
@@ -126,6 +126,11 @@ private:
         const std::size_t count = command_->options.columns.empty() ? command_->subject.count : 0;
         const std::string text = is_text ? advice(*beginning_, line, count, command_->input) : std::string();
         return text.empty() ? text : "; " + text;
+    }
+
+    /// Of the one row, one of several answers: each is told, as a summary would name one only.
+    [[nodiscard]] bool is_told_apart(const stream::Diagnostic& diagnostic) const noexcept {
+        return command_->has_values && command_->diagnostics == ShowDiagnostics::summary && !diagnostic.answer.empty();
     }
 
     struct Count {

@@ -12,6 +12,9 @@ namespace rotconv {
 /// A method's answer that is further than this (radians) from the attitude is reported.
 inline constexpr double reported_method_error = 1e-6;
 
+/// Where rotconv's own two hold.
+inline constexpr std::string_view every_input = "every input that describes an attitude";
+
 /// Every pair has it: rotconv's own way, each number rounded once.
 inline constexpr std::string_view default_method = "default";
 

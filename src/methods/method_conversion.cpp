@@ -15,6 +15,7 @@
 namespace rotconv {
 namespace {
 
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The numbers of the inverse rotation, of a representation that methods start from.
@@ -34,6 +35,8 @@ void make_sign_canonical(double* q) noexcept {
         std::transform(q, q + 4, q, std::negate<>());
     }
 }
+
+bool has_turns(const Conversion& conversion) { return conversion.settings().left || conversion.settings().right; }
 
 /// The same turns, with any defect: what to refuse is for the conversion itself.
 Settings turns_of(const Settings& settings) {
@@ -60,8 +63,11 @@ std::vector<double> run(const Conversion& conversion, std::span<const double> in
 } // namespace
 
 MethodConversion::MethodConversion(const Conversion& own)
-    : own_(own), attitudes_(own.from(), Spec{}, turns_of(own.settings())),
-      comparison_(Spec{}, own.to(), {.reading = {.tolerance = infinity}}) {}
+    : own_(own), comparison_(has_turns(own) ? Spec{} : own.from(), own.to(), {.reading = {.tolerance = infinity}}) {
+    if (has_turns(own)) {
+        turned_.emplace(own.from(), Spec{}, turns_of(own.settings()));
+    }
+}
 
 MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
     if (!method.serves(from().name, to().name) || method.run == nullptr) {
@@ -108,7 +114,8 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
             answers.push_back(answers_of(*method, numbers));
         }
     }
-    const auto attitudes = rotconv::run(attitudes_, in);
+    const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
+    const auto attitudes = turned_ ? std::span<const double>(turned) : in;
     angles.resize(rows * answers.size());
     for (std::size_t a = 0; a < answers.size(); ++a) {
         const auto found = angles_of(attitudes, answers[a]);
@@ -127,12 +134,16 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
         for (std::size_t at = i * answers.size(); at < (i + 1) * answers.size(); ++at) {
             Report report = of_row;
             report.row = at;
-            if (is_infinite && are_same(out, at, own_numbers, i, to().size())) {
-                angles[at] = 0.0;
+            if (report.error != Error::none) {
+                std::ranges::fill(out.subspan(at * to().size(), to().size()), not_a_number);
+                angles[at] = not_a_number;
+            } else {
+                if (is_infinite && are_same(out, at, own_numbers, i, to().size())) {
+                    angles[at] = 0.0;
+                }
+                report.diagnostics |= {DiagnosticKind::method_error, !(angles[at] <= reported_method_error)};
             }
             report.deviation = angles[at];
-            const bool is_off = !is_infinite && !(angles[at] <= reported_method_error); // no finite number is nearer
-            report.diagnostics |= {DiagnosticKind::method_error, report.error == Error::none && is_off};
             if (is_reported || !report.diagnostics.empty()) {
                 reports.push_back(report);
             }
@@ -141,7 +152,7 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
 }
 
 std::vector<double> MethodConversion::starting_numbers(std::span<const double> in) const {
-    if (own_.settings().left || own_.settings().right) { // no numbers are given of what has been turned
+    if (turned_) { // no numbers are given of what has been turned
         return rotconv::run({from(), {.name = from().name, .passive = to().passive}, turns_of(own_.settings())}, in);
     }
     std::vector<double> numbers(in.size());
@@ -178,10 +189,11 @@ std::vector<double> MethodConversion::angles_of(std::span<const double> attitude
                                                 std::span<const double> answers) const {
     const std::size_t size = to().size();
     const std::size_t rows = answers.size() / size;
+    const std::size_t attitude_size = comparison_.from().size();
     std::vector<double> pairs;
     pairs.reserve(attitudes.size() + answers.size());
     for (std::size_t i = 0; i < rows; ++i) {
-        const auto attitude = attitudes.subspan(4 * i, 4);
+        const auto attitude = attitudes.subspan(attitude_size * i, attitude_size);
         const auto answer = answers.subspan(size * i, size);
         pairs.insert(pairs.end(), attitude.begin(), attitude.end());
         pairs.insert(pairs.end(), answer.begin(), answer.end());

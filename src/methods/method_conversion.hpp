@@ -31,7 +31,8 @@ public:
 
     /// As Conversion::run(), with names().size() answers to each row, one behind the other, of which Report::row is the
     /// index. `angles` become those from the attitude to each answer, in radians and right to 5 eps, nan where the
-    /// answer describes none; 0 where it is infinite as it should be. Report::deviation is the same.
+    /// answer describes none or the row has an error; 0 where it is infinite as it should be. Report::deviation is the
+    /// same.
     void run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
              std::vector<Report>& reports) const;
 
@@ -42,14 +43,14 @@ private:
     /// rotation that is to be written.
     [[nodiscard]] std::vector<double> starting_numbers(std::span<const double> in) const;
     [[nodiscard]] std::vector<double> answers_of(const Method& method, std::span<const double> numbers) const;
-    /// Of rows of a quaternion each.
+    /// `attitudes`: as comparison_ reads them.
     [[nodiscard]] std::vector<double> angles_of(std::span<const double> attitudes,
                                                 std::span<const double> answers) const;
 
     Conversion own_;
-    Conversion attitudes_; ///< to quaternions, turned as own_ does
-    Comparison comparison_;
-    std::optional<Conversion> fast_; ///< the answer after own_'s, where all are wanted
+    std::optional<Conversion> turned_; ///< to quaternions, where own_ turns the attitudes
+    Comparison comparison_;            ///< of the attitude, as it is given or turned, and an answer
+    std::optional<Conversion> fast_;   ///< the answer after own_'s, where all are wanted
     std::vector<const Method*> published_;
 };
 

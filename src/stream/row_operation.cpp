@@ -188,7 +188,8 @@ RowOperation all_methods_operation(const MethodConversion& conversion) {
     RowOperation operation = operation_of(conversion.from(), conversion.to());
     const auto names = conversion.names();
     operation.answers.assign(names.begin(), names.end());
-    operation.names.emplace_back("angle");
+    const bool is_taken = std::ranges::find(operation.names, "angle") != operation.names.end(); // by axis-angle
+    operation.names.emplace_back(is_taken ? "method_angle" : "angle");
     operation.run = [conversion, angles = std::vector<double>(), numbers = std::vector<double>()](
                         const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) mutable {
         const std::size_t size = conversion.to().size();

@@ -63,7 +63,8 @@ RowText::RowText(const Options& options, const Layout& layout) : options_(&optio
     if (!options.digits.shortest() && has_range) {
         const bool degrees = spec->unit == AngleUnit::degrees;
         const Digits digits = options.digits;
-        middle_angle_ = spec->size() - 2;
+        const std::size_t after = options.operation.answers.empty() ? 0 : 1; // the attitude
+        middle_angle_ = options.operation.names.size() - 2 - after;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
         half_a_digit_ = Decimal::parse("0.5")->rounded(digits.decimals >= 0 ? -digits.decimals
                                                                             : (degrees ? 3 : 1) - digits.significant);

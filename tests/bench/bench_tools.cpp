@@ -29,8 +29,8 @@
 
 namespace {
 
-constexpr std::size_t each = 1250; ///< rows of a kind in the block
-constexpr std::size_t blocks = 200;
+constexpr std::size_t each = 12500; ///< rows of a kind in the block
+constexpr std::size_t blocks = 20;
 constexpr int rounds = 3;
 
 struct Kind {
@@ -104,13 +104,14 @@ std::string first_line(const std::string& command) {
         return {};
     }
     std::string text(line.data());
-    std::erase(text, '\n');
+    std::erase_if(text, [](char c) { return c == '\n' || c == ','; }); // a field of the figures
     return text;
 }
 
 struct Measurement {
     Tool tool;
     std::string version;
+    bool broke = false;                       ///< it is installed, and a run of it failed
     std::array<double, kinds.size()> worst{}; ///< radians
     std::size_t failed = 0;                   ///< rows of the block without three finite angles, and rows that lack
     std::vector<double> seconds{};
@@ -145,7 +146,7 @@ void score(Measurement& made, const Block& block, const std::string& output) {
         double& worst = made.worst[i % kinds.size()];
         worst = std::fmax(worst, oracle::eps * oracle::error_in_eps(block.exact[i], oracle::attitude(to, angles)));
     }
-    made.failed += rows - i;
+    made.failed += std::max(rows, i) - std::min(rows, i);
 }
 
 std::vector<Measurement> measure(const Block& block) {
@@ -158,7 +159,17 @@ std::vector<Measurement> measure(const Block& block) {
     }
     file.close();
     const auto run = [&](const Tool& tool, const std::string& to_file) {
-        return time_of("exec " + tool.command + " < " + input + " > " + to_file + " 2> /dev/null").clock;
+        return time_of("exec " + tool.command + " < " + input + " > " + to_file).clock;
+    };
+    // One that fails, and says why on stderr, is no reason to lose the others.
+    const auto try_run = [&](Measurement& made, const std::string& to_file) {
+        try {
+            return run(made.tool, to_file);
+        } catch (const std::exception& error) {
+            fmt::print("failed, left out: {}: {}\n", made.tool.name, error.what());
+            made.broke = true;
+            return 0.0;
+        }
     };
     std::vector<Measurement> all;
     for (const Tool& tool : tools()) {
@@ -167,13 +178,14 @@ std::vector<Measurement> measure(const Block& block) {
             fmt::print("not installed, left out: {}\n", tool.name);
             continue;
         }
-        run(tool, output);
-        score(made, block, output);
+        if (try_run(made, output); !made.broke) {
+            score(made, block, output);
+        }
     }
     for (int round = 0; round < rounds; ++round) {
         for (Measurement& made : all) {
-            if (!made.version.empty()) {
-                made.seconds.push_back(run(made.tool, "/dev/null"));
+            if (!made.version.empty() && !made.broke) {
+                made.seconds.push_back(try_run(made, "/dev/null"));
             }
         }
     }
@@ -186,9 +198,7 @@ std::string processor() {
     return text.substr(std::min(text.size(), text.find(':') + 2));
 }
 
-void write(std::ostream& csv) {
-    double load = 0;
-    ::getloadavg(&load, 1);
+void write(std::ostream& csv, double load, const std::vector<Measurement>& all) {
     csv << "# cmake --build build/bench --target tools-chart\n"
         << fmt::format("# {}, {} processors, load {:.1f} before, {:%d %B %Y}\n", processor(),
                        rotconv::stream::processors(), load, fmt::localtime(std::time(nullptr)))
@@ -197,9 +207,9 @@ void write(std::ostream& csv) {
                "lock, noise\n# worst errors in radians, of {} rows a kind; DuckDB and Miller on all processors\n",
                rows, each)
         << "tool,version,rows,seconds_1,seconds_2,seconds_3,rows_per_second,clean,half_turn,lock,noise,failed\n";
-    for (const Measurement& made : measure(make_block())) {
-        if (made.version.empty()) {
-            csv << made.tool.name << ",not installed,,,,,,,,,,\n";
+    for (const Measurement& made : all) {
+        if (made.version.empty() || made.broke) {
+            csv << made.tool.name << (made.broke ? ",failed" : ",not installed") << ",,,,,,,,,,\n";
             continue;
         }
         csv << fmt::format("{},{},{},{:.3f},{:.4g},{:.3g},{}\n", made.tool.name, made.version, rows,
@@ -216,17 +226,20 @@ int main(int argc, char** argv) {
         std::fputs("usage: bench_tools OUT.csv\n", stderr);
         return 2;
     }
-    std::ofstream csv(argv[1]);
-    if (!csv) {
-        std::perror(argv[1]);
-        return 1;
-    }
     try {
-        write(csv);
+        double load = 0;
+        ::getloadavg(&load, 1);
+        const auto all = measure(make_block());
+        std::ofstream csv(argv[1]); // the figures of an earlier run stay until there are others
+        write(csv, load, all);
+        csv.close();
+        if (!csv) {
+            std::perror(argv[1]);
+            return 1;
+        }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_tools: %s\n", error.what());
         return 1;
     }
-    csv.close();
-    return csv ? 0 : 1;
+    return 0;
 }

@@ -98,7 +98,7 @@ set label 1 "A text file of rotation matrices to roll, pitch and yaw" at screen 
 set label 2 "with half-turns," at mark_x[slowest] - 9,mark_y[slowest] - 18 right font small tc rgb plain
 set label 3 "gimbal lock and noise" at mark_x[slowest] - 9,mark_y[slowest] - 33 right font small tc rgb plain
 set label 4 "uniform attitudes" at mark_x[slowest] - 9,clean_y[slowest] right font small tc rgb plain
-set label 5 (not_installed eq "" ? "" : "not installed: " . not_installed[3:*]) at wide,beneath / 4 right font small tc rgb plain
+set label 5 (not_installed eq "" ? "" : "not measured: " . not_installed[3:*]) at wide,beneath / 4 right font small tc rgb plain
 set label 6 "right to 2e-15 rad" at 8,beneath / 2 left font small tc rgb plain
 set object 1 rectangle from 0,0 to wide,pixel_y(10 * 2.0**-52) fc rgb "#eef1f4" fs noborder behind
 set print $marks

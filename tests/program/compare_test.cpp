@@ -433,3 +433,9 @@ TEST_CASE("errors of the reference's options name them") {
           "1 0 0 0 -1 0 0 0 0\n");
     CHECK(error("--columns 2-5 --as nonsense").find("--as 'nonsense'") != std::string::npos);
 }
+
+TEST_CASE("an angle of a relative attitude that rounds to -180 is 180") {
+    // Catches a range that is looked for in the column of another number.
+    const auto result = run("compare -f rpy:deg -d --as rpy --format csv --decimals 1", "-179.999 0 0 0 0 0\n");
+    CHECK(result.out == "-179.999 0 0 0 0 0 180.0 180.0 0.0 0.0\n");
+}

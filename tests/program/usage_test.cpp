@@ -229,7 +229,10 @@ TEST_CASE("an option without effect on the conversion is legal") {
 TEST_CASE("no line of a help is wider than 100 columns") {
     // Catches a help that breaks in the middle of words.
     for (const char* command : {"", "list", "rates", "propagate", "survey", "compare", "identify"}) {
-        std::istringstream help(run(command + std::string(" --help")).out);
+        const auto printed = run(command + std::string(" --help"));
+        CHECK(printed.exit_code == 0);
+        CHECK(count_rows(printed.out) > 5);
+        std::istringstream help(printed.out);
         for (std::string line; std::getline(help, line);) {
             INFO(line);
             CHECK(line.size() <= 100);

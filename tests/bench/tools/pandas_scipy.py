@@ -1,4 +1,4 @@
-# python3 pandas_scipy.py: SciPy's rotations, read and written by pandas, whose numbers read back to the same double.
+# python3 pandas_scipy.py: SciPy's rotations, read and written by pandas as it does unless told otherwise.
 
 import sys
 
