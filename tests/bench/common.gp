@@ -58,7 +58,7 @@ h(error) = error < 10 ? 0.5 * log10((error < least_error ? least_error : error) 
     : 0.5 + 0.38 * log10(error / 10) / log10(half_turn / 10)
 height(error, not_finite) = not_finite > 0 ? no_number : h(error > half_turn ? half_turn : error)
 
-error_title = "worst error of attitude, 2^{-52} rad"
+error_title = "worst error of attitude, 2^{-52} rad"
 error_tics = "set yrange [0:1]; set ytics ('≤ 0.2' h(0.2), '0.5' h(0.5), '1' h(1), '2' h(2), '5' h(5), '10' h(10), '10^4' h(1e4), " \
     . "'10^8' h(1e8), '10^{12}' h(1e12), '180°' h(half_turn), 'nan' no_number) scale 0.4 nomirror font small " \
     . "tc rgb ink offset 0.6,0"

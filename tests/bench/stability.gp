@@ -89,7 +89,7 @@ top = 48
 load "stability-panel.gp"
 set label 1 heading at screen 0.5,down(18) center font sized(16) tc rgb ink
 set label 11 "noise: each number of the matrix is off by up to this" at screen across(left + wide / 2),down(top + tall + 38) center font sized(11) tc rgb ink
-set label 12 "worst error against the\nnearest rotation, 2^{-52} rad" at screen across(left - 53),down(top + tall / 2) center rotate font sized(11) tc rgb ink
+set label 12 "worst error against the\nnearest rotation, 2^{-52} rad" at screen across(left - 53),down(top + tall / 2) center rotate font sized(11) tc rgb ink
 plot for [i = n:1:-1] csv using (of_method(sweep, word(names, i)) ? column("distance") : NaN) \
     :(height(column("worst"), column("not_finite"))) with lines lw weight(word(names, i)) lc rgb colour(word(names, i)) \
         title label_of(word(names, i))
