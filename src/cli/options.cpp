@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "../stream/file.hpp"

@@ -7,13 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <rotconv/conversion.hpp>
 
 #include "../stream/row_operation.hpp"
 #include "command_line.hpp"
 #include "messages.hpp"
+
+namespace CLI {
+class App;
+}
 
 /// The options that commands share: their text, and what it means.
 namespace rotconv::cli {
