@@ -8,7 +8,6 @@
 #include <string_view>
 #include <variant>
 
-#include "cli/list.hpp"
 #include "command_text.hpp"
 #include "reach.hpp"
 #include "stream/run.hpp"
@@ -23,7 +22,6 @@ fuzz::Reach reach{"conversion",
                   "survey",
                   "compare",
                   "identify",
-                  "list",
                   "text to print",
                   "usage error",
                   "VALUEs",
@@ -91,10 +89,6 @@ struct Check {
             rows.options.operation = stream::identification_operation(command.layout, &identification);
             run_values(rows, "VALUEs that are identified");
         }
-    }
-    void operator()(const cli::ListCommand& command) const {
-        static_cast<void>(cli::list_one(command.name));
-        reach.add("list");
     }
     void operator()(const cli::PrintCommand& command) const {
         require(command.text.ends_with('\n'));
