@@ -340,6 +340,9 @@ bool HeaderReader::take_named(std::optional<Delimiter> delimiter, Output& output
         return false;
     }
     layout_.select(std::get<std::vector<std::size_t>>(std::move(found)), options_->operation.kept);
+    if (delimiter && header.fields.size() == 1 && header_of(header.line, *delimiter).fields.size() == 1) {
+        header.delimiter = *delimiter; // a name alone does not tell what delimits
+    }
     const std::string_view held = held_;
     const auto begin = static_cast<std::size_t>(header.line.text.data() - held.data());
     write(held.substr(0, begin), output);

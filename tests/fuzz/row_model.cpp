@@ -519,12 +519,21 @@ private:
         for (std::size_t i = first_data_; i > 0; --i) {
             const Line& line = lines_[i - 1];
             if (const auto delimiter = look_up(line, line.comment() ? of_comments : '\0')) {
-                use_header(i - 1, *delimiter);
+                const std::string_view text = line.text.substr(prefix_of(line).size());
+                const bool is_alone =
+                    of_comments != '\0' && count(text, *delimiter) == 1 && count(text, of_comments) == 1;
+                use_header(i - 1, is_alone ? of_comments : *delimiter);
                 const std::set<std::size_t> different(positions_.begin(), positions_.end());
                 return !ambiguous_ && different.size() == positions_.size();
             }
         }
         return false;
+    }
+
+    static std::size_t count(std::string_view text, char delimiter) {
+        Fields fields;
+        split(text, delimiter, fields);
+        return fields.size();
     }
 
     static std::string_view prefix_of(const Line& line) {
@@ -540,6 +549,9 @@ private:
             candidates = known != '\0' ? known : delimiter_of(text, rules_.delimiter);
         }
         for (const char delimiter : line.blank() ? std::string() : candidates) {
+            if (candidates.size() > 1 && delimiter != ' ' && text.find(delimiter) == std::string_view::npos) {
+                continue;
+            }
             Fields fields;
             split(text, delimiter, fields);
             if (!is_preamble(line.text, fields) && find_names(fields, delimiter)) {

@@ -347,3 +347,9 @@ TEST_CASE("headers may be as wide as lines are long") {
     CHECK(same.exit_code == 0);
     CHECK(same.out.find("\"300000\"") != std::string::npos);
 }
+
+TEST_CASE("a header of one name is written with the delimiter of the rows") {
+    // Catches a name alone that is taken for one parted by blanks.
+    CHECK(run("-f quat -t rpy --columns w,2-4", "w\n1;0;0;0\n").out == "roll;pitch;yaw\n0;0;0\n");
+    CHECK(run("-f quat -t rpy --columns w,2-4", "# w\n1,0,0,0\n").out == "# roll,pitch,yaw\n0,0,0\n");
+}
