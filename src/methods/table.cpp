@@ -120,8 +120,8 @@ std::span<const Method> methods() noexcept { return table; }
 
 std::span<const Method> methods_of(RepresentationId from, RepresentationId to) noexcept {
     const auto of_pair = [from, to](const Method& method) { return method.serves(from, to); };
-    const auto first = std::ranges::find_if(table, of_pair);
-    const auto last = std::find_if_not(first, table.end(), of_pair);
+    const auto* const first = std::ranges::find_if(table, of_pair);
+    const auto* const last = std::find_if_not(first, table.end(), of_pair);
     return {first, last};
 }
 
