@@ -129,7 +129,7 @@ std::string list_pair(std::string_view from, std::string_view to, std::span<cons
     const auto line = [&text](std::string_view name, std::string_view domain, std::string_view reference) {
         text += fmt::format("  {:<16}  {:<40}  {}\n", name, domain, reference);
     };
-    line(default_method, every_input, "rotconv, each number rounded once");
+    line(default_method, every_input, own_reference);
     line(fast_method, every_input, "rotconv, in plain doubles");
     for (const Method& method : rows) {
         if (method.run != nullptr) {
@@ -139,7 +139,7 @@ std::string list_pair(std::string_view from, std::string_view to, std::span<cons
     return text;
 }
 
-/// All pairs with published methods, or those from the first of the names, or to the second.
+/// All pairs with published methods, those from the one name, or the pair of two.
 std::string list_methods(const std::vector<std::string>& pair) {
     if (pair.size() == 2) {
         const RepresentationId from = named(pair[0]);

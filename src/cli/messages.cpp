@@ -217,8 +217,7 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
     for (const Method& method : rows) {
         message += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }
-    message += fmt::format("\n  {:<18} {}\n  {:<18} each of these, a line each", fast_method, rows.front().domain,
-                           all_methods);
+    message += fmt::format("\n  {:<18} {}\n  {:<18} each of these, a line each", fast_method, every_input, all_methods);
     return message;
 }
 

@@ -12,8 +12,9 @@ namespace rotconv {
 /// A method's answer that is further than this (radians) from the attitude is reported.
 inline constexpr double reported_method_error = 1e-6;
 
-/// Where rotconv's own two hold.
+/// Where rotconv's own two hold, and what stands for the reference of the default.
 inline constexpr std::string_view every_input = "every input that describes an attitude";
+inline constexpr std::string_view own_reference = "rotconv, each number rounded once";
 
 /// Every pair has it: rotconv's own way, each number rounded once.
 inline constexpr std::string_view default_method = "default";

@@ -11,7 +11,7 @@ namespace {
 using formula::each_row;
 
 constexpr Method own(RepresentationId from, RepresentationId to) noexcept {
-    return {from, to, default_method, "rotconv, each number rounded once", every_input, nullptr};
+    return {from, to, default_method, own_reference, every_input, nullptr};
 }
 
 using enum RepresentationId;

@@ -511,17 +511,15 @@ private:
         }
         char of_comments = 0;
         if (first_data_ < lines_.size()) {
-            Fields fields;
             const char delimiter = delimiter_of(lines_[first_data_].text, rules_.delimiter);
-            split(lines_[first_data_].text, delimiter, fields);
-            of_comments = fields.size() > 1 ? delimiter : '\0';
+            of_comments = count_fields(lines_[first_data_].text, delimiter) > 1 ? delimiter : '\0';
         }
         for (std::size_t i = first_data_; i > 0; --i) {
             const Line& line = lines_[i - 1];
             if (const auto delimiter = look_up(line, line.comment() ? of_comments : '\0')) {
                 const std::string_view text = line.text.substr(prefix_of(line).size());
                 const bool is_alone =
-                    of_comments != '\0' && count(text, *delimiter) == 1 && count(text, of_comments) == 1;
+                    of_comments != '\0' && count_fields(text, *delimiter) == 1 && count_fields(text, of_comments) == 1;
                 use_header(i - 1, is_alone ? of_comments : *delimiter);
                 const std::set<std::size_t> different(positions_.begin(), positions_.end());
                 return !ambiguous_ && different.size() == positions_.size();
@@ -530,7 +528,7 @@ private:
         return false;
     }
 
-    static std::size_t count(std::string_view text, char delimiter) {
+    static std::size_t count_fields(std::string_view text, char delimiter) {
         Fields fields;
         split(text, delimiter, fields);
         return fields.size();

@@ -27,17 +27,25 @@ using rotconv::RepresentationId;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
+/// What a conversion makes of one row.
+struct Answered {
+    Answered(const rotconv::MethodConversion& conversion, std::span<const double> row)
+        : out(conversion.names().size() * conversion.to().size()) {
+        conversion.run(row, out, angles, reports);
+    }
+
+    std::vector<double> out;
+    std::vector<double> angles;
+    std::vector<rotconv::Report> reports;
+};
+
 accuracy::Convert by(const Method& method, const rotconv::Spec& from, const rotconv::Spec& to) {
     if (method.run == nullptr) {
         return accuracy::own(from, to);
     }
     const rotconv::Conversion own(from, to, {.tolerance = inf, .lock_margin = 0.0});
     return [conversion = rotconv::MethodConversion(own, method)](std::span<const double> row) {
-        std::vector<double> result(conversion.to().size());
-        std::vector<double> angles;
-        std::vector<rotconv::Report> reports;
-        conversion.run(row, result, angles, reports);
-        return result;
+        return Answered(conversion, row).out;
     };
 }
 
@@ -230,12 +238,8 @@ TEST_CASE("a method's error is reported with its angle") {
         const auto to = spec(to_text);
         const Method* method = rotconv::find_method(from.name, to.name, name);
         REQUIRE(method != nullptr);
-        std::vector<double> out(to.size());
-        std::vector<double> angles;
-        std::vector<rotconv::Report> reports;
         const rotconv::Conversion own(from, to, {.sensitivity = true}); // a report of every row
-        rotconv::MethodConversion(own, *method).run(row, out, angles, reports);
-        return reports.at(0);
+        return Answered(rotconv::MethodConversion(own, *method), row).reports.at(0);
     };
     const std::vector<double> half_turn{-1, 0, 0, 0, 1, 0, 0, 0, -1};
     const auto wrong = report_of("dcm", "quat", "baruh", half_turn);
@@ -291,10 +295,7 @@ TEST_CASE("the angle of every method's answer is that to the attitude, to 5 eps"
         auto rows = accuracy::inputs(from, to, 20);
         std::ranges::copy(gentle(from), std::back_inserter(rows));
         for (const auto& row : rows) {
-            std::vector<double> out(count * to.size());
-            std::vector<double> angles;
-            std::vector<rotconv::Report> reports;
-            all.run(row, out, angles, reports);
+            const auto [out, angles, reports] = Answered(all, row);
             REQUIRE(angles.size() == count);
             if (!reports.empty() && reports.front().error != rotconv::Error::none) {
                 continue;
@@ -331,10 +332,7 @@ TEST_CASE("methods answer for attitudes that are turned") {
         rotconv::MethodConversion::all(rotconv::Conversion(from, to, {.left = turn(left), .right = turn(right)}));
     const auto names = all.names();
     for (const auto& row : gentle(from)) {
-        std::vector<double> out(names.size() * to.size());
-        std::vector<double> angles;
-        std::vector<rotconv::Report> reports;
-        all.run(row, out, angles, reports);
+        const auto [out, angles, reports] = Answered(all, row);
         const oracle::Quaternion attitude = left * oracle::attitude(from, row) * right;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const auto answer = std::span(out).subspan(i * to.size(), to.size());

@@ -49,7 +49,7 @@ claims ../README.md tools.csv '
         printf "every tool is right to %.0e rad; with half-turns\n", uniform
         if (lost == 4) print "NumPy, mawk, Miller and DuckDB loses the attitude at lock, SciPy"
         else print "not all formulas lose the attitude"
-        printf "from the rotation nearest to a noisy matrix by %.0e rad, which is the noise,", scipy > eigen ? scipy : eigen
+        printf "from the rotation nearest to a noisy matrix by %.0e rad, which is the noise,", (scipy > eigen ? scipy : eigen)
         printf " and rotconv stays within %.0e rad,", own
         printf " at %.1f million rows a second on one thread and %.1f million on two\n", rate, rate_of_two
     }'
