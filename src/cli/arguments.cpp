@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
+#include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <rotconv/version.hpp>
 
 #include "../stream/file.hpp"
+#include "../stream/fmt.hpp"
 #include "arguments.hpp"
 #include "compare.hpp"
 #include "first_look.hpp"

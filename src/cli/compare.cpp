@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <rotconv/comparison.hpp>
 
+#include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 #include "pairing.hpp"
 #include "print_error.hpp"

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
+#include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
 #include "messages.hpp"

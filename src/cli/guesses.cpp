@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include <fmt/format.h>
+#include "../stream/fmt.hpp"
 
 namespace rotconv::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
+#include "../stream/fmt.hpp"
 #include "messages.hpp"
 #include "pairing.hpp"
 #include "print_error.hpp"

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
 
 #include "../stream/differences.hpp"
+#include "../stream/fmt.hpp"
 
 namespace rotconv::cli {
 namespace {

@@ -6,11 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include <rotconv/spec.hpp>
 
 #include "../methods/method.hpp"
+#include "../stream/fmt.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 

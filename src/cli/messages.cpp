@@ -5,9 +5,8 @@
 #include <cmath>
 #include <system_error>
 
-#include <fmt/format.h>
-
 #include "../methods/method.hpp"
+#include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/utf8.hpp"
 #include "guesses.hpp"

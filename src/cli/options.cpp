@@ -6,9 +6,9 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "../stream/file.hpp"
+#include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
 

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+
+#include "../stream/fmt.hpp"
 
 namespace rotconv::cli {
 namespace {

@@ -1,9 +1,9 @@
 #include "print_error.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "../stream/file.hpp"
+#include "../stream/fmt.hpp"
 
 namespace rotconv::cli {
 

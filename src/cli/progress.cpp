@@ -1,7 +1,8 @@
 #include "progress.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
+
+#include "../stream/fmt.hpp"
 
 namespace rotconv::cli {
 namespace {

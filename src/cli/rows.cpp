@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "../stream/first_row.hpp"
+#include "../stream/fmt.hpp"
 #include "../stream/run.hpp"
 #include "exit_code.hpp"
 #include "first_look.hpp"

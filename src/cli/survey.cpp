@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include <rotconv/survey.hpp>
 
+#include "../stream/fmt.hpp"
 #include "messages.hpp"
 #include "print_error.hpp"
 #include "rows.hpp"

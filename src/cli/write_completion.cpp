@@ -8,11 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include <rotconv/spec.hpp>
 
 #include "../methods/method.hpp"
+#include "../stream/fmt.hpp"
 #include "command_line.hpp"
 #include "messages.hpp"
 

@@ -381,7 +381,10 @@ void HeaderReader::write_added_header(std::size_t field_count, Output& output) c
     const char delimiter = layout_.delimiter.text();
     std::string indices;
     for (std::size_t i = 0; i < field_count; ++i) {
-        indices += (i == 0 ? "" : std::string(1, delimiter)) + std::to_string(i + 1);
+        if (i > 0) {
+            indices += delimiter;
+        }
+        indices += std::to_string(i + 1);
     }
     write_header(header_of({indices, layout_.line_end}, layout_.delimiter), output);
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include <fmt/format.h>
+#include "fmt.hpp"
 
 namespace rotconv::stream {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include <fmt/format.h>
+#include "fmt.hpp"
 
 namespace rotconv::stream {
 namespace {

@@ -8,11 +8,11 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/format.h>
 #include <rotconv/continuous.hpp>
 #include <rotconv/quaternion.hpp>
 
 #include "clock.hpp"
+#include "fmt.hpp"
 
 namespace rotconv::stream {
 namespace {
