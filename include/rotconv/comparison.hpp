@@ -14,7 +14,7 @@ namespace rotconv {
 
 /// How attitudes are compared, and what is made of them.
 struct ComparisonSettings {
-    Settings reading{};                                      ///< of both; the lock margin is that of the result
+    ConversionSettings reading{};                            ///< of both; the lock margin is that of the result
     double within = std::numeric_limits<double>::infinity(); ///< a larger angle is reported; in `unit`
     AngleUnit unit = AngleUnit::radians;                     ///< of angles
     std::optional<Spec> relative{};                          ///< the relative attitude is wanted, in this form
@@ -41,12 +41,12 @@ public:
     [[nodiscard]] std::size_t outputs() const noexcept;
 
     /// Answers rows of inputs() numbers with outputs() numbers each; as Conversion::run(), but an error of the second
-    /// attitude has Report::of_reference, and DiagnosticKind::beyond has the angle in Report::deviation.
-    void run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const;
+    /// attitude has RowReport::of_reference, and DiagnosticKind::beyond has the angle in RowReport::deviation.
+    void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const;
 
 private:
     void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
-                   std::vector<Report>& reports) const;
+                   std::vector<RowReport>& reports) const;
     /// Behind each angle.
     void write_relative(const double* attitudes, const double* references, std::size_t rows, double* out,
                         DiagnosticSet* diagnostics) const noexcept;

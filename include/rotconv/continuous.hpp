@@ -20,9 +20,10 @@ public:
     [[nodiscard]] bool have_choice() const noexcept;
 
     /// Goes on with rows of spec.size() numbers in the order of the motion, as Conversion::run() has made them with
-    /// those reports. The first row of all stays; a row with an error, or with a number that is not finite, does too
-    /// and does not count as the last.
-    void run(std::span<double> numbers, std::span<const Report> reports) noexcept;
+    /// those reports. The very first row is left as it is. So is a row that has an error or a number that is not
+    /// finite; the next row is not compared with it.
+    /// @param rest what the exact numbers have beside those, so that the numbers chosen are rounded once; or empty
+    void run(std::span<double> numbers, std::span<const RowReport> reports, std::span<const double> rest = {}) noexcept;
 
 private:
     Spec spec_;

@@ -32,12 +32,13 @@ namespace dcm {
 /// The quaternion is the eigenvector of Davenport's symmetric matrix K to its largest eigenvalue, found by power steps.
 /// They start from the column of K + I with the largest diagonal element: Markley's choice (2008), and that of Baruh's
 /// Eqs (5)-(8) made symmetric. Each step multiplies the error that the matrix's defect causes by that defect, so that
-/// one step serves a matrix with a defect of up to 2e-9. A matrix that is far off goes through the singular value
-/// decomposition.
+/// one step serves a matrix with a defect of up to 2e-9. A matrix that is far off goes through its singular value
+/// decomposition and Newton's method.
 ///
 /// The defect is exact only above `reported_defect`; below, it is an upper bound. See defect().
-/// Errors: not_finite, not_proper. Accuracy: the table of examples/accuracy.md.
-[[nodiscard]] Reading to_rotation(const Dcm& matrix) noexcept;
+/// Errors: not_finite; not_proper; rank_deficient, where the two smaller singular values are together below 1e-12 of
+/// the largest; defect above the tolerance. Accuracy: the table of examples/accuracy.md.
+[[nodiscard]] Reading to_rotation(const Dcm& matrix, double tolerance = any_defect) noexcept;
 
 /// Largest singular value of M - (polar factor of M), that is max |s_i - 1| over the singular values of M.
 /// @pre to_rotation(matrix) has a rotation

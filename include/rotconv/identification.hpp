@@ -25,7 +25,7 @@ struct Candidate {
 /// How many candidates fit, and where that is more than one what the rows lack.
 struct Verdict {
     /// The first that holds.
-    enum class Lack : std::uint8_t {
+    enum class Ambiguity : std::uint8_t {
         nothing,
         rows,       ///< there is one
         attitudes,  ///< all rows have the same
@@ -36,7 +36,7 @@ struct Verdict {
         difference, ///< the rows agree by other chance
     };
     std::size_t fitting = 0;
-    Lack lack = Lack::nothing;
+    Ambiguity lack = Ambiguity::nothing;
     double angle = 0.0;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     std::size_t column = 0; ///< from 0
@@ -45,7 +45,7 @@ struct Verdict {
 
 struct IdentificationSettings {
     double within = 1e-3;    ///< greatest angle of a candidate that fits, in radians, from 0
-    double tolerance = 1e-3; ///< see Settings::tolerance; of the known attitude and of the unknown numbers
+    double tolerance = 1e-3; ///< see ConversionSettings::tolerance; of the known attitude and of the unknown numbers
 };
 
 /// Finds the convention of numbers that come with the same attitude in a known one.
@@ -68,7 +68,7 @@ public:
     /// for the caller. What comes of rows does not depend on how many are added at once.
     /// @param reports become those of rows with an error or a diagnostic of the known attitude. A row without a known
     /// attitude, or one that no candidate that is left can read, has an error and counts for nothing.
-    void add(std::span<const double> numbers, std::span<const std::size_t> rows, std::vector<Report>& reports);
+    void add(std::span<const double> numbers, std::span<const std::size_t> rows, std::vector<RowReport>& reports);
 
     /// That count.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
@@ -87,14 +87,14 @@ private:
 
     /// Adds rows [first, first + count) of those at hand, of which known_ has the attitudes.
     void try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
-                  std::size_t count, std::vector<Report>& reports);
+                  std::size_t count, std::vector<RowReport>& reports);
     /// The angles of rows [first, first + count) to their known attitudes.
     void measure(const Trial& trial, std::span<const double> numbers, std::size_t first, std::size_t count,
                  double* angles);
     /// Why the numbers of a row have no attitude.
-    [[nodiscard]] Report refusal(const Trial& trial, const double* numbers);
+    [[nodiscard]] RowReport refusal(const Trial& trial, const double* numbers);
     void remember(const double* numbers, const Rotation& known);
-    [[nodiscard]] Verdict::Lack lack(Verdict& verdict) const;
+    [[nodiscard]] Verdict::Ambiguity lack(Verdict& verdict) const;
 
     std::size_t count_;
     IdentificationSettings settings_;
@@ -118,7 +118,7 @@ private:
     std::vector<double> ordered_;
     std::vector<double> tried_;
     std::vector<double> angles_; ///< of the living, a batch each
-    std::vector<Report> found_;
+    std::vector<RowReport> found_;
 };
 
 } // namespace rotconv

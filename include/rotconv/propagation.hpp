@@ -37,7 +37,7 @@ struct Propagated {
 };
 
 /// What came of one sample.
-struct Pushed {
+struct PushResult {
     /// not_finite, time_order: the sample was refused and changed nothing.
     Error refused = Error::none;
     /// linear: of this sample; cubic: of the one accepted before it.
@@ -57,7 +57,7 @@ public:
 
     /// A sample: the seconds since the last one that was accepted (1e-100 at least; of the first sample they mean
     /// nothing), and the angular velocity in body axes, rad/s.
-    Pushed push(double interval, const Eigen::Vector3d& omega) noexcept;
+    PushResult push(double interval, const Eigen::Vector3d& omega) noexcept;
 
     /// What is still owed of the samples so far, at the end or where nothing may wait: with cubic one answer, by the
     /// parabola through the last three samples.

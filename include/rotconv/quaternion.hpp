@@ -13,9 +13,9 @@
 /// the same attitude), linear kinematics, no singular attitude.
 namespace rotconv::quaternion {
 
-/// The attitude q/|q|. Exact: nothing is rounded. Errors: not_finite, zero_quaternion. Defect: | |q| - 1 |, up to
-/// `reported_defect` a bound on it.
-[[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q) noexcept;
+/// The attitude q/|q|. Exact: nothing is rounded. Defect: | |q| - 1 |, up to `reported_defect` a bound on it. Errors:
+/// not_finite, zero_quaternion, defect above the tolerance.
+[[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q, double tolerance = any_defect) noexcept;
 
 /// | |q| - 1 |.
 /// @pre to_rotation(q) has a rotation
@@ -41,16 +41,16 @@ namespace rotconv::quaternion {
 // What follows is short and frequent, so that callers should have it inline.
 
 /// to_rotation() of a quaternion that is far from unit or describes no attitude.
-[[nodiscard]] Reading to_rotation_of_any_size(const Eigen::Quaterniond& q) noexcept;
+[[nodiscard]] Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) noexcept;
 
-inline Reading to_rotation(const Eigen::Quaterniond& q) noexcept {
+inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {
     const Rotation rotation = Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
     const double excess = std::fabs(rotation.squared_norm() - 1.0);
     // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1); a number that is not finite fails the comparison
-    if (excess <= reported_defect) [[likely]] {
+    if (excess <= reported_defect && excess <= tolerance) [[likely]] {
         return {rotation, excess};
     }
-    return to_rotation_of_any_size(q);
+    return to_rotation_of_any_size(q, tolerance);
 }
 
 inline Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept {

@@ -28,7 +28,7 @@ struct RateSettings {
 struct RateReport {
     Error error = Error::none;   ///< singular; overflow of the result; those of readings
     DiagnosticSet diagnostics{}; ///< normalized; near_gimbal_lock of Euler angles
-    double defect = 0.0;         ///< as in Report
+    double defect = 0.0;         ///< as in RowReport
     Sensitivity sensitivity{};   ///< of the numbers (they differ from the attitude's for a rotation vector past a
                                  ///< half-turn); not known with any other error
 };

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include <rotconv/rotation.hpp>
 
 namespace rotconv {
 
-/// Why numbers do not describe a rotation, or cannot be carried on. Data: words are found by whoever talks to people.
+/// Why numbers do not describe a rotation, or cannot be carried on. Errors are data only; the text of a message is left
+/// to the program that prints it.
 enum class Error : std::uint8_t {
     none,
     not_finite,      ///< a number is nan or infinite
@@ -17,7 +19,7 @@ enum class Error : std::uint8_t {
     zero_quaternion, ///< all four components are 0
     zero_axis,       ///< an axis of length 0 with an angle that is not 0
     not_proper,      ///< a matrix with det <= 0: singular, or a reflection
-    rank_deficient,  ///< two columns that do not span a plane
+    rank_deficient,  ///< two columns that do not span a plane, or a matrix of nearly rank one
     defect,          ///< further from a rotation than the tolerance allows
     singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
     coarse_step,     ///< the body may turn by more in one step than the set can follow
@@ -26,23 +28,29 @@ enum class Error : std::uint8_t {
     ended,           ///< an earlier row of the propagation has failed: nothing follows on it
 };
 
+/// The tolerance that accepts every defect.
+inline constexpr double any_defect = std::numeric_limits<double>::infinity();
+
 /// What came of reading numbers: a rotation, or an error that says why there is none. Tests as true where there is a
 /// rotation.
 class Reading {
 public:
     Reading(const Rotation& rotation, double defect = 0.0) noexcept : rotation_(rotation), defect_(defect) {}
-    Reading(Error error) noexcept : error_(error) {}
+    Reading(Error error, double defect = 0.0) noexcept : defect_(defect), error_(error) {}
 
     [[nodiscard]] explicit operator bool() const noexcept { return error_ == Error::none; }
     /// @throw std::logic_error where there is none
-    [[nodiscard]] const Rotation& rotation() const {
+    [[nodiscard]] const Rotation& rotation() const& {
         if (error_ != Error::none) [[unlikely]] {
             throw_no_rotation();
         }
         return rotation_;
     }
+    /// Of a temporary by value, which a reference may outlive.
+    [[nodiscard]] Rotation rotation() && { return static_cast<const Reading&>(*this).rotation(); }
     /// The same.
-    [[nodiscard]] const Rotation& operator*() const { return rotation(); }
+    [[nodiscard]] const Rotation& operator*() const& { return rotation(); }
+    [[nodiscard]] Rotation operator*() && { return std::move(*this).rotation(); }
     [[nodiscard]] const Rotation* operator->() const { return &rotation(); }
     /// Error::none where there is a rotation.
     [[nodiscard]] Error error() const noexcept { return error_; }

@@ -9,23 +9,23 @@
 namespace rotconv {
 
 /// The first two columns of R_ref_body, one below the other in storage.
-using Columns = Eigen::Matrix<double, 3, 2>;
+using TwoColumns = Eigen::Matrix<double, 3, 2>;
 
 /// Two columns of the matrix, in nine minus three or nine minus four numbers. Both sets are one-to-one and have no
 /// singular attitude (Stuelpnagel 1964, section 4).
 namespace two_column {
 
 /// Gram-Schmidt that keeps the first column's direction: e1 = c1/|c1|, e2 along c2 - (e1.c2) e1, e3 = e1 x e2.
-/// Columns of any length. Errors: not_finite, rank_deficient. The defect is exact only above `reported_defect`; below,
-/// it is an upper bound. See defect().
-[[nodiscard]] Reading to_rotation(const Columns& m) noexcept;
+/// TwoColumns of any length. The defect is exact only above `reported_defect`; below, it is an upper bound. See
+/// defect(). Errors: not_finite, rank_deficient, defect above the tolerance.
+[[nodiscard]] Reading to_rotation(const TwoColumns& m, double tolerance = any_defect) noexcept;
 
 /// Largest singular value of M - (polar factor of M).
 /// @pre to_rotation(m) has a rotation
-[[nodiscard]] double defect(const Columns& m) noexcept;
+[[nodiscard]] double defect(const TwoColumns& m) noexcept;
 
 /// The first two columns of the matrix.
-[[nodiscard]] inline Columns from_rotation(const Rotation& rotation) noexcept {
+[[nodiscard]] inline TwoColumns from_rotation(const Rotation& rotation) noexcept {
     return dcm::from_rotation(rotation).leftCols<2>();
 }
 
@@ -36,10 +36,10 @@ namespace two_column {
 /// of the inverse: X0dot = Omega X0). From body axes w comes by the attitude of to_rotation(), so that lengths and
 /// angle of the columns, right or wrong, have no part in the motion; it is not finite where their squares are not, or
 /// 0.
-[[nodiscard]] Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
+[[nodiscard]] TwoColumns rate(const TwoColumns& m, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
 
 /// The angular velocity whose rate() is nearest to `rates` (least squares).
-[[nodiscard]] Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates,
+[[nodiscard]] Eigen::Vector3d angular_velocity(const TwoColumns& m, const TwoColumns& rates,
                                                Frame frame = Frame::body) noexcept;
 
 } // namespace two_column
@@ -52,7 +52,7 @@ namespace five_d {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 /// r11 = sqrt 2 (y'y - 1)/(y'y + 1), the other five 2 sqrt 2 y/(y'y + 1), then as two_column::to_rotation().
-[[nodiscard]] Reading to_rotation(const Vector5& y) noexcept;
+[[nodiscard]] Reading to_rotation(const Vector5& y, double tolerance = any_defect) noexcept;
 
 /// That of the columns.
 /// @pre to_rotation(y) has a rotation

@@ -165,7 +165,7 @@ RowsCommand convert_command(const RawOptions& texts, const Operands& operands) {
     }
     const Spec from = spec_of("--from", texts.from, texts.degrees);
     const Spec to = spec_of("--to", texts.to, texts.degrees);
-    Settings settings = settings_of(texts);
+    ConversionSettings settings = settings_of(texts);
     settings.fast = texts.method == fast_method;
     auto operation = conversion_by(Conversion(from, to, settings), texts.method);
     if (texts.continuous) {

@@ -173,20 +173,21 @@ private:
 
     /// What the rows lack.
     [[nodiscard]] std::string lack() const {
-        using Lack = Verdict::Lack;
+        using Ambiguity = Verdict::Ambiguity;
         switch (verdict_.lack) {
-        case Lack::rows: return "there is one row";
-        case Lack::attitudes: return "all rows have the same attitude";
-        case Lack::size: return fmt::format("all are small, at most {:.3g} {}", verdict_.angle * unit_, unit_name_);
-        case Lack::axes:
+        case Ambiguity::rows: return "there is one row";
+        case Ambiguity::attitudes: return "all rows have the same attitude";
+        case Ambiguity::size:
+            return fmt::format("all are small, at most {:.3g} {}", verdict_.angle * unit_, unit_name_);
+        case Ambiguity::axes:
             return fmt::format("all turn about one axis, ({:.3g}, {:.3g}, {:.3g})", verdict_.axis[0] + 0.0,
                                verdict_.axis[1] + 0.0, verdict_.axis[2] + 0.0);
-        case Lack::zero: return fmt::format("the number in column {} is always 0", column(verdict_.column));
-        case Lack::equal:
+        case Ambiguity::zero: return fmt::format("the number in column {} is always 0", column(verdict_.column));
+        case Ambiguity::equal:
             return fmt::format("the numbers in columns {} and {} are always equal", column(verdict_.column),
                                column(verdict_.other));
-        case Lack::difference: return "these rows do not tell them apart";
-        case Lack::nothing: break;
+        case Ambiguity::difference: return "these rows do not tell them apart";
+        case Ambiguity::nothing: break;
         }
         return {};
     }

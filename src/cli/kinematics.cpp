@@ -66,7 +66,7 @@ RowsCommand differences_command(const RawOptions& texts, const Operands& operand
     }
     refuse_values(operands, "rates --differences");
     const Spec spec = spec_of("--from", texts.from, texts.degrees);
-    const Settings settings = settings_of(texts);
+    const ConversionSettings settings = settings_of(texts);
     auto operation = stream::differences_operation({.spec = spec,
                                                     .time_power = time_power_of(texts),
                                                     .degrees = texts.degrees,
@@ -129,7 +129,7 @@ RowsCommand rates_command(const RawOptions& texts, const Operands& operands) {
     }
     const Spec spec = spec_of("--from", texts.from, texts.degrees);
     require_rates("--from", spec);
-    const Settings shared = settings_of(texts);
+    const ConversionSettings shared = settings_of(texts);
     const RateSettings settings{
         .inverse = texts.inverse, .degrees = texts.degrees, .frame = frame_of(texts), .tolerance = shared.tolerance};
     auto operation = stream::rates_operation(spec, settings, shared.sensitivity);
@@ -144,7 +144,7 @@ RowsCommand propagate_command(const RawOptions& texts, const Operands& operands)
     const Spec to = spec_of("--to", texts.to, texts.degrees);
     const Spec set = spec_of("--with", texts.with, false);
     require_rates("--with", set);
-    const Settings settings = settings_of(texts);
+    const ConversionSettings settings = settings_of(texts);
     stream::PropagationRows rows;
     rows.time_power = time_power_of(texts);
     rows.degrees = texts.degrees;

@@ -36,7 +36,7 @@ struct Subject {
     std::string text;                              ///< what has `count` numbers, such as "quat"
     std::size_t count = 0;                         ///< numbers of a row
     RepresentationId set = RepresentationId::quat; ///< whose singularities may be met
-    double tolerance = 0.0;                        ///< see Settings
+    double tolerance = 0.0;                        ///< see ConversionSettings
 };
 
 /// Rows of attitudes.

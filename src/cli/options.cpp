@@ -211,7 +211,7 @@ Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     return degrees ? spec.in_degrees() : spec;
 }
 
-ConstantTurn attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
+FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
     const auto colon = text.rfind(':');
     if (colon == std::string::npos) {
         throw Usage(fmt::format("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, messages::quoted(text)));
@@ -239,14 +239,14 @@ ConstantTurn attitude_of(std::string_view option, const std::string& text, bool 
         }
     }
     std::array<double, 4> q{};
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     Conversion(spec, Spec{}, {.tolerance = tolerance}).run(std::span(numbers).first(spec.size()), q, reports);
     if (!reports.empty() && reports.front().error != Error::none) {
         error.error = reports.front().error;
         error.defect = reports.front().defect;
         refuse(stream::RowError::What::attitude);
     }
-    return ConstantTurn::of_numbers(spec, std::span(numbers).first(spec.size()));
+    return FixedRotation::of_numbers(spec, std::span(numbers).first(spec.size()));
 }
 
 double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite) {
@@ -281,10 +281,11 @@ stream::OnError on_error_of(const RawOptions& texts) {
         {{"stop", stream::OnError::stop}, {"nan", stream::OnError::nan}, {"skip", stream::OnError::skip}});
 }
 
-Settings settings_of(const RawOptions& texts) {
-    Settings settings{.tolerance = amount_of("--tolerance", texts.tolerance, Settings{}.tolerance, true),
-                      .lock_margin = amount_of("--lock-margin", texts.lock_margin, Settings{}.lock_margin, false),
-                      .sensitivity = diagnostics_of(texts) == ShowDiagnostics::columns};
+ConversionSettings settings_of(const RawOptions& texts) {
+    ConversionSettings settings{
+        .tolerance = amount_of("--tolerance", texts.tolerance, ConversionSettings{}.tolerance, true),
+        .lock_margin = amount_of("--lock-margin", texts.lock_margin, ConversionSettings{}.lock_margin, false),
+        .sensitivity = diagnostics_of(texts) == ShowDiagnostics::columns};
     if (!texts.left.empty()) {
         settings.left = attitude_of("--left", texts.left, texts.degrees, settings.tolerance);
     }

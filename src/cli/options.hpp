@@ -111,15 +111,15 @@ template <class Value> Value choose(std::string_view what, std::string_view text
 
 [[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
 /// The attitude of "SPEC: NUMBERS".
-[[nodiscard]] ConstantTurn attitude_of(std::string_view option, const std::string& text, bool degrees,
-                                       double tolerance);
+[[nodiscard]] FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees,
+                                        double tolerance);
 /// A number that is not negative; `default_value` where the option was not given.
 [[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
 /// A whole number from `least` to `most`; 0 where the option was not given.
 [[nodiscard]] int count_of(std::string_view option, const std::string& text, int most, int least = 1);
 [[nodiscard]] stream::OnError on_error_of(const RawOptions& texts);
 /// Tolerance, lock margin, turns, and figures where they are to be shown.
-[[nodiscard]] Settings settings_of(const RawOptions& texts);
+[[nodiscard]] ConversionSettings settings_of(const RawOptions& texts);
 
 /// The command of a row operation.
 /// @throw Usage

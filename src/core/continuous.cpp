@@ -1,6 +1,7 @@
 #include <rotconv/continuous.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -12,10 +13,12 @@ ContinuousNumbers::ContinuousNumbers(const Spec& spec) noexcept : spec_(spec), c
 
 bool ContinuousNumbers::have_choice() const noexcept { return codec_->nearest != nullptr; }
 
-void ContinuousNumbers::run(std::span<double> numbers, std::span<const Report> reports) noexcept {
+void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport> reports,
+                            std::span<const double> rest) noexcept {
     if (!have_choice()) {
         return;
     }
+    static constexpr std::array<double, most_numbers> nothing{};
     const std::size_t size = spec_.size();
     auto report = reports.begin();
     for (std::size_t row = 0; row < numbers.size() / size; ++row) {
@@ -28,7 +31,8 @@ void ContinuousNumbers::run(std::span<double> numbers, std::span<const Report> r
             continue;
         }
         if (has_last_) {
-            codec_->nearest(spec_, last_.data(), diagnostics, own.data());
+            codec_->nearest(spec_, last_.data(), diagnostics, rest.empty() ? nothing.data() : &rest[row * size],
+                            own.data());
         }
         std::ranges::copy(own, last_.begin());
         has_last_ = true;

@@ -5,37 +5,46 @@
 #include <cstdint>
 #include <limits>
 
-#include "batch.hpp"
-#include "read_batch.hpp"
-#include "representations/constant_turns.hpp"
+#include "input_batch.hpp"
+#include "kernels.hpp"
 
 namespace rotconv {
 namespace {
 
 /// Sets -0 to 0.
-ROTCONV_TARGET_CLONES
 void drop_minus_zero(double* numbers, std::size_t count) noexcept {
     for (std::size_t i = 0; i < count; ++i) {
         numbers[i] += 0.0;
     }
 }
 
-/// Whether there may be something to tell of any row: one look at each column, for most batches have no such row.
-ROTCONV_TARGET_CLONES
-bool any_remarkable(const Readings& readings, const DiagnosticSet* diagnostics, std::size_t rows,
+/// Whether there may be something to report of any row: one look at each column, for most batches have no such row.
+bool any_remarkable(const AttitudeBatch<double>& attitudes, const DiagnosticSet* diagnostics, std::size_t rows,
                     double largest_defect) noexcept {
     // Sums of bits, since compilers vectorise those.
     std::uint64_t defects = 0;
     std::uint8_t errors = 0;
     DiagnosticSet kinds;
     for (std::size_t i = 0; i < rows; ++i) {
-        defects |= readings.defect[i] <= largest_defect ? 0U : 1U;
+        defects |= attitudes.defect[i] <= largest_defect ? 0U : 1U;
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        errors = static_cast<std::uint8_t>(errors | static_cast<std::uint8_t>(readings.error[i]));
+        errors = static_cast<std::uint8_t>(errors | static_cast<std::uint8_t>(attitudes.error[i]));
         kinds |= diagnostics[i];
     }
     return defects != 0 || errors != 0 || !kinds.empty();
+}
+
+std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn) noexcept {
+    return turn ? std::optional(turn->inverse()) : std::nullopt;
+}
+
+ExactQuaternion exact(const std::optional<FixedRotation>& turn) noexcept {
+    if (!turn) {
+        return {};
+    }
+    const Rotation& q = turn->rotation;
+    return {{q.w(), q.x(), q.y(), q.z()}, {turn->rest[0], turn->rest[1], turn->rest[2], turn->rest[3]}};
 }
 
 } // namespace
@@ -47,67 +56,67 @@ Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcep
     return reading && spec.passive ? Reading(reading->inverse(), reading.defect()) : reading;
 }
 
-ConstantTurn ConstantTurn::of_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
+FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
     ExactQuaternion q{};
-    batch_functions().read_exactly(spec, own.data(), q);
-    const ConstantTurn turn(Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]),
-                            {q.lo[0], q.lo[1], q.lo[2], q.lo[3]});
-    return spec.passive ? turn.inverse() : turn;
+    kernel_table().read_exactly(spec, own.data(), q);
+    return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
 }
 
-Conversion::Conversion(const Spec& from, const Spec& to, const Settings& settings)
-    : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {}
+// Of what is written as the inverse: (L R S)' = S' R' L'
+Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
+    : from_(from), to_(to), settings_(settings), left_(to.passive ? inverse_of(settings.right) : settings.left),
+      right_(to.passive ? inverse_of(settings.left) : settings.right), out_codec_(&codec_of(to.name)) {}
 
-void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<Report>& reports) const {
+void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
+                     std::span<double> rest) const {
     reports.clear();
     const std::size_t rows = in.size() / from_.size();
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run_batch(in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
-                  out.data() + first * to_.size(), reports);
+                  out.data() + first * to_.size(), rest.empty() ? nullptr : rest.data() + first * to_.size(), reports);
     }
 }
 
-void Conversion::convert(ReadBatch& readings, std::size_t rows, double* numbers, DiagnosticSet* diagnostics) const {
-    const ConstantTurns turns(settings_, to_.passive);
-    if (!settings_.fast) {
-        const ExactBatch batch{&from_, &to_, settings_.lock_margin, turns.left(), turns.right()};
-        batch_functions().convert(batch, readings.own(), rows, readings, numbers, diagnostics);
-        return;
-    }
-    readings.read(from_, rows);
-    if (from_.passive != to_.passive) {
-        readings.invert(rows);
-    }
-    if (turns.any()) {
-        turns.turn(readings, rows);
-    }
-    batch_functions().write(to_, settings_.lock_margin, readings, rows, numbers, diagnostics);
+void Conversion::convert(InputBatch& input, std::size_t rows, double* numbers, double* rest,
+                         DiagnosticSet* diagnostics) const {
+    const ExactQuaternion left = exact(left_);
+    const ExactQuaternion right = exact(right_);
+    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, left_ ? &left : nullptr,
+                                right_ ? &right : nullptr};
+    (settings_.fast ? kernel_table().convert_fast : kernel_table().convert)(batch, input.own(), rows, input.attitudes,
+                                                                            numbers, rest, diagnostics);
 }
 
-void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
-                           std::vector<Report>& reports) const {
-    ReadBatch readings(from_, in, rows);
+void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out, double* rest,
+                           std::vector<RowReport>& reports) const {
+    InputBatch input(from_, in, rows);
     std::array<DiagnosticSet, batch_rows> diagnostics;
-    const std::size_t width = to_.size();
-    if (to_.is_reordered()) {
+    if (to_.is_reordered()) { // and has no choice, for which `rest` is wanted
         std::array<double, batch_rows * most_numbers> numbers;
-        convert(readings, rows, numbers.data(), diagnostics.data());
+        convert(input, rows, numbers.data(), nullptr, diagnostics.data());
         to_written_order(to_, numbers.data(), rows, out);
     } else {
-        convert(readings, rows, out, diagnostics.data());
-        drop_minus_zero(out, rows * width);
+        convert(input, rows, out, rest, diagnostics.data());
+        drop_minus_zero(out, rows * to_.size());
     }
+    report(input, diagnostics.data(), first, rows, out, reports);
+}
+
+void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
+                        double* out, std::vector<RowReport>& reports) const {
+    const AttitudeBatch<double>& attitudes = input.attitudes;
     const double largest_defect = settings_.sensitivity ? -1.0 : std::min(settings_.tolerance, reported_defect);
-    if (!any_remarkable(readings, diagnostics.data(), rows, largest_defect)) {
+    if (!any_remarkable(attitudes, diagnostics, rows, largest_defect)) {
         return;
     }
+    const std::size_t width = to_.size();
     for (std::size_t i = 0; i < rows; ++i) {
-        if (readings.defect[i] <= largest_defect && readings.error[i] == Error::none && diagnostics[i].empty()) {
+        if (attitudes.defect[i] <= largest_defect && attitudes.error[i] == Error::none && diagnostics[i].empty()) {
             continue;
         }
-        Report found = readings.report(i, settings_);
+        RowReport found = input.report(i, settings_);
         if (found.error != Error::none) {
             std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
         } else {
@@ -116,7 +125,7 @@ void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows
                 continue;
             }
             if (settings_.sensitivity || !diagnostics[i].empty()) { // inexact input alone asks for none
-                found.sensitivity = out_codec_->sensitivity(to_, readings.at(i));
+                found.sensitivity = out_codec_->sensitivity(to_, attitudes.at(i));
             }
         }
         found.row = first + i;

@@ -156,7 +156,7 @@ bool Identification::is_count(std::size_t count) noexcept {
 }
 
 void Identification::add(std::span<const double> numbers, std::span<const std::size_t> rows,
-                         std::vector<Report>& reports) {
+                         std::vector<RowReport>& reports) {
     const std::size_t width = count_ + known_conversion_.from().size();
     known_numbers_.clear();
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -165,7 +165,7 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
     }
     known_.resize(4 * rows.size());
     known_conversion_.run(known_numbers_, known_, reports);
-    std::ranges::for_each(reports, [](Report& report) {
+    std::ranges::for_each(reports, [](RowReport& report) {
         report.of_reference = true;
         report.reference_defect = report.error == Error::none ? std::exchange(report.defect, 0.0) : 0.0;
     });
@@ -178,7 +178,7 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
 }
 
 void Identification::try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
-                              std::size_t count, std::vector<Report>& reports) {
+                              std::size_t count, std::vector<RowReport>& reports) {
     const std::size_t width = count_ + known_conversion_.from().size();
     angles_.resize(living_.size() * count);
     for (std::size_t i = 0; i < living_.size(); ++i) {
@@ -200,10 +200,10 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
             }
         }
         if (reader != nullptr && !is_read) {
-            const Report refused = refusal(*reader, row_numbers);
-            auto place = std::ranges::lower_bound(reports, at, {}, &Report::row);
+            const RowReport refused = refusal(*reader, row_numbers);
+            auto place = std::ranges::lower_bound(reports, at, {}, &RowReport::row);
             if (place == reports.end() || place->row != at) {
-                place = reports.insert(place, Report());
+                place = reports.insert(place, RowReport());
             }
             *place = {.row = at, .error = refused.error, .defect = refused.defect};
             continue;
@@ -237,14 +237,14 @@ void Identification::measure(const Trial& trial, std::span<const double> numbers
     for (std::size_t i = 0; i < count; ++i) {
         angles[i] = angle_between(rotation_at(tried_, i), rotation_at(known_, first + i));
     }
-    for (const Report& report : found_) {
+    for (const RowReport& report : found_) {
         if (report.error != Error::none) {
             angles[report.row] = infinity;
         }
     }
 }
 
-Report Identification::refusal(const Trial& trial, const double* numbers) {
+RowReport Identification::refusal(const Trial& trial, const double* numbers) {
     order(trial.candidate, numbers, count_, 1, ordered_);
     tried_.resize(4);
     trial.conversion.run(ordered_, tried_, found_);
@@ -285,18 +285,18 @@ Verdict Identification::verdict() const {
     return verdict;
 }
 
-Verdict::Lack Identification::lack(Verdict& verdict) const {
-    using Lack = Verdict::Lack;
+Verdict::Ambiguity Identification::lack(Verdict& verdict) const {
+    using Ambiguity = Verdict::Ambiguity;
     if (rows_ == 1) {
-        return Lack::rows;
+        return Ambiguity::rows;
     }
     if (spread_ <= settings_.within) {
-        return Lack::attitudes;
+        return Ambiguity::attitudes;
     }
     // SPECs of small attitudes differ by half the angle's square.
     verdict.angle = greatest_angle_;
     if (greatest_angle_ * greatest_angle_ <= 4.0 * settings_.within) {
-        return Lack::size;
+        return Ambiguity::size;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter_ / static_cast<double>(rows_));
     const Eigen::Vector3d sines = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt(); // of half angles, increasing
@@ -305,14 +305,14 @@ Verdict::Lack Identification::lack(Verdict& verdict) const {
         Eigen::Index leader = 0;
         verdict.axis.cwiseAbs().maxCoeff(&leader);
         verdict.axis *= std::copysign(1.0, verdict.axis[leader]);
-        return Lack::axes;
+        return Ambiguity::axes;
     }
     const double greatest = *std::ranges::max_element(greatest_numbers_);
     const auto is_none = [greatest](double size) { return size <= rounding * greatest; };
     for (std::size_t i = 0; i < count_; ++i) {
         if (is_none(greatest_numbers_.at(i))) {
             verdict.column = i;
-            return Lack::zero;
+            return Ambiguity::zero;
         }
     }
     for (std::size_t i = 0; i < count_; ++i) {
@@ -320,11 +320,11 @@ Verdict::Lack Identification::lack(Verdict& verdict) const {
             if (is_none(greatest_differences_.at(i).at(k))) {
                 verdict.column = i;
                 verdict.other = k;
-                return Lack::equal;
+                return Ambiguity::equal;
             }
         }
     }
-    return Lack::difference;
+    return Ambiguity::difference;
 }
 
 } // namespace rotconv

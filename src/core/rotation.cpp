@@ -1,6 +1,6 @@
 #include <rotconv/rotation.hpp>
 
-#include "numerics/scaling.hpp"
+#include "numerics/power_of_two.hpp"
 
 namespace rotconv {
 

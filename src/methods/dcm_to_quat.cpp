@@ -226,10 +226,18 @@ void polar(const double* m, double* q) noexcept {
 /// Davenport 1968 (the matrix K), products after Dekker 1971: the largest column of K + I and two power steps, the
 /// second with exact products. Without more steps a defect d leaves an error of the order of d^3.
 void compensated(const double* m, double* q) noexcept {
-    const Davenport k(m);
-    const auto p = k.exact_power_step(k.power_step(k.pivot_column()));
-    const double norm = std::sqrt((p[0] * p[0] + p[1] * p[1]) + (p[2] * p[2] + p[3] * p[3]));
-    set(q, p[0] / norm, p[1] / norm, p[2] / norm, p[3] / norm);
+    // NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay)
+    double own[9];
+    double near[4];
+    std::copy_n(m, 9, own);
+    const Davenport<double> k(own);
+    k.take_pivot_column(near);
+    k.take_power_step(near);
+    DoubleDouble exact[4] = {near[0], near[1], near[2], near[3]};
+    // NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
+    Davenport<DoubleDouble>(own).take_power_step(exact);
+    const Eigen::Vector4d p = Eigen::Vector4d(exact[0].hi, exact[1].hi, exact[2].hi, exact[3].hi).normalized();
+    set(q, p[0], p[1], p[2], p[3]);
 }
 
 } // namespace rotconv::formula::dcm_to_quat

@@ -7,13 +7,14 @@
 
 #include <rotconv/euler.hpp>
 
-#include "../core/numerics/davenport.hpp"
-
 // Published formulas, each for one row of numbers in the representations' own order: `m` row by row, active; `q` as
 // w x y z; angles in radians. They add no guards of their own, so that a comparison shows what was published; those
 // named `compensated` are nobody's: the same with products of twice the precision.
 
 namespace rotconv::formula {
+
+/// A matrix as nine numbers, row by row.
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// The function of a batch for a formula for one row, which takes the Euler sequence first where it needs it.
 template <std::size_t In, std::size_t Out, auto one_row>

@@ -22,7 +22,7 @@ inline constexpr std::string_view default_method = "default";
 /// Stands for every method of the pair.
 inline constexpr std::string_view all_methods = "all";
 
-/// The method of every pair that is rotconv's own way in plain double arithmetic: Settings::fast.
+/// The method of every pair that is rotconv's own way in plain double arithmetic: ConversionSettings::fast.
 inline constexpr std::string_view fast_method = "fast";
 
 /// A published way from one representation to another, written as it was published, weaknesses included. rotconv's own

@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The numbers of the inverse rotation, of a representation that methods start from.
 void invert(RepresentationId name, double* numbers) noexcept {
     if (name == RepresentationId::dcm) {
-        Eigen::Map<RowMajor>{numbers}.transposeInPlace();
+        Eigen::Map<formula::RowMajor>{numbers}.transposeInPlace();
         return;
     }
     const std::size_t first = name == RepresentationId::quat ? 1 : 0; // of the vector
@@ -39,11 +39,11 @@ void make_sign_canonical(double* q) noexcept {
 bool has_turns(const Conversion& conversion) { return conversion.settings().left || conversion.settings().right; }
 
 /// The same turns, with any defect: what to refuse is for the conversion itself.
-Settings turns_of(const Settings& settings) {
+ConversionSettings turns_of(const ConversionSettings& settings) {
     return {.tolerance = infinity, .left = settings.left, .right = settings.right};
 }
 
-Settings fast(Settings settings) {
+ConversionSettings fast(ConversionSettings settings) {
     settings.fast = true;
     return settings;
 }
@@ -55,7 +55,7 @@ bool are_same(std::span<const double> a, std::size_t i, std::span<const double> 
 
 std::vector<double> run(const Conversion& conversion, std::span<const double> in) {
     std::vector<double> out(in.size() / conversion.from().size() * conversion.to().size());
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     conversion.run(in, out, reports);
     return out;
 }
@@ -97,10 +97,10 @@ std::vector<std::string_view> MethodConversion::names() const {
 }
 
 void MethodConversion::run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
-                           std::vector<Report>& reports) const {
+                           std::vector<RowReport>& reports) const {
     const std::size_t rows = in.size() / from().size();
     std::vector<double> own_numbers(rows * to().size());
-    std::vector<Report> own;
+    std::vector<RowReport> own;
     own_.run(in, own_numbers, own);
 
     std::vector<std::vector<double>> answers;
@@ -129,10 +129,10 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     reports.clear();
     for (std::size_t i = 0, next = 0; i < rows; ++i) {
         const bool is_reported = next < own.size() && own[next].row == i;
-        const Report of_row = is_reported ? own[next++] : Report{};
+        const RowReport of_row = is_reported ? own[next++] : RowReport{};
         const bool is_infinite = of_row.diagnostics.has(DiagnosticKind::infinite);
         for (std::size_t at = i * answers.size(); at < (i + 1) * answers.size(); ++at) {
-            Report report = of_row;
+            RowReport report = of_row;
             report.row = at;
             if (report.error != Error::none) {
                 std::ranges::fill(out.subspan(at * to().size(), to().size()), not_a_number);
@@ -199,7 +199,7 @@ std::vector<double> MethodConversion::angles_of(std::span<const double> attitude
         pairs.insert(pairs.end(), answer.begin(), answer.end());
     }
     std::vector<double> angles(rows);
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     comparison_.run(pairs, angles, reports);
     return angles;
 }

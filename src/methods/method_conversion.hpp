@@ -29,12 +29,12 @@ public:
     /// Of each row's answers, in their order.
     [[nodiscard]] std::vector<std::string_view> names() const;
 
-    /// As Conversion::run(), with names().size() answers to each row, one behind the other, of which Report::row is the
-    /// index. `angles` become those from the attitude to each answer, in radians and right to 5 eps, nan where the
-    /// answer describes none or the row has an error; 0 where it is infinite as it should be. Report::deviation is the
-    /// same.
+    /// As Conversion::run(), with names().size() answers to each row, one behind the other, of which RowReport::row is
+    /// the index. `angles` become those from the attitude to each answer, in radians and right to 5 eps, nan where the
+    /// answer describes none or the row has an error; 0 where it is infinite as it should be. RowReport::deviation is
+    /// the same.
     void run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
-             std::vector<Report>& reports) const;
+             std::vector<RowReport>& reports) const;
 
 private:
     explicit MethodConversion(const Conversion& own);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "../core/batch/scaling.hpp"
-#include "../core/numerics/scaling.hpp"
+#include "../core/numerics/power_of_two.hpp"
+#include "../core/numerics/quaternion_algebra.hpp"
 
 namespace rotconv::formula::quat_to_rotvec {
 namespace {
@@ -20,14 +20,14 @@ double vector_length(const double* q) noexcept { return std::sqrt((q[1] * q[1] +
 
 /// Twice the angle of (w, s.hi + s.lo), both positive: the arc tangent of an acute angle up to 45 degrees, where its
 /// rounding is least, and what s.lo adds to it.
-Real twice_the_angle(double w, Real s) noexcept {
+DoubleDouble twice_the_angle(double w, DoubleDouble s) noexcept {
     constexpr double pi_low = 1.2246467991473532e-16;
     const double norm = std::hypot(w, s.hi);
     const double added = 2.0 * (w / norm) * (s.lo / norm);
     if (s.hi <= w) {
         return {2.0 * std::atan2(s.hi, w), added};
     }
-    const Real angle = exact_sum_of_ordered(std::numbers::pi, -2.0 * std::atan2(w, s.hi));
+    const DoubleDouble angle = fast_two_sum(std::numbers::pi, -2.0 * std::atan2(w, s.hi));
     return {angle.hi, angle.lo + (pi_low + added)};
 }
 
@@ -61,13 +61,13 @@ void compensated(const double* q, double* r) noexcept {
     const auto scale = PowerOfTwo::to_unit(size);
     const double sign = q[0] < 0.0 ? -1.0 : 1.0;
     const double v[3] = {scale(sign * q[1]), scale(sign * q[2]), scale(sign * q[3])};
-    const Real s = root(sum_of_squares(v[0], v[1], v[2]));
-    const Real angle = twice_the_angle(sign * q[0], {scale.undone(s.hi), scale.undone(s.lo)});
+    const DoubleDouble s = root(sum_of_squares(v[0], v[1], v[2]));
+    const DoubleDouble angle = twice_the_angle(sign * q[0], {scale.undone(s.hi), scale.undone(s.lo)});
     const double ratio = angle.hi / s.hi;
-    const Real back = exact_product(ratio, s.hi);
+    const DoubleDouble back = two_prod(ratio, s.hi);
     const double ratio_low = (((angle.hi - back.hi) - back.lo) + (angle.lo - ratio * s.lo)) / s.hi;
     for (int i = 0; i < 3; ++i) {
-        const Real product = exact_product(v[i], ratio);
+        const DoubleDouble product = two_prod(v[i], ratio);
         r[i] = product.hi + (product.lo + v[i] * ratio_low);
     }
 }

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "../core/batch/scaling.hpp"
 #include "../core/numerics/elementary.hpp"
-#include "../core/numerics/scaling.hpp"
+#include "../core/numerics/power_of_two.hpp"
+#include "../core/numerics/quaternion_algebra.hpp"
 
 namespace rotconv::formula::rotvec_to_dcm {
 namespace {
@@ -60,7 +60,7 @@ void compensated(const double* r, double* m) noexcept {
     }
     const auto scale = PowerOfTwo::to_unit(size);
     const double v[3] = {scale(r[0]), scale(r[1]), scale(r[2])};
-    const Real t = root(sum_of_squares(v[0], v[1], v[2]));
+    const DoubleDouble t = root(sum_of_squares(v[0], v[1], v[2]));
     const auto half = sine_cosine<double>({0.5 * scale.undone(t.hi), 0.5 * scale.undone(t.lo)}, AngleUnit::radians);
     const double q[4] = {t.hi * half.cosine + t.lo * half.cosine, half.sine * v[0], half.sine * v[1], half.sine * v[2]};
     quat_to_dcm::homogeneous(q, m);

@@ -34,7 +34,7 @@ public:
         : clock_(rows.time_power), size_(rows.spec.size()), comparison_(comparison_of(rows)) {}
 
     /// See RowOperation::run_ahead: a first row waits for the second.
-    std::size_t run(const NumberRows& rows, bool flush, std::span<double> out, std::vector<Report>& reports) {
+    std::size_t run(const NumberRows& rows, bool flush, std::span<double> out, std::vector<RowReport>& reports) {
         reports.clear();
         const std::size_t count = rows.lines.size();
         all_.resize(count);
@@ -100,13 +100,13 @@ private:
     void find_steps(const NumberRows& rows, Clock& clock) {
         steps_.clear();
         refused_.assign(rows.lines.size(), {});
-        for (const Report& report : found_) {
+        for (const RowReport& report : found_) {
             if (report.error != Error::none && !report.of_reference) {
                 refused_[report.row] = report;
             }
         }
         for (std::size_t i = 0; i < rows.lines.size(); ++i) {
-            Report& refused = refused_[i];
+            RowReport& refused = refused_[i];
             refused.row = i;
             if (refused.error != Error::none) {
                 continue;
@@ -125,21 +125,21 @@ private:
         }
     }
 
-    void tell_refused(std::size_t begin, std::size_t end, std::vector<Report>& reports) const {
+    void tell_refused(std::size_t begin, std::size_t end, std::vector<RowReport>& reports) const {
         for (std::size_t i = begin; i < end; ++i) {
             reports.push_back(refused_[i]);
         }
     }
 
     /// Nothing but refused rows is there to tell of.
-    std::size_t refuse(std::size_t count, std::vector<Report>& reports) const {
+    std::size_t refuse(std::size_t count, std::vector<RowReport>& reports) const {
         tell_refused(0, count, reports);
         return count;
     }
 
-    void answer(std::size_t step, bool is_first_row, std::span<double> out, std::vector<Report>& reports) {
+    void answer(std::size_t step, bool is_first_row, std::span<double> out, std::vector<RowReport>& reports) {
         const std::size_t row = steps_[step].row;
-        Report report = report_of(step);
+        RowReport report = report_of(step);
         const bool starts = is_first_row && step == 0;
         const std::size_t source = starts ? 1 : step;
         const bool known = source < steps_.size() && turns(source, starts ? 0.0 : rate_, out.subspan(row * 3, 3));
@@ -169,8 +169,8 @@ private:
     }
 
     /// What the comparison has found of a step's own attitude.
-    Report report_of(std::size_t step) {
-        Report report;
+    RowReport report_of(std::size_t step) {
+        RowReport report;
         if (report_ != found_.end() && report_->row == step) {
             report.defect = report_->defect;
             report.sensitivity = report_->sensitivity;
@@ -193,9 +193,9 @@ private:
     std::vector<std::size_t> kept_;
     std::vector<double> pairs_;
     std::vector<double> turns_;
-    std::vector<Report> found_;
-    std::vector<Report>::const_iterator report_; ///< the next of them
-    std::vector<Report> refused_;                ///< of each row why it is no step
+    std::vector<RowReport> found_;
+    std::vector<RowReport>::const_iterator report_; ///< the next of them
+    std::vector<RowReport> refused_;                ///< of each row why it is no step
     std::vector<Step> steps_;
 };
 
@@ -213,11 +213,11 @@ RowOperation differences_operation(const DifferenceRows& rows) {
     operation.kept = 1;
     operation.names = velocity_names(rows.degrees);
     operation.in_order = true;
-    operation.run = [state](const NumberRows& given, std::span<double> out, std::vector<Report>& reports) {
+    operation.run = [state](const NumberRows& given, std::span<double> out, std::vector<RowReport>& reports) {
         state->run(given, true, out, reports);
     };
     operation.run_ahead = [state](const NumberRows& given, bool flush, std::span<double> out,
-                                  std::vector<Report>& reports) { return state->run(given, flush, out, reports); };
+                                  std::vector<RowReport>& reports) { return state->run(given, flush, out, reports); };
     return operation;
 }
 

@@ -13,7 +13,7 @@ struct DifferenceRows {
     int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
     bool degrees = false; ///< the angular velocity in degrees a second
     Frame frame = Frame::body;
-    double tolerance = 0.0;   ///< see Settings
+    double tolerance = 0.0;   ///< see ConversionSettings
     bool sensitivity = false; ///< a report of every row
 };
 

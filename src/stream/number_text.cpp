@@ -18,7 +18,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "f64 is little-endian, and digits stand in words");
 
-__extension__ using Wide = unsigned __int128;
+__extension__ using Uint128 = unsigned __int128;
 
 constexpr auto powers_of_ten = [] {
     std::array<std::uint64_t, 18> powers{1};
@@ -62,7 +62,7 @@ char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noe
     const int zeros = (low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high)) / 8;
     const int count = most_digits - zeros;
     constexpr std::uint64_t ascii = 0x3030'3030'3030'3030;
-    Wide others = static_cast<Wide>(low | ascii) << 64U | (high | ascii);
+    Uint128 others = static_cast<Uint128>(low | ascii) << 64U | (high | ascii);
 
     *to = '-';
     to += negative ? 1 : 0;
@@ -145,7 +145,7 @@ char* write_rounded(char* to, double value, int precision) {
         return other_form();
     }
     const PowerOfTen& scale = scales[static_cast<std::size_t>(precision - point)];
-    const Wide product = static_cast<Wide>(significand) * scale.significand;
+    const Uint128 product = static_cast<Uint128>(significand) * scale.significand;
     const auto high = static_cast<std::uint64_t>(product >> 64U);
     const auto low = static_cast<std::uint64_t>(product);
     const auto shift = static_cast<unsigned>(-1 - exponent - scale.exponent); // 6 to 63: digits take 1 to 57 bits

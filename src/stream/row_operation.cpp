@@ -56,7 +56,7 @@ std::span<const double> without_keys(std::span<const double> rows, std::size_t n
 }
 
 /// A conversion from the unit quaternion, which is never refused.
-Conversion conversion_to(const Spec& to, Settings settings) {
+Conversion conversion_to(const Spec& to, ConversionSettings settings) {
     settings.tolerance = std::numeric_limits<double>::infinity();
     return {Spec{}, to, settings};
 }
@@ -69,13 +69,14 @@ public:
           stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
           conversion_(conversion_to(rows.to, rows.conversion)) {}
 
-    std::size_t run(const NumberRows& rows, bool flush, std::span<double> out, std::vector<Report>& reports) {
+    std::size_t run(const NumberRows& rows, bool flush, std::span<double> out, std::vector<RowReport>& reports) {
         answered_ = 0;
         reports.clear();
         while (pushed_.size() < rows.lines.size()) {
             const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
             const double interval = clock_.seconds_to(row[0], rows.kept.empty() ? nullptr : &rows.kept[pushed_.size()]);
-            const Pushed pushed = propagator_.push(interval, velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
+            const PushResult pushed =
+                propagator_.push(interval, velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
             if (pushed.refused == Error::none) {
                 clock_.accept();
             }
@@ -95,7 +96,7 @@ public:
 
 private:
     /// The answer is that of the first row that was not refused and has none.
-    void take(const std::optional<Propagated>& answer, std::span<double> out, std::vector<Report>& reports) {
+    void take(const std::optional<Propagated>& answer, std::span<double> out, std::vector<RowReport>& reports) {
         report_refused(reports);
         if (answer) {
             const std::size_t size = conversion_.to().size();
@@ -105,14 +106,14 @@ private:
         }
     }
 
-    void report_refused(std::vector<Report>& reports) {
+    void report_refused(std::vector<RowReport>& reports) {
         for (; answered_ < pushed_.size() && pushed_[answered_] != Error::none; ++answered_) {
             reports.push_back({.row = answered_, .error = pushed_[answered_]});
         }
     }
 
-    void write(const Propagated& answer, std::span<double> out, std::vector<Report>& reports) {
-        Report report{.row = answered_, .defect = answer.attitude.defect(), .deviation = answer.step_error};
+    void write(const Propagated& answer, std::span<double> out, std::vector<RowReport>& reports) {
+        RowReport report{.row = answered_, .defect = answer.attitude.defect(), .deviation = answer.step_error};
         if (ended_) {
             reports.push_back({.row = answered_, .error = Error::ended});
             return;
@@ -140,14 +141,14 @@ private:
 
     Clock clock_;
     double velocity_unit_;
-    Settings settings_;
+    ConversionSettings settings_;
     bool stop_at_error_;
     bool ended_ = false; ///< an answer has failed: the attitude is lost
     Propagator propagator_;
     Conversion conversion_;
-    std::vector<Report> converted_; ///< of one row
-    std::vector<Error> pushed_;     ///< why each row that is pushed and not answered was refused
-    std::size_t answered_ = 0;      ///< of the rows at hand
+    std::vector<RowReport> converted_; ///< of one row
+    std::vector<Error> pushed_;        ///< why each row that is pushed and not answered was refused
+    std::size_t answered_ = 0;         ///< of the rows at hand
 };
 
 /// What a conversion makes of its rows, but for the running.
@@ -169,7 +170,7 @@ std::vector<std::string> velocity_names(bool degrees) {
 
 RowOperation conversion_operation(const Conversion& conversion) {
     RowOperation operation = operation_of(conversion.from(), conversion.to());
-    operation.run = [conversion](const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) {
+    operation.run = [conversion](const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) {
         conversion.run(rows.numbers, out, reports);
     };
     return operation;
@@ -178,7 +179,7 @@ RowOperation conversion_operation(const Conversion& conversion) {
 RowOperation method_operation(const MethodConversion& conversion) {
     RowOperation operation = operation_of(conversion.from(), conversion.to());
     operation.run = [conversion, angles = std::vector<double>()](const NumberRows& rows, std::span<double> out,
-                                                                 std::vector<Report>& reports) mutable {
+                                                                 std::vector<RowReport>& reports) mutable {
         conversion.run(rows.numbers, out, angles, reports);
     };
     return operation;
@@ -191,7 +192,7 @@ RowOperation all_methods_operation(const MethodConversion& conversion) {
     const bool is_taken = std::ranges::find(operation.names, "angle") != operation.names.end(); // by axis-angle
     operation.names.emplace_back(is_taken ? "method_angle" : "angle");
     operation.run = [conversion, angles = std::vector<double>(), numbers = std::vector<double>()](
-                        const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) mutable {
+                        const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) mutable {
         const std::size_t size = conversion.to().size();
         numbers.resize(out.size() / (size + 1) * size);
         conversion.run(rows.numbers, numbers, angles, reports);
@@ -206,7 +207,7 @@ RowOperation all_methods_operation(const MethodConversion& conversion) {
 RowOperation continuous(RowOperation operation) {
     const auto chosen = std::make_shared<ContinuousNumbers>(operation.attitude.value());
     if (chosen->have_choice()) {
-        operation.choose = [chosen](std::span<double> results, std::span<const Report> reports) {
+        operation.choose = [chosen](std::span<double> results, std::span<const RowReport> reports) {
             chosen->run(results, reports);
         };
     }
@@ -223,7 +224,7 @@ RowOperation rates_operation(const Spec& spec, const RateSettings& settings, boo
             .from = spec,
             .names = settings.inverse ? velocity : rate_names(spec),
             .run = [rates, sensitivity, found = std::vector<RateReport>()](
-                       const NumberRows& rows, std::span<double> out, std::vector<Report>& reports) mutable {
+                       const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) mutable {
                 found.resize(rows.lines.size());
                 rates.run(rows.numbers, out, found);
                 reports.clear();
@@ -249,10 +250,12 @@ RowOperation propagation_operation(const PropagationRows& rows) {
                            .attitude = rows.to,
                            .in_order = true,
                            .run = [state](const NumberRows& given, std::span<double> out,
-                                          std::vector<Report>& reports) { state->run(given, true, out, reports); }};
+                                          std::vector<RowReport>& reports) { state->run(given, true, out, reports); }};
     if (rows.settings.interpolation == Interpolation::cubic) {
         operation.run_ahead = [state](const NumberRows& given, bool flush, std::span<double> out,
-                                      std::vector<Report>& reports) { return state->run(given, flush, out, reports); };
+                                      std::vector<RowReport>& reports) {
+            return state->run(given, flush, out, reports);
+        };
     }
     return operation;
 }
@@ -271,7 +274,7 @@ RowOperation comparison_operation(const Comparison& comparison, const Comparison
         std::ranges::copy(column_names(*operation.attitude), std::back_inserter(operation.names));
     }
     operation.run = [comparison, rows, room = std::vector<double>(), angles = std::vector<double>()](
-                        const NumberRows& given, std::span<double> out, std::vector<Report>& reports) mutable {
+                        const NumberRows& given, std::span<double> out, std::vector<RowReport>& reports) mutable {
         const auto numbers =
             rows.by_key ? without_keys(given.numbers, comparison.from().size(), comparison.reference().size(), room)
                         : given.numbers;
@@ -301,7 +304,7 @@ RowOperation reading_operation(const Spec& from, double tolerance,
             .attitude = Spec{},
             .in_order = true,
             .run = [conversion, take = std::move(take)](const NumberRows& rows, std::span<double> out,
-                                                        std::vector<Report>& reports) {
+                                                        std::vector<RowReport>& reports) {
                 conversion.run(rows.numbers, out, reports);
                 auto report = reports.begin();
                 for (std::size_t i = 0; i < rows.lines.size(); ++i) {
@@ -331,7 +334,7 @@ RowOperation identification_operation(const IdentificationRows& rows, Identifica
     }
     operation.inputs = operation.input_names.size();
     operation.run = [rows, identification, room = std::vector<double>()](
-                        const NumberRows& given, std::span<double> /*out*/, std::vector<Report>& reports) mutable {
+                        const NumberRows& given, std::span<double> /*out*/, std::vector<RowReport>& reports) mutable {
         const auto numbers =
             rows.by_key ? without_keys(given.numbers, rows.count, rows.known.size(), room) : given.numbers;
         identification->add(numbers, given.lines, reports);

@@ -35,7 +35,7 @@ struct RowOperation {
     std::vector<std::string> names; ///< the columns of the result
     std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
     /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
-    /// Report::row is then the index of the answer among those of all rows.
+    /// RowReport::row is then the index of the answer among those of all rows.
     std::vector<std::string> answers{};
     /// Told once, before the first row, which fields hold the numbers, from 0; none where a row is its numbers.
     std::function<void(const std::vector<std::size_t>& positions)> selected{};
@@ -45,15 +45,16 @@ struct RowOperation {
 
     /// Answers rows of `inputs` numbers with names.size() numbers each, or so many for each answer. `reports` become
     /// those of the rows of which there is something to tell, in their order.
-    std::function<void(const NumberRows& rows, std::span<double> out, std::vector<Report>& reports)> run;
+    std::function<void(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports)> run;
     /// Where an answer depends on the rows after it, to be called in the place of `run`: answers as many of the first
     /// rows as it can, or all with `flush`. The others come first in the next call.
     /// @return how many are answered
-    std::function<std::size_t(const NumberRows& rows, bool flush, std::span<double> out, std::vector<Report>& reports)>
+    std::function<std::size_t(const NumberRows& rows, bool flush, std::span<double> out,
+                              std::vector<RowReport>& reports)>
         run_ahead{};
     /// What is done to the results of `run` and `run_ahead`, of all rows in the order of the stream: copies share what
     /// it remembers. Null: nothing.
-    std::function<void(std::span<double> results, std::span<const Report> reports)> choose{};
+    std::function<void(std::span<double> results, std::span<const RowReport> reports)> choose{};
 };
 
 /// The conversion of attitudes.
@@ -78,7 +79,7 @@ struct PropagationRows {
     int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
     bool degrees = false; ///< the angular velocity in degrees a second
     Spec to;              ///< what to make of the attitude
-    Settings conversion;
+    ConversionSettings conversion;
     bool stop_at_error = true; ///< the first error is the end
 };
 [[nodiscard]] RowOperation propagation_operation(const PropagationRows& rows);

@@ -20,7 +20,7 @@ struct ConvertedRow {
     std::size_t number = 0; ///< of the line
     std::span<const std::string_view> fields;
     std::span<const double> result; ///< nan where the row failed
-    const Report* report = nullptr;
+    const RowReport* report = nullptr;
     bool failed = false;
     std::string_view answer{}; ///< its name, of several to the row
 };
@@ -58,7 +58,7 @@ private:
 };
 
 /// What a diagnostic of the row says beside its kind.
-[[nodiscard]] inline double figure_of(const Report& report, DiagnosticKind kind) noexcept {
+[[nodiscard]] inline double figure_of(const RowReport& report, DiagnosticKind kind) noexcept {
     switch (kind) {
     case DiagnosticKind::normalized: return std::max(report.defect, report.reference_defect);
     case DiagnosticKind::near_gimbal_lock: return report.sensitivity.condition;
@@ -70,7 +70,7 @@ private:
 }
 
 /// The diagnostics of a row, in order of kind, with their figures.
-template <class Visit> void for_each_diagnostic(const Report& report, std::size_t line, const Visit& visit) {
+template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line, const Visit& visit) {
     if (report.diagnostics.empty()) {
         return;
     }

@@ -188,7 +188,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     const std::size_t answers = operation_.answers_of_row();
     for (std::size_t i = 0; i < answers; ++i) {
         const std::size_t index = row.index * answers + i;
-        const Report& report = report_of(row, index);
+        const RowReport& report = report_of(row, index);
         const bool failed = !row.has_numbers() || report.error != Error::none;
         if (failed && i == 0) {
             tell_error(row, given, report, output);
@@ -213,7 +213,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     }
 }
 
-void RowTransformer::tell_error(const Row& row, std::string_view given, const Report& report, Output& output) {
+void RowTransformer::tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output) {
     if (!row.has_numbers()) {
         output.events.emplace_back(errors_[row.error]);
         return;
@@ -230,7 +230,7 @@ void RowTransformer::tell_error(const Row& row, std::string_view given, const Re
                                         .of_reference = of_reference});
 }
 
-void RowTransformer::tell_diagnostics(const Row& row, const Report& report, std::size_t answer, Output& output) {
+void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output) {
     for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
         if (diagnostic.kind == DiagnosticKind::method_error && !operation_.answers.empty()) {
             diagnostic.answer = options_->operation.answers[answer]; // outlives this
@@ -253,8 +253,8 @@ void RowTransformer::tell_diagnostics(const Row& row, const Report& report, std:
     });
 }
 
-const Report& RowTransformer::report_of(const Row& row, std::size_t answer) noexcept {
-    static constexpr Report nothing{};
+const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) noexcept {
+    static constexpr RowReport nothing{};
     const bool is_next = row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == answer;
     return is_next ? reports_[next_report_++] : nothing;
 }

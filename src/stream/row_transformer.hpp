@@ -79,15 +79,15 @@ private:
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
-    [[nodiscard]] const Report& report_of(const Row& row, std::size_t answer) noexcept;
+    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer) noexcept;
     /// Answers the rows and writes them.
     void answer(Output& output, const InTurn& in_turn = {});
     void write(Output& output);
     void write_row(Row& row, Output& output);
     /// `given`: the row as it was read.
-    void tell_error(const Row& row, std::string_view given, const Report& report, Output& output);
+    void tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output);
     /// Of the row's answer of that number.
-    void tell_diagnostics(const Row& row, const Report& report, std::size_t answer, Output& output);
+    void tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output);
     void note_error(Row& row, RowError error);
     /// Of the quaternion of a row, or of its partner; 0 where that is none.
     [[nodiscard]] double norm_of(const Row& row, bool of_reference) const;
@@ -106,10 +106,10 @@ private:
     std::vector<RowError> errors_;
     std::vector<std::size_t> lines_; ///< of the rows with numbers
     std::vector<double> results_;
-    std::vector<Report> reports_; ///< of the remarkable rows...
-    std::size_t next_report_ = 0; ///< ...of which this is the first that is not yet written
-    Buffer made_;                 ///< the text of a binary row
-    std::vector<double> nans_;    ///< the result of a row that failed
+    std::vector<RowReport> reports_; ///< of the remarkable rows...
+    std::size_t next_report_ = 0;    ///< ...of which this is the first that is not yet written
+    Buffer made_;                    ///< the text of a binary row
+    std::vector<double> nans_;       ///< the result of a row that failed
 };
 
 } // namespace rotconv::stream

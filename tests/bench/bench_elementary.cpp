@@ -20,7 +20,7 @@ namespace {
 using rotconv::AngleUnit;
 using rotconv::batch_rows;
 using rotconv::Column;
-using rotconv::Real;
+using rotconv::DoubleDouble;
 
 /// A batch of angles in radians, and of vectors.
 struct Inputs {
@@ -35,14 +35,14 @@ struct Inputs {
         }
     }
 
-    alignas(32) Column<Real> angles;
-    alignas(32) Column<Real> x;
-    alignas(32) Column<Real> y;
+    alignas(32) Column<DoubleDouble> angles;
+    alignas(32) Column<DoubleDouble> x;
+    alignas(32) Column<DoubleDouble> y;
 };
 
 const Inputs inputs;
-alignas(32) Column<Real> first;
-alignas(32) Column<Real> second;
+alignas(32) Column<DoubleDouble> first;
+alignas(32) Column<DoubleDouble> second;
 
 /// `work` is done to the rows from 0, `lanes` at a time.
 template <std::size_t lanes, class Work> void time(benchmark::State& state, const Work& work) {
@@ -89,10 +89,10 @@ template <class T> void arc_tangent_own(benchmark::State& state) {
 
 BENCHMARK(sine_cosine_libm);
 BENCHMARK(sine_cosine_own<double>);
-BENCHMARK(sine_cosine_own<Real>);
+BENCHMARK(sine_cosine_own<DoubleDouble>);
 BENCHMARK(arc_tangent_libm);
 BENCHMARK(arc_tangent_own<double>);
-BENCHMARK(arc_tangent_own<Real>);
+BENCHMARK(arc_tangent_own<DoubleDouble>);
 
 #ifdef HAS_SLEEF
 template <auto function> void sine_cosine_1(benchmark::State& state) {

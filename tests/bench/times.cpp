@@ -32,7 +32,7 @@ std::vector<double> timed_rows(const Spec& spec, bool hostile) {
             Eigen::Vector4d(normal(engine), normal(engine), normal(engine), normal(engine)).normalized();
     }
     std::vector<double> rows(million * spec.size());
-    std::vector<rotconv::Report> reports;
+    std::vector<rotconv::RowReport> reports;
     rotconv::Conversion(Spec{}, spec).run(quaternions, rows, reports);
     if (hostile) {
         strata::Source source(8);

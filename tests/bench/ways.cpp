@@ -49,7 +49,7 @@ public:
 
 private:
     Conversion conversion_;
-    std::vector<Report> reports_;
+    std::vector<RowReport> reports_;
 };
 
 } // namespace

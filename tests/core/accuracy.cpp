@@ -114,7 +114,7 @@ Convert conversion_of(const Spec& from, const Spec& to, bool is_fast) {
         from, to, {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = 0.0, .fast = is_fast});
     return [conversion](std::span<const double> row) {
         std::vector<double> result(conversion.to().size());
-        std::vector<rotconv::Report> reports;
+        std::vector<rotconv::RowReport> reports;
         conversion.run(row, result, reports);
         return result;
     };

@@ -18,7 +18,7 @@ namespace {
 
 struct Compared {
     std::vector<double> numbers;
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
 };
 
 Compared compare(const std::string& from, const std::string& reference, const std::vector<double>& row,
@@ -191,7 +191,7 @@ TEST_CASE("what there is to tell of a comparison") {
     CHECK((second.reports[0].error == Error::not_proper && second.reports[0].of_reference));
     CHECK(std::isnan(second.numbers[0]));
     const Comparison strict(accuracy::spec("quat"), accuracy::spec("quat"));
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     std::array<double, 1> out{};
     strict.run(std::vector<double>{1, 0, 0, 0, 1.0005, 0, 0, 0}, out, reports);
     REQUIRE(reports.size() == 1);

@@ -59,14 +59,14 @@ std::string text_of(const Spec& spec) {
            (spec.unit == AngleUnit::degrees ? ":deg" : "") + (spec.passive ? ":passive" : "");
 }
 
-Numbers converted(const Spec& from, const Spec& to, const Numbers& rows, std::vector<Report>& reports) {
+Numbers converted(const Spec& from, const Spec& to, const Numbers& rows, std::vector<RowReport>& reports) {
     Numbers result(rows.size() / from.size() * to.size());
     Conversion(from, to).run(rows, result, reports);
     return result;
 }
 
 Numbers continuous(const Spec& from, const Spec& to, const Numbers& rows) {
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     Numbers result = converted(from, to, rows, reports);
     ContinuousNumbers(to).run(result, reports);
     return result;
@@ -226,7 +226,7 @@ TEST_CASE("no other numbers of an attitude are nearer to the last") {
             if (to.name == RepresentationId::axis_angle || to.name == RepresentationId::quat) {
                 std::generate_n(last.begin(), 3, [&] { return source.uniform(-1.0, 1.0); });
             }
-            std::vector<Report> reports;
+            std::vector<RowReport> reports;
             const auto canonical = converted(Spec{}, to, oracle::numbers(Spec{}, source.attitude()), reports);
             auto chosen = canonical;
             ContinuousNumbers numbers(to);
@@ -276,7 +276,7 @@ TEST_CASE("at lock the third angle keeps its last value and the first takes the 
             });
             const auto first = row_of(spec, rows, 0);
             const auto result = continuous(spec, spec, rows);
-            std::vector<Report> reports;
+            std::vector<RowReport> reports;
             converted(spec, spec, rows, reports);
             CHECK(reports.size() >= 4);
             const auto canonical = row_of(spec, result, 0);

@@ -26,10 +26,10 @@ template <class Value> Value half_turn(AngleUnit unit) {
     return unit == AngleUnit::degrees ? Value(180) : boost::math::constants::pi<Value>();
 }
 
-template <class Value> Value number(exact::Real value) { return Value(value.hi) + Value(value.lo); }
+template <class Value> Value number(exact::DoubleDouble value) { return Value(value.hi) + Value(value.lo); }
 
 /// log2 of the relative error; what is 0 has to be 0.
-template <class Value> double error_bits(exact::Real found, const Value& expected) {
+template <class Value> double error_bits(exact::DoubleDouble found, const Value& expected) {
     if (expected == 0) {
         return found.hi == 0.0 && found.lo == 0.0 ? -1e9 : 1e9;
     }
@@ -38,13 +38,13 @@ template <class Value> double error_bits(exact::Real found, const Value& expecte
 }
 
 /// The worst of many angles.
-template <unsigned digits, class T = exact::Real>
-double worst_of_sine_cosine(const std::vector<exact::Real>& angles, AngleUnit unit) {
+template <unsigned digits, class T = exact::DoubleDouble>
+double worst_of_sine_cosine(const std::vector<exact::DoubleDouble>& angles, AngleUnit unit) {
     using Value = Number<digits>;
     double worst = -1e9;
     for (std::size_t first = 0; first < angles.size(); first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, angles.size() - first);
-        exact::Column<exact::Real> column;
+        exact::Column<exact::DoubleDouble> column;
         exact::Column<T> cosines;
         exact::Column<T> sines;
         for (std::size_t i = 0; i < rows; ++i) {
@@ -85,7 +85,7 @@ template <unsigned digits, class T> double worst_of_angles(const std::vector<Vec
         const std::size_t rows = std::min(batch_rows, vectors.size() - first);
         exact::Column<T> x;
         exact::Column<T> y;
-        exact::Column<exact::Real> angles;
+        exact::Column<exact::DoubleDouble> angles;
         for (std::size_t i = 0; i < rows; ++i) {
             x.set(i, vectors[first + i].x);
             y.set(i, vectors[first + i].y);
@@ -98,7 +98,7 @@ template <unsigned digits, class T> double worst_of_angles(const std::vector<Vec
             const double error =
                 std::max(error_bits(angles[i], angle), error_bits(exact::angle_of(vector.x, vector.y, unit), angle));
             if (error > worst) {
-                UNSCOPED_INFO(exact::nearly(vector.x) << ", " << exact::nearly(vector.y) << ": 2^" << error);
+                UNSCOPED_INFO(exact::to_double(vector.x) << ", " << exact::to_double(vector.y) << ": 2^" << error);
                 worst = error;
             }
         }
@@ -109,9 +109,9 @@ template <unsigned digits, class T> double worst_of_angles(const std::vector<Vec
 class Source {
 public:
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-    exact::Real real(double low, double high) {
+    exact::DoubleDouble real(double low, double high) {
         const double value = uniform(low, high);
-        return exact::exact_sum(value, value * uniform(-0x1p-54, 0x1p-54));
+        return exact::two_sum(value, value * uniform(-0x1p-54, 0x1p-54));
     }
     double size(double low, double high) { return std::exp2(uniform(low, high)) * (uniform(-1, 1) < 0 ? -1.0 : 1.0); }
 
@@ -125,9 +125,9 @@ private:
 constexpr int points = ROTCONV_ELEMENTARY_POINTS;
 
 /// Doubles near multiples of pi/2, above all those that come nearest.
-std::vector<exact::Real> near_quarter_turns() {
-    std::vector<exact::Real> angles{0x1.6ac5b262ca1ffp849, 0x1.921fb54442d18p0,          0x1.921fb54442d18p1,
-                                    0x1.475f9d9f1f8adp+28, 6381956970095103.0 * 0x1p797, 5.3190625e15};
+std::vector<exact::DoubleDouble> near_quarter_turns() {
+    std::vector<exact::DoubleDouble> angles{0x1.6ac5b262ca1ffp849, 0x1.921fb54442d18p0,          0x1.921fb54442d18p1,
+                                            0x1.475f9d9f1f8adp+28, 6381956970095103.0 * 0x1p797, 5.3190625e15};
     for (int k = 1; k < 2000; ++k) {
         const double angle = k * (0.5 * 3.14159265358979323846);
         angles.insert(angles.end(), {angle, std::nextafter(angle, 0.0), std::nextafter(angle, 1e9)});
@@ -140,8 +140,8 @@ std::vector<exact::Real> near_quarter_turns() {
 // Would catch: a digit of a table, a term of a series, a product that loses its low part.
 TEST_CASE("sine and cosine are right to 2^-103, in radians and degrees") {
     Source source;
-    std::vector<exact::Real> turns;
-    std::vector<exact::Real> small;
+    std::vector<exact::DoubleDouble> turns;
+    std::vector<exact::DoubleDouble> small;
     for (int i = 0; i < points / 4; ++i) {
         turns.push_back(source.uniform(-7, 7));
         turns.push_back(source.real(-4, 4));
@@ -160,7 +160,7 @@ TEST_CASE("sine and cosine are right to 2^-103, in radians and degrees") {
 // Would catch: an angle reduced with too few digits of pi, or a large one with the wrong ones.
 TEST_CASE("sine and cosine of large angles and near multiples of a quarter turn are right to 2^-103") {
     Source source;
-    std::vector<exact::Real> large;
+    std::vector<exact::DoubleDouble> large;
     for (int i = 0; i < points / 50; ++i) {
         large.push_back(source.size(11, 1023.9));
     }
@@ -176,11 +176,11 @@ TEST_CASE("sine and cosine of large angles and near multiples of a quarter turn 
 // Would catch: a quarter turn that leaves a rest.
 TEST_CASE("multiples of 90 degrees have a sine or cosine of 0 and the other of 1") {
     for (int k = -400; k <= 400; ++k) {
-        exact::Column<exact::Real> columns[3];
+        exact::Column<exact::DoubleDouble> columns[3];
         columns[0].set(0, 90.0 * k);
         exact::sine_cosine(columns[0], 1, AngleUnit::degrees, columns[1], columns[2]);
-        const exact::Column<exact::Real>& one = k % 2 == 0 ? columns[1] : columns[2];
-        const exact::Column<exact::Real>& zero = k % 2 == 0 ? columns[2] : columns[1];
+        const exact::Column<exact::DoubleDouble>& one = k % 2 == 0 ? columns[1] : columns[2];
+        const exact::Column<exact::DoubleDouble>& zero = k % 2 == 0 ? columns[2] : columns[1];
         INFO(k);
         CHECK(std::fabs(one.hi[0]) == 1.0);
         CHECK(one.lo[0] == 0.0);
@@ -192,12 +192,12 @@ TEST_CASE("multiples of 90 degrees have a sine or cosine of 0 and the other of 1
 // Would catch: a wrong quadrant, a digit of the table, a lost small angle.
 TEST_CASE("the angle of a vector is right to 2^-103, in radians and degrees") {
     Source source;
-    std::vector<Vector<exact::Real>> vectors;
+    std::vector<Vector<exact::DoubleDouble>> vectors;
     for (int i = 0; i < points / 4; ++i) {
         vectors.push_back({source.real(-1, 1), source.real(-1, 1)});
         vectors.push_back({source.real(-1, 1), source.size(-900, 0)});
         vectors.push_back({source.size(-900, 0), source.real(-1, 1)});
-        const exact::Real diagonal = source.real(-1, 1);
+        const exact::DoubleDouble diagonal = source.real(-1, 1);
         vectors.push_back({diagonal, diagonal + source.size(-110, -1)});
     }
     for (const double x : {0.0, 1.0, -1.0}) {
@@ -212,7 +212,7 @@ TEST_CASE("the angle of a vector is right to 2^-103, in radians and degrees") {
 // Would catch: a term too few in the series for doubles, a table's low part left out, a rest rounded too early.
 TEST_CASE("in doubles the sine and cosine are right to 2^-51.5, the angle of a vector to 2^-51") {
     Source source;
-    std::vector<exact::Real> turns;
+    std::vector<exact::DoubleDouble> turns;
     std::vector<Vector<double>> vectors;
     for (int i = 0; i < points / 4; ++i) {
         turns.insert(turns.end(),
@@ -236,10 +236,10 @@ TEST_CASE("of what is no number there is no sine, cosine or angle") {
         for (const AngleUnit unit : {AngleUnit::radians, AngleUnit::degrees}) {
             INFO(value);
             CHECK(std::isnan(exact::sine_cosine<double>(value, unit).sine));
-            CHECK(std::isnan(exact::sine_cosine<exact::Real>(value, unit).cosine.hi));
+            CHECK(std::isnan(exact::sine_cosine<exact::DoubleDouble>(value, unit).cosine.hi));
         }
     }
     CHECK(std::isnan(exact::angle_of(nan, 1.0, AngleUnit::radians).hi));
     CHECK(std::isnan(exact::angle_of(1.0, nan, AngleUnit::radians).hi));
-    CHECK(std::isnan(exact::angle_of(exact::Real(nan), exact::Real(nan), AngleUnit::degrees).hi));
+    CHECK(std::isnan(exact::angle_of(exact::DoubleDouble(nan), exact::DoubleDouble(nan), AngleUnit::degrees).hi));
 }

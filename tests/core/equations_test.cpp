@@ -80,7 +80,7 @@ TEST_CASE("Stuelpnagel's equations of six and of five numbers") {
     Matrix56 v = Matrix56::Zero();
     v.rightCols<5>().setIdentity();
     for (const Case& c : cases()) {
-        const Columns x0 = two_column::from_rotation(c.x());
+        const TwoColumns x0 = two_column::from_rotation(c.x());
         CHECK(distance(two_column::rate(x0, -c.w, Frame::reference), omega(c) * x0) < rounding);
 
         const five_d::Vector5 y = five_d::from_rotation(c.x());
@@ -196,8 +196,8 @@ TEST_CASE("columns that are not orthonormal turn as the attitude that they stand
     for (const Case& c : cases()) {
         Eigen::Matrix2d shear;
         shear << 1.3, 0.2, 0.0, 0.8;
-        const Columns exact = two_column::from_rotation(c.rotation);
-        const Columns off = exact * shear;
+        const TwoColumns exact = two_column::from_rotation(c.rotation);
+        const TwoColumns off = exact * shear;
         CHECK(distance(two_column::rate(off, c.w), two_column::rate(exact, c.w) * shear) < rounding);
         CHECK(distance(two_column::angular_velocity(off, two_column::rate(off, c.w)), c.w) < rounding);
     }

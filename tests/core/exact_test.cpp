@@ -61,10 +61,10 @@ TEST_CASE("attitudes that are turned are rounded once") {
         const std::vector<double> row{source.uniform(-180, 180), source.uniform(-90, 90), source.uniform(-180, 180)};
         const std::vector<double> right{source.normal(), source.normal(), source.normal(), source.normal()};
         const rotconv::Conversion conversion(angles, accuracy::spec("dcm"),
-                                             {.left = rotconv::ConstantTurn::of_numbers(angles, left),
-                                              .right = rotconv::ConstantTurn::of_numbers(quat, right)});
+                                             {.left = rotconv::FixedRotation::of_numbers(angles, left),
+                                              .right = rotconv::FixedRotation::of_numbers(quat, right)});
         std::vector<double> result(9);
-        std::vector<rotconv::Report> reports;
+        std::vector<rotconv::RowReport> reports;
         conversion.run(row, result, reports);
         const auto exact =
             oracle::attitude(angles, left) * oracle::attitude(angles, row) * oracle::attitude(quat, right);

@@ -43,7 +43,7 @@ std::vector<Row> wide_attitudes(std::size_t count) {
 
 Row converted(const Row& numbers, const Spec& from, const Spec& to) {
     Row result(to.size());
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     Conversion(from, to, {.tolerance = std::numeric_limits<double>::infinity()}).run(numbers, result, reports);
     return result;
 }
@@ -70,9 +70,9 @@ std::vector<Row> rows_of(const std::vector<Row>& attitudes, const Spec& unknown,
 }
 
 /// Adds rows, the first of which is 1, so many at once.
-std::vector<Report> add(Identification& identification, const std::vector<Row>& rows, std::size_t at_once = 1000) {
-    std::vector<Report> all;
-    std::vector<Report> reports;
+std::vector<RowReport> add(Identification& identification, const std::vector<Row>& rows, std::size_t at_once = 1000) {
+    std::vector<RowReport> all;
+    std::vector<RowReport> reports;
     for (std::size_t first = 0; first < rows.size(); first += at_once) {
         Row numbers;
         std::vector<std::size_t> lines;
@@ -81,7 +81,7 @@ std::vector<Report> add(Identification& identification, const std::vector<Row>& 
             lines.push_back(i + 1);
         }
         identification.add(numbers, lines, reports);
-        for (Report& report : reports) {
+        for (RowReport& report : reports) {
             report.row += first;
             all.push_back(report);
         }
@@ -122,7 +122,7 @@ std::string identified(const std::vector<Row>& rows, std::size_t count, std::str
     return answer(identification);
 }
 
-Verdict::Lack lack_of(const std::vector<Row>& rows) {
+Verdict::Ambiguity lack_of(const std::vector<Row>& rows) {
     Identification identification(3, spec("dcm"));
     add(identification, rows);
     CHECK(identification.verdict().fitting > 1);
@@ -299,7 +299,7 @@ TEST_CASE("rows at gimbal lock tell what they can") {
 
 TEST_CASE("narrow rows are ambiguous, and it is said why") {
     // Catches an answer that is one of many, and a reason that does not hold.
-    using Lack = Verdict::Lack;
+    using Ambiguity = Verdict::Ambiguity;
     const Columns plain{0, 1, 2};
     const auto of = [&](const std::vector<Row>& angles) {
         std::vector<Row> attitudes;
@@ -314,22 +314,22 @@ TEST_CASE("narrow rows are ambiguous, and it is said why") {
     Identification yaw(3, spec("dcm"));
     add(yaw, of({{0, 0, 30}, {0, 0, 100}, {0, 0, -70}}));
     CHECK(yaw.verdict().fitting == (6 + 2) * 2 + 2 * 4 + 1);
-    CHECK(yaw.verdict().lack == Lack::axes);
+    CHECK(yaw.verdict().lack == Ambiguity::axes);
     CHECK(yaw.verdict().axis.isApprox(Eigen::Vector3d(0, 0, 1)));
-    CHECK(lack_of(of({{0, 0, 30}})) == Lack::rows);
-    CHECK(lack_of(of({{0, 0, 30}, {0, 0, 30}})) == Lack::attitudes);
-    CHECK(lack_of(of({{1, 0.5, 1}, {0.3, 2, -1}, {2, -1, 0.5}})) == Lack::size);
+    CHECK(lack_of(of({{0, 0, 30}})) == Ambiguity::rows);
+    CHECK(lack_of(of({{0, 0, 30}, {0, 0, 30}})) == Ambiguity::attitudes);
+    CHECK(lack_of(of({{1, 0.5, 1}, {0.3, 2, -1}, {2, -1, 0.5}})) == Ambiguity::size);
     Identification two(3, spec("dcm"));
     add(two, of({{0, 10, 30}, {0, -50, 100}, {0, 20, -70}})); // ZYX and ZYZ
-    CHECK(two.verdict().lack == Lack::zero);
+    CHECK(two.verdict().lack == Ambiguity::zero);
     CHECK(two.verdict().column == 0);
     Identification twins(3, spec("dcm")); // roll and yaw may change places with the order of turns
     add(twins, of({{20, 10, 20}, {30, -50, 30}, {-70, 20, -70}}));
     CHECK(twins.verdict().fitting > 1);
-    CHECK(twins.verdict().lack == Lack::equal);
+    CHECK(twins.verdict().lack == Ambiguity::equal);
     CHECK(twins.verdict().column == 0);
     CHECK(twins.verdict().other == 2);
-    CHECK(lack_of(of({{0, 0, 0}, {0, 0, 0}})) == Lack::attitudes);
+    CHECK(lack_of(of({{0, 0, 0}, {0, 0, 0}})) == Ambiguity::attitudes);
     // a skew axis
     Identification skew(3, spec("quat"));
     std::vector<Row> turns;
@@ -338,7 +338,7 @@ TEST_CASE("narrow rows are ambiguous, and it is said why") {
     }
     add(skew, rows_of(turns, spec("rotvec"), plain, spec("quat")));
     CHECK(skew.verdict().fitting == 1); // of the vectors along the axis none is another's multiple
-    CHECK(skew.verdict().lack == Lack::nothing);
+    CHECK(skew.verdict().lack == Ambiguity::nothing);
     const auto wide = of({{0, 0, 30}, {0, 0, 100}, {20, -40, -70}, {-60, 10, 5}});
     CHECK(identified(wide, 3) == "euler:xyz:deg 123");
 }
@@ -353,7 +353,7 @@ TEST_CASE("numbers that fit nothing are called so") {
     Identification identification(3, spec("dcm"));
     add(identification, rows);
     CHECK(identification.verdict().fitting == 0);
-    CHECK(identification.verdict().lack == Verdict::Lack::nothing);
+    CHECK(identification.verdict().lack == Verdict::Ambiguity::nothing);
     CHECK(identification.rows() == 5);
     const Identification nothing(3, spec("dcm"));
     CHECK(nothing.verdict().fitting == 0);

@@ -18,7 +18,7 @@ std::vector<double> lock_threshold(Row q) {
     static const rotconv::Conversion conversion(spec("quat"), spec("euler:ZYX"),
                                                 {.tolerance = 1e300, .lock_margin = 1e-7, .sensitivity = false});
     std::vector<double> angles(3);
-    std::vector<rotconv::Report> reports;
+    std::vector<rotconv::RowReport> reports;
     conversion.run(q, angles, reports);
     return angles;
 }

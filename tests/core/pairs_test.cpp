@@ -41,7 +41,7 @@ TEST_CASE("a round trip through any representation returns the attitude") {
         const rotconv::Conversion there(quat, via, {.tolerance = 1e300, .lock_margin = 0.0, .sensitivity = true});
         const auto back = accuracy::own(via, quat);
         std::vector<double> numbers(via.size());
-        std::vector<rotconv::Report> reports;
+        std::vector<rotconv::RowReport> reports;
         INFO(text);
         for (const auto& row : accuracy::inputs(quat, via, 60)) {
             there.run(row, numbers, reports);
@@ -78,7 +78,7 @@ TEST_CASE("rows in blocks come out as rows one by one") {
         in.insert(in.end(), row.begin(), row.end());
     }
     std::vector<double> out(rows.size() * 9);
-    std::vector<rotconv::Report> reports;
+    std::vector<rotconv::RowReport> reports;
     rotconv::Conversion(from, to, {.tolerance = 1e300, .lock_margin = 0.0, .sensitivity = false}).run(in, out, reports);
     const auto one = accuracy::own(from, to);
     for (std::size_t i = 0; i < rows.size(); ++i) {

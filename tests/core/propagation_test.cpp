@@ -90,7 +90,7 @@ Rows propagated(const PropagationSettings& settings, const Motion& motion, doubl
     const auto count = static_cast<int>(std::lround(seconds * frequency));
     for (int i = 0; i <= count; ++i) {
         const double time = i / frequency;
-        const Pushed pushed = propagator.push(time - (i - 1) / frequency, motion.omega(time));
+        const PushResult pushed = propagator.push(time - (i - 1) / frequency, motion.omega(time));
         REQUIRE(pushed.refused == Error::none);
         if (pushed.answer) {
             rows.push_back({*pushed.answer, static_cast<double>(rows.size()) / frequency});
@@ -329,7 +329,7 @@ Step last_step(const Way& way, Interpolation interpolation, const Rotation& init
                                .initial = initial});
         std::optional<Propagated> answer;
         for (const Vector3d& omega : samples) {
-            const Pushed pushed = propagator.push(interval, omega);
+            const PushResult pushed = propagator.push(interval, omega);
             answer = pushed.answer ? pushed.answer : answer;
         }
         return *answer;
@@ -556,7 +556,7 @@ TEST_CASE("samples too close for their differences are refused and change nothin
             CHECK(propagator.push(0, {0, 0, 1}).refused == Error::none);
             CHECK(propagator.push(interval, {0, 0, 1.5}).refused == Error::time_order);
             for (int i = 0; i < 3; ++i) {
-                const Pushed pushed = propagator.push(1, {0, 0, 1});
+                const PushResult pushed = propagator.push(1, {0, 0, 1});
                 CHECK(pushed.refused == Error::none);
                 REQUIRE(pushed.answer);
                 CHECK(pushed.answer->attitude.error() == Error::none);
@@ -567,7 +567,7 @@ TEST_CASE("samples too close for their differences are refused and change nothin
         settings.interpolation = interpolation;
         Propagator propagator(settings);
         for (const double interval : {0.0, 1e-100, 1e-100, 1e-100, 1e-100, 1.0, 1.0}) {
-            const Pushed pushed = propagator.push(interval, {0, 0, 1});
+            const PushResult pushed = propagator.push(interval, {0, 0, 1});
             CHECK(pushed.refused == Error::none);
             CHECK((!pushed.answer || pushed.answer->attitude.error() == Error::none));
         }

@@ -72,7 +72,7 @@ Rounding rounding_of(const Spec& from, const Spec& to, const std::vector<std::ve
                                          {.tolerance = std::numeric_limits<double>::infinity(), .sensitivity = true});
     Rounding count;
     std::vector<double> result(to.size());
-    std::vector<rotconv::Report> reports;
+    std::vector<rotconv::RowReport> reports;
     for (const auto& row : rows) {
         conversion.run(row, result, reports);
         if (reports.at(0).error != rotconv::Error::none) {

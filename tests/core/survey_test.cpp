@@ -248,10 +248,10 @@ public:
     }
 
 private:
-    [[nodiscard]] Report report_at(double t, std::vector<double>* numbers = nullptr) const {
+    [[nodiscard]] RowReport report_at(double t, std::vector<double>* numbers = nullptr) const {
         const Eigen::Quaterniond q = a_.slerp(t, b_);
         std::vector<double> out(conversion_.to().size());
-        std::vector<Report> reports;
+        std::vector<RowReport> reports;
         conversion_.run(std::vector<double>{q.w(), q.x(), q.y(), q.z()}, out, reports);
         if (numbers != nullptr) {
             *numbers = out;

@@ -1,4 +1,4 @@
-// Settings::left and Settings::right: attitudes turned by constant ones.
+// ConversionSettings::left and ConversionSettings::right: attitudes turned by constant ones.
 
 #include <algorithm>
 #include <array>
@@ -15,15 +15,15 @@ using namespace rotconv;
 
 namespace {
 
-std::vector<double> converted(const Spec& from, const Spec& to, const Settings& settings,
+std::vector<double> converted(const Spec& from, const Spec& to, const ConversionSettings& settings,
                               const std::vector<double>& row) {
     std::vector<double> result(to.size());
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     Conversion(from, to, settings).run(row, result, reports);
     return result;
 }
 
-Settings turned(std::optional<Rotation> left, std::optional<Rotation> right) {
+ConversionSettings turned(std::optional<Rotation> left, std::optional<Rotation> right) {
     return {.tolerance = 1e300, .lock_margin = 0.0, .left = left, .right = right};
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("a turn on each side adds at most 1 eps to a conversion's error") {
                 const auto exact = oracle::attitude(from, row);
                 const auto exact_left = oracle::attitude(Spec{}, left);
                 const auto exact_right = oracle::attitude(Spec{}, right);
-                const auto error = [&](const Settings& settings, const oracle::Quaternion& expected) {
+                const auto error = [&](const ConversionSettings& settings, const oracle::Quaternion& expected) {
                     return oracle::error_in_eps(expected, oracle::attitude(to, converted(from, to, settings, row)));
                 };
                 CHECK(error(turned(l, {}), exact_left * exact) <= limit + 1.0);
@@ -105,7 +105,7 @@ TEST_CASE("what is told of a turned attitude is the input's defect and the outpu
     const auto degrees = accuracy::spec("rpy:deg");
     const Rotation down = *read_attitude(degrees, std::array{0.0, 90.0, 0.0});
     std::vector<double> out(6);
-    std::vector<Report> reports;
+    std::vector<RowReport> reports;
     const std::array<double, 8> rows{1.0005, 0, 0, 0, 0.70745, 0, -0.70745, 0};
     Conversion(Spec{}, degrees, {.tolerance = 1e-2, .sensitivity = true, .left = down}).run(rows, out, reports);
     REQUIRE(reports.size() == 2);

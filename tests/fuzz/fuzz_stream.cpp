@@ -347,12 +347,12 @@ fuzz::Calculate calculate_of(const RowOperation& operation, bool diagnostic_colu
         const std::vector<std::string_view> kept_texts(texts.begin(),
                                                        texts.begin() + static_cast<std::ptrdiff_t>(kept));
         const std::size_t line = 1;
-        std::vector<Report> reports;
+        std::vector<RowReport> reports;
         run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
         if (choose) {
             choose(answer.numbers, reports);
         }
-        const Report report = reports.empty() ? Report{} : reports.front();
+        const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
         answer.of_reference = report.of_reference;
         if (columns) {

@@ -36,7 +36,7 @@ struct Answered {
 
     std::vector<double> out;
     std::vector<double> angles;
-    std::vector<rotconv::Report> reports;
+    std::vector<rotconv::RowReport> reports;
 };
 
 accuracy::Convert by(const Method& method, const rotconv::Spec& from, const rotconv::Spec& to) {
@@ -324,7 +324,7 @@ TEST_CASE("methods answer for attitudes that are turned") {
     const auto to = spec("quat:xyzw");
     const auto turn = [](const oracle::Quaternion& q) {
         const auto numbers = oracle::numbers(spec("quat"), q);
-        return rotconv::ConstantTurn::of_numbers(spec("quat"), numbers);
+        return rotconv::FixedRotation::of_numbers(spec("quat"), numbers);
     };
     const auto left = oracle::about({1, 2, 3}, oracle::Real(1));
     const auto right = oracle::about({-2, 1, 1}, oracle::Real(2));

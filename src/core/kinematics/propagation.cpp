@@ -61,7 +61,7 @@ Propagator::Propagator(const PropagationSettings& settings) noexcept
     stepper_.start(settings.initial);
 }
 
-Pushed Propagator::push(double interval, const Vector3d& omega) noexcept {
+PushResult Propagator::push(double interval, const Vector3d& omega) noexcept {
     if (std::isnan(interval) || !omega.allFinite()) {
         return {.refused = Error::not_finite, .answer = {}};
     }

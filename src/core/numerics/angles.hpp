@@ -13,7 +13,7 @@ namespace rotconv {
 }
 
 /// An angle plus so many half-turns, to twice the precision.
-[[nodiscard]] inline Real plus_half_turns(Real angle, double half_turns, AngleUnit unit) noexcept {
+[[nodiscard]] inline DoubleDouble plus_half_turns(DoubleDouble angle, double half_turns, AngleUnit unit) noexcept {
     return angle + half_turn_in(unit) * half_turns;
 }
 

@@ -5,39 +5,47 @@
 #include <rotconv/angle.hpp>
 
 #include "row_batch.hpp"
+#include "scaled_double_double.hpp"
 
 // The project's own sine, cosine and arc tangent: plain sums and products of doubles, the same bits on every machine. T
-// is the scalar of their accuracy, double or Real.
+// is the scalar of their accuracy, double or DoubleDouble.
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-inline constexpr Real exact_pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
-inline constexpr Real exact_radians_per_degree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
-inline constexpr Real exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};
+inline constexpr DoubleDouble exact_pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+inline constexpr DoubleDouble exact_radians_per_degree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
+inline constexpr DoubleDouble exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};
 
 /// A half-turn.
-[[nodiscard]] ROTCONV_INLINE Real half_turn_in(AngleUnit unit) noexcept {
-    return unit == AngleUnit::degrees ? Real(180.0) : exact_pi;
+[[nodiscard]] ROTCONV_INLINE DoubleDouble half_turn_in(AngleUnit unit) noexcept {
+    return unit == AngleUnit::degrees ? DoubleDouble(180.0) : exact_pi;
+}
+
+/// 1 in the unit, in radians.
+[[nodiscard]] ROTCONV_INLINE DoubleDouble unit_in_radians(AngleUnit unit) noexcept {
+    return unit == AngleUnit::degrees ? exact_radians_per_degree : DoubleDouble(1.0);
 }
 
 template <class T> struct SineCosine { T sine, cosine; };
 
-/// The sine and cosine of an angle in radians or degrees: as Real each to 2^-103 of itself, where the angle is a double
-/// of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.5. Multiples of 90 degrees
-/// are exact.
-template <class T> [[nodiscard]] SineCosine<T> sine_cosine(Real angle, AngleUnit unit) noexcept;
-/// Those of a batch of rows.
-template <class T> void sine_cosine(const Column<Real>& angles, std::size_t rows, AngleUnit unit, Column<T>& cosines,
-                                    Column<T>& sines) noexcept;
+/// The sine and cosine of an angle in radians or degrees: as DoubleDouble each to 2^-103 of itself, where the angle is
+/// a double of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.5. Multiples of
+/// 90 degrees are exact.
+template <class T> [[nodiscard]] SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept;
+[[nodiscard]] SineCosine<ScaledDoubleDouble> sine_cosine(const ScaledDoubleDouble& angle, AngleUnit unit) noexcept;
+/// Those of a batch of rows, each angle 0 or at least 2^-300.
+template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::size_t rows, AngleUnit unit,
+                                    Column<T>& cosines, Column<T>& sines) noexcept;
 
 /// The angle of the vector (x, y) from the x axis, in [-pi, pi] or [-180, 180]: to 2^-103 of itself, or, from doubles,
-/// to 2^-51 of itself; 0 of (0, 0). Components are below 2^400, the larger one above
-/// 2^-400 or 0.
-template <class T> [[nodiscard]] Real angle_of(T x, T y, AngleUnit unit) noexcept;
-/// Those of a batch of rows.
-template <class T>
-void angles_of(const Column<T>& x, const Column<T>& y, std::size_t rows, AngleUnit unit, Column<Real>& angles) noexcept;
+/// to 2^-51 of itself; 0 of (0, 0).
+template <class T> [[nodiscard]] DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept;
+[[nodiscard]] ScaledDoubleDouble angle_of(const ScaledDoubleDouble& x, const ScaledDoubleDouble& y,
+                                          AngleUnit unit) noexcept;
+/// Those of a batch of rows, of components that are 0 or between 2^-950 and 2^400.
+template <class T> void angles_of(const Column<T>& x, const Column<T>& y, std::size_t rows, AngleUnit unit,
+                                  Column<DoubleDouble>& angles) noexcept;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include "scaling.hpp"
+#include "power_of_two.hpp"
 
 namespace rotconv {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "real.hpp"
+#include "double_double.hpp"
 
 /// For a function that loops over columns of numbers: it is compiled twice, for every x86-64 processor and for those
 /// with AVX2, and the program's start chooses. Nothing is contracted, so that both give the same bytes.
@@ -33,12 +33,12 @@ template <> struct Column<double> {
     ROTCONV_INLINE void set(std::size_t row, double value) noexcept { hi[row] = value; }
 };
 
-template <> struct Column<Real> {
+template <> struct Column<DoubleDouble> {
     double hi[batch_rows];
     double lo[batch_rows];
 
-    ROTCONV_INLINE Real operator[](std::size_t row) const noexcept { return {hi[row], lo[row]}; }
-    ROTCONV_INLINE void set(std::size_t row, Real value) noexcept {
+    ROTCONV_INLINE DoubleDouble operator[](std::size_t row) const noexcept { return {hi[row], lo[row]}; }
+    ROTCONV_INLINE void set(std::size_t row, DoubleDouble value) noexcept {
         hi[row] = value.hi;
         lo[row] = value.lo;
     }

@@ -35,7 +35,9 @@ namespace rotconv {
 namespace {
 
 /// (n, a) or (-n, -a), and whole turns; without an angle any axis.
-void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, double* v) noexcept {
+void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
+             double* v) noexcept {
+    const DoubleDouble angle = two_sum(v[3], rest[3]);
     if (v[3] == 0.0) {
         std::copy_n(last, 3, v);
     }
@@ -57,7 +59,9 @@ void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/
         }
     }
     std::transform(v, v + 3, v, [chosen](double component) { return chosen * component + 0.0; });
-    v[3] = plus_half_turns(chosen * v[3], 2.0 * turns, spec.unit).hi;
+    if (chosen < 0.0 || turns != 0.0) {
+        v[3] = plus_half_turns(scaled(angle, chosen), 2.0 * turns, spec.unit).hi;
+    }
 }
 
 } // namespace

@@ -59,7 +59,6 @@ constinit const Codec codecs::cayley{.representation = {.name = RepresentationId
                                                         .singular = "half-turn",
                                                         .singular_attitude = "a half-turn",
                                                         .formula = "tan(theta/2) n; R = (I + [c])(I - [c])^-1"},
-                                     .read = read_each<Vector3d, cayley::to_rotation>,
                                      .sensitivity = sensitivity_of<cayley::sensitivity>,
                                      .rate = rate_of<Vector3d, cayley::rate>,
                                      .angular_velocity = angular_velocity_of<Vector3d, cayley::angular_velocity>,

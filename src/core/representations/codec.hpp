@@ -10,7 +10,7 @@
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
-#include "../batch.hpp"
+#include "../kernels.hpp"
 
 namespace rotconv {
 
@@ -19,16 +19,15 @@ namespace rotconv {
 struct Codec {
     Representation representation{};
 
-    /// Reads a batch of rows, at most `batch_rows` of them; null where BatchCodec does.
-    void (*read)(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept = nullptr;
     /// The defect in full, where reading returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
 
-    /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones; of
-    /// equals these stay. Both as they are written: what has a choice has no order of its own that would count. The
-    /// diagnostics are those of the canonical numbers. Null where there are no others.
-    void (*nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics,
+    /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones, or
+    /// leaves these if they are as near. All are as they are written: what has a choice has no order of its own that
+    /// would count. `rest` is what the exact canonical numbers have beside those written, and the diagnostics are
+    /// theirs. Null where there are no others.
+    void (*nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest,
                     double* numbers) noexcept = nullptr;
 
     /// The kinematic equation, both ways; null where there is none.
@@ -78,13 +77,6 @@ template <class Numbers> Eigen::Map<const Numbers> plain(const Spec& /*spec*/, c
     return Eigen::Map<const Numbers>(numbers);
 }
 
-template <class Numbers, auto to_rotation, auto value_of = plain<Numbers>>
-void read_each(const Spec& spec, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        readings.set(i, to_rotation(value_of(spec, numbers + i * Numbers::SizeAtCompileTime)));
-    }
-}
-
 // NOLINTBEGIN(readability-non-const-parameter): the map writes through it
 template <class Numbers, auto rate, auto value_of = plain<Numbers>>
 void rate_of(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
@@ -99,6 +91,15 @@ angular_velocity_of(const Spec& spec, const double* numbers, const double* rates
 
 template <class Numbers, auto defect> double defect_of(const double* numbers) noexcept {
     return defect(Eigen::Map<const Numbers>(numbers));
+}
+
+/// A reading, or the error `defect` where its defect, `exact_defect()` in full, is above the tolerance.
+template <class Defect> Reading within(const Reading& reading, double tolerance, const Defect& exact_defect) noexcept {
+    if (!reading || reading.defect() <= tolerance) {
+        return reading;
+    }
+    const double defect = exact_defect();
+    return defect <= tolerance ? Reading(*reading, defect) : Reading(Error::defect, defect);
 }
 
 template <auto sensitivity> Sensitivity sensitivity_of(const Spec& /*spec*/, const Rotation& rotation) noexcept {

@@ -7,21 +7,20 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include "../numerics/davenport.hpp"
+#include "../numerics/determinant_sign.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
-#include "../numerics/scaling.hpp"
+#include "../numerics/power_of_two.hpp"
 #include "codec.hpp"
+#include "matrices.hpp"
 
-namespace rotconv::dcm {
+namespace rotconv {
 namespace {
 
-/// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
-constexpr double near_rotation = 0.05;
-
-/// M'M - I.
-Eigen::Matrix3d gram_excess(const Dcm& m) noexcept { return m.transpose() * m - Eigen::Matrix3d::Identity(); }
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 struct Extremes {
     double least, greatest;
@@ -44,9 +43,9 @@ double largest_root(double c) noexcept {
 }
 
 /// Of the eigenvalues of a symmetric matrix, by the roots of its cubic as cosines of a third of an angle (Smith 1961).
-Extremes extreme_eigenvalues(const Eigen::Matrix3d& m) noexcept {
+Extremes extreme_eigenvalues(const Matrix3d& m) noexcept {
     const double mean = m.trace() / 3.0;
-    const Eigen::Matrix3d rest = m - mean * Eigen::Matrix3d::Identity();
+    const Matrix3d rest = m - mean * Matrix3d::Identity();
     const double size = std::sqrt(rest.squaredNorm() / 6.0);
     if (size == 0.0) {
         return {mean, mean};
@@ -55,122 +54,99 @@ Extremes extreme_eigenvalues(const Eigen::Matrix3d& m) noexcept {
     return {mean - size * largest_root(-cosine), mean + size * largest_root(cosine)};
 }
 
-/// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
-/// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
-double squared_distance(const std::array<double, 9>& m) noexcept {
-    const double cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
-    const double cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
-    const double cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
-    const double first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
-    const double second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
-    const double both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
-    return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
-           ((first * first + second * second) + both * both);
-}
-
-/// All that a clean matrix needs; see clean_square.
-struct PowerStep {
-    explicit PowerStep(const std::array<double, 9>& m) noexcept : square(squared_distance(m)) {
-        const Davenport k(m.data());
-        q = k.power_step(k.pivot_column());
-    }
-
-    double square;
-    std::array<double, 4> q;
-};
-
-/// Any proper matrix: the singular value decomposition M = U S V' gives the polar factor U V'. One Newton step
-/// on trace(R(q)' M) against M itself then removes the rounding of the decomposition.
-Reading far_from_rotation(const Dcm& matrix) noexcept {
-    const auto scale = PowerOfTwo::to_unit(matrix.cwiseAbs().maxCoeff());
-    const Dcm m = matrix.unaryExpr(scale);
-    if (!(m.determinant() > 0.0)) {
-        return Error::not_proper;
-    }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Dcm factor = svd.matrixU() * svd.matrixV().transpose();
-    if (factor.determinant() < 0.0) {
-        // rounding has turned the sign of the smallest singular value
-        factor -= 2.0 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
-    }
-    const auto q = quaternion_of_rotation(RowMajor(factor).data());
-    const Rotation decomposed = Rotation::from_components(q[0], q[1], q[2], q[3]);
-
-    // With S = R(q)' M, the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12).
-    const Eigen::Matrix3d s = from_rotation(decomposed).transpose() * m;
-    const Eigen::Matrix3d symmetric = 0.5 * (s + s.transpose());
-    const Eigen::Vector3d skew{s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1)};
-    const Eigen::Matrix3d hessian = symmetric.trace() * Eigen::Matrix3d::Identity() - symmetric;
-    Eigen::Vector3d half = 0.5 * hessian.fullPivLu().solve(skew);
-    if (!(half.norm() < 1e-8)) {
-        half.setZero(); // the matrix is nearly singular, and this its noise
-    }
-    const Eigen::Vector3d v{q[1], q[2], q[3]};
-    const Eigen::Vector3d corrected = v + q[0] * half + v.cross(half);
-
-    const Eigen::Vector3d& singular = svd.singularValues();
-    return {Rotation::from_components(q[0] - v.dot(half), corrected.x(), corrected.y(), corrected.z()),
-            std::max(std::fabs(scale.undone(singular[0]) - 1.0), std::fabs(scale.undone(singular[2]) - 1.0))};
-}
-
-/// Where one power step is not known to serve.
-Reading read_unclean(const double* numbers, double square) noexcept {
-    const Eigen::Map<const RowMajor> matrix(numbers);
-    if (!matrix.allFinite()) {
-        return Error::not_finite;
-    }
-    const double bound = 3.0 * std::sqrt(square);
-    if (!(bound <= near_rotation)) {
-        return far_from_rotation(matrix);
-    }
-    const Davenport k(numbers);
-    auto q = k.power_step(k.pivot_column());
-    double remaining = bound * bound;
-    while (remaining > 0x1p-56) {
-        q = k.power_step(q);
-        remaining *= bound;
-    }
-    return {Rotation::from_components(q[0], q[1], q[2], q[3]), bound <= reported_defect ? bound : defect(matrix)};
-}
-
-ROTCONV_TARGET_CLONES
-void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    double m[9][batch_rows];
-    to_columns(numbers, rows, m);
-    BatchColumn square; // written before it is read
-    for (std::size_t i = 0; i < rows; ++i) {
-        const PowerStep step({m[0][i], m[1][i], m[2][i], m[3][i], m[4][i], m[5][i], m[6][i], m[7][i], m[8][i]});
-        square[i] = step.square;
-        readings.w[i] = step.q[0];
-        readings.x[i] = step.q[1];
-        readings.y[i] = step.q[2];
-        readings.z[i] = step.q[3];
-        readings.defect[i] = clean_defect;
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        readings.error[i] = Error::none;
-        if (!(square[i] <= clean_square)) [[unlikely]] {
-            readings.set(i, read_unclean(numbers + 9 * i, square[i]));
+/// The singular values of a matrix, the largest first, with their vectors: plane rotations of two columns at a time,
+/// until all are orthogonal (Hestenes 1958). The columns are then the left vectors times the values.
+struct SingularValues {
+    explicit SingularValues(const Matrix3d& matrix) noexcept : left(matrix) {
+        constexpr int most_sweeps = 60;
+        bool orthogonal = false;
+        for (int sweep = 0; sweep < most_sweeps && !orthogonal; ++sweep) {
+            orthogonal = true;
+            for (const auto& [i, k] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+                orthogonal = !rotate(i, k) && orthogonal;
+            }
+        }
+        values = left.colwise().norm();
+        for (const auto& [i, k] : {std::pair{0, 1}, {1, 2}, {0, 1}}) {
+            if (values[i] < values[k]) {
+                std::swap(values[i], values[k]);
+                left.col(i).swap(left.col(k));
+                right.col(i).swap(right.col(k));
+            }
         }
     }
+
+    Matrix3d left;
+    Matrix3d right = Matrix3d::Identity();
+    Vector3d values;
+
+private:
+    /// Makes two columns orthogonal; false where they are.
+    bool rotate(Eigen::Index i, Eigen::Index k) noexcept {
+        const double a = left.col(i).squaredNorm();
+        const double b = left.col(k).squaredNorm();
+        const double c = left.col(i).dot(left.col(k));
+        if (!(std::fabs(c) > std::numeric_limits<double>::epsilon() * std::sqrt(a * b))) {
+            return false;
+        }
+        const double cotangent = (b - a) / (2.0 * c); // of twice the angle
+        const double tangent =
+            std::copysign(1.0, cotangent) / (std::fabs(cotangent) + std::sqrt(1.0 + cotangent * cotangent));
+        const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
+        for (Matrix3d* const m : {&left, &right}) {
+            const Vector3d first = m->col(i);
+            m->col(i) = cosine * (first - tangent * m->col(k));
+            m->col(k) = cosine * (m->col(k) + tangent * first);
+        }
+        return true;
+    }
+};
+
+/// max |s - 1| over the singular values of a scaled matrix.
+double defect_of(const SingularValues& scaled, const PowerOfTwo& scale) noexcept {
+    return std::max(std::fabs(scale.undone(scaled.values[0]) - 1.0), std::fabs(scale.undone(scaled.values[2]) - 1.0));
 }
 
 } // namespace
 
-Reading to_rotation(const Dcm& matrix) noexcept {
-    std::array<double, 9> numbers;
-    Eigen::Map<RowMajor>{numbers.data()} = matrix;
-    const PowerStep step(numbers);
-    if (step.square <= clean_square) [[likely]] {
-        return {Rotation::near_unit(step.q[0], step.q[1], step.q[2], step.q[3]), clean_defect};
+Error read_far_matrix(const double* matrix, double* q, double& defect) noexcept {
+    const Eigen::Map<const RowMajor> given(matrix);
+    const auto scale = PowerOfTwo::to_unit(given.cwiseAbs().maxCoeff());
+    if (determinant_sign(matrix) <= 0) {
+        return Error::not_proper;
     }
-    return read_unclean(numbers.data(), step.square);
+    const SingularValues singular(given.unaryExpr(scale));
+    const Vector3d& values = singular.values;
+    constexpr double least_turning = 1e-12;
+    if (values[1] + values[2] < least_turning * values[0]) {
+        return Error::rank_deficient;
+    }
+    defect = defect_of(singular, scale);
+    // U V' of M = U S V'; the third vectors follow from the others, since the determinant is positive
+    const Vector3d u1 = singular.left.col(0) / values[0];
+    const Vector3d u2 = singular.left.col(1) / values[1];
+    const Vector3d v1 = singular.right.col(0);
+    const Vector3d v2 = singular.right.col(1);
+    const RowMajor factor = u1 * v1.transpose() + u2 * v2.transpose() + u1.cross(u2) * v1.cross(v2).transpose();
+    // NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay)
+    double m[9];
+    double near[4];
+    std::copy_n(factor.data(), 9, m);
+    const Davenport<double> k(m);
+    k.take_pivot_column(near);
+    k.take_power_step(near);
+    std::copy_n(near, 4, q);
+    // NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
+    return Error::none;
 }
 
-double defect(const Dcm& matrix) noexcept {
-    const Eigen::Matrix3d excess = gram_excess(matrix);
+double defect_of_matrix(const double* matrix) noexcept {
+    const Eigen::Map<const RowMajor> m(matrix);
+    const Matrix3d excess = m.transpose() * m - Matrix3d::Identity();
+    constexpr double near_rotation = 0.05;
     if (!(0.5 * excess.norm() <= near_rotation)) {
-        return far_from_rotation(matrix).defect();
+        const auto scale = PowerOfTwo::to_unit(m.cwiseAbs().maxCoeff());
+        return defect_of(SingularValues(m.unaryExpr(scale)), scale);
     }
     // s^2 - 1 for the singular values s, without cancellation
     const Extremes extremes = extreme_eigenvalues(excess);
@@ -179,6 +155,16 @@ double defect(const Dcm& matrix) noexcept {
     };
     return std::max(from_one(extremes.least), from_one(extremes.greatest));
 }
+
+namespace dcm {
+
+Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
+    std::array<double, 9> numbers;
+    Eigen::Map<RowMajor>{numbers.data()} = matrix;
+    return within(read_row({.name = RepresentationId::dcm}, numbers.data()), tolerance, [&] { return defect(matrix); });
+}
+
+double defect(const Dcm& matrix) noexcept { return defect_of_matrix(RowMajor(matrix).data()); }
 
 Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
 
@@ -198,9 +184,7 @@ Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame fram
     return least_squares_angular_velocity([&](const Eigen::Vector3d& w) { return rate(matrix, w, frame); }, rates);
 }
 
-} // namespace rotconv::dcm
-
-namespace rotconv {
+} // namespace dcm
 
 constinit const Codec codecs::dcm{
     .representation = {.name = RepresentationId::dcm,
@@ -213,8 +197,7 @@ constinit const Codec codecs::dcm{
                        .other_order = {0, 3, 6, 1, 4, 7, 2, 5, 8},
                        .range = "orthogonal, det 1",
                        .formula = "v_ref = R v_body; R = [e1 e2 e3], the body axes in reference coordinates"},
-    .read = dcm::read,
-    .exact_defect = defect_of<RowMajor, dcm::defect>,
+    .exact_defect = defect_of_matrix,
     .sensitivity = sensitivity_of<dcm::sensitivity>,
     .rate = rate_of<RowMajor, dcm::rate>,
     .angular_velocity = angular_velocity_of<RowMajor, dcm::angular_velocity>};

@@ -6,9 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "../batch/euler.hpp"
 #include "../numerics/angles.hpp"
+#include "../numerics/power_of_two.hpp"
 #include "codec.hpp"
+#include "euler_formulas.hpp"
 
 namespace rotconv {
 
@@ -58,6 +59,13 @@ struct RateSystem {
     double far_along, far_across; // components of R_m e_f along n and k
 };
 
+Sensitivity sensitivity_of(double cosine_length, double sine_length) noexcept {
+    const double smaller = std::min(cosine_length, sine_length);
+    const double larger = std::max(cosine_length, sine_length);
+    return {.margin = 2.0 * angle_of(larger, smaller, AngleUnit::radians).hi,
+            .condition = std::sqrt(smaller * smaller + larger * larger) / (std::numbers::sqrt2 * smaller)};
+}
+
 } // namespace
 
 Reading to_rotation(const EulerAngles& value) noexcept {
@@ -80,12 +88,13 @@ DiagnosticSet diagnostics(const Rotation& rotation, EulerSequence sequence, doub
 
 Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept {
     const FixedAxes axes(sequence);
-    const TurnVectors<double> vectors(
-        axes, {rotation.w(), rotation.along(axes.i), rotation.along(axes.j), rotation.along(axes.k)});
-    const double smaller = std::min(vectors.cosine_length, vectors.sine_length);
-    const double larger = std::max(vectors.cosine_length, vectors.sine_length);
-    return {.margin = 2.0 * angle_of(larger, smaller, AngleUnit::radians).hi,
-            .condition = ScaledVector(smaller, larger).length / (std::numbers::sqrt2 * smaller)};
+    const std::array<double, 4> q{rotation.w(), rotation.along(axes.i), rotation.along(axes.j), rotation.along(axes.k)};
+    if (std::ranges::all_of(q, is_plain_component)) {
+        const TurnVectors<double> vectors(axes, {q[0], q[1], q[2], q[3]});
+        return sensitivity_of(vectors.cosine_length, vectors.sine_length);
+    }
+    const TurnVectors<ScaledDoubleDouble> vectors(axes, {q[0], q[1], q[2], q[3]});
+    return sensitivity_of(to_double(vectors.cosine_length), to_double(vectors.sine_length));
 }
 
 Eigen::Vector3d rate(const EulerAngles& value, const Eigen::Vector3d& w, Frame frame) noexcept {
@@ -136,15 +145,16 @@ struct Triple {
     double distance = 0.0;              ///< to the last numbers, squared
 };
 
-void nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, double* v) noexcept {
+void nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest, double* v) noexcept {
     const AngleUnit unit = spec.unit;
+    const std::array exact{two_sum(v[0], rest[0]), two_sum(v[1], rest[1]), two_sum(v[2], rest[2])};
     if (diagnostics.has(DiagnosticKind::gimbal_lock)) { // only the sum or the difference of the outer angles counts
         const FixedAxes axes(spec.sequence);
         const bool is_low = v[1] < (spec.sequence.proper() ? 0.5 * half_turn_in(unit).hi : 0.0);
         const double sum_sign = is_low == (spec.sequence.proper() || axes.sign > 0.0) ? 1.0 : -1.0;
-        const Real first = exact_sum(v[0], sum_sign * (v[2] - last[2]));
+        const DoubleDouble first = exact[0] + scaled(exact[2] - last[2], sum_sign);
         v[0] = plus_half_turns(first, 2.0 * nearest_turns(last[0] - first.hi, unit), unit).hi;
-        v[1] = plus_half_turns(v[1], 2.0 * nearest_turns(last[1] - v[1], unit), unit).hi;
+        v[1] = plus_half_turns(exact[1], 2.0 * nearest_turns(last[1] - v[1], unit), unit).hi;
         v[2] = last[2];
         return;
     }
@@ -155,10 +165,10 @@ void nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, do
         const Triple other(spec, true, last, v);
         chosen = other.distance < chosen.distance ? other : chosen;
     }
-    v[1] = chosen.middle_sign * v[1] + 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (chosen.half_turns[i] != 0.0) {
-            v[i] = plus_half_turns(v[i], chosen.half_turns[i], unit).hi;
+        const double sign = i == 1 ? chosen.middle_sign : 1.0;
+        if (sign < 0.0 || chosen.half_turns[i] != 0.0) {
+            v[i] = plus_half_turns(scaled(exact[i], sign), chosen.half_turns[i], unit).hi + 0.0;
         }
     }
 }

@@ -4,7 +4,7 @@
 
 #include <rotconv/euler.hpp>
 
-#include "../numerics/real.hpp"
+#include "../numerics/double_double.hpp"
 
 namespace rotconv {
 

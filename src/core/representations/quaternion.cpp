@@ -1,22 +1,19 @@
 #include <rotconv/quaternion.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-#include "../numerics/scaling.hpp"
+#include "../numerics/power_of_two.hpp"
 #include "codec.hpp"
 
 namespace rotconv::quaternion {
 
-Reading to_rotation_of_any_size(const Eigen::Quaterniond& q) noexcept {
-    if (!q.coeffs().allFinite()) {
-        return Error::not_finite;
-    }
-    if (largest_magnitude(q.w(), q.x(), q.y(), q.z()) == 0.0) {
-        return Error::zero_quaternion;
-    }
-    return {Rotation::from_components(q.w(), q.x(), q.y(), q.z()), defect(q)};
+Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) noexcept {
+    const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
+    return within(read_row({.name = RepresentationId::quat}, numbers.data()), tolerance, [&] { return defect(q); });
 }
 
 double defect(const Eigen::Quaterniond& q) noexcept {
@@ -63,7 +60,8 @@ constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", xyzw},
 Eigen::Quaterniond value_of(const Spec& /*spec*/, const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
 
 /// q or -q.
-void nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, double* q) noexcept {
+void nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, const double* /*rest*/,
+             double* q) noexcept {
     if (last[0] * q[0] + last[1] * q[1] + last[2] * q[2] + last[3] * q[3] < 0.0) {
         std::transform(q, q + 4, q, [](double component) { return 0.0 - component; });
     }
@@ -83,7 +81,6 @@ constinit const Codec codecs::quat{
                        .other_order = {1, 2, 3, 0},
                        .range = "unit; w > 0, or w = 0 and the first nonzero of x, y, z positive",
                        .formula = "w = cos(theta/2), (x, y, z) = sin(theta/2) n"},
-    .read = read_each<Eigen::Vector4d, quaternion::to_rotation, value_of>,
     .exact_defect = [](const double* v) noexcept { return quaternion::defect(value_of({}, v)); },
     .sensitivity = sensitivity_of<quaternion::sensitivity>,
     .nearest = nearest,

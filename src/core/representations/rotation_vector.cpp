@@ -1,15 +1,16 @@
 #include <rotconv/rotation_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
-#include "../batch/rotation_vector.hpp"
 #include "../numerics/angles.hpp"
-#include "../numerics/scaling.hpp"
+#include "../numerics/power_of_two.hpp"
+#include "../numerics/quaternion_algebra.hpp"
 #include "codec.hpp"
 #include "half_turn.hpp"
 
@@ -25,13 +26,20 @@ struct HalfLength {
     SineCosine<double> sides{0.0, 1.0};
 };
 
+/// |r| to twice the working precision.
+DoubleDouble length_of(const Eigen::Vector3d& r) noexcept {
+    const auto scale = PowerOfTwo::to_unit(largest_magnitude(r.x(), r.y(), r.z()));
+    const DoubleDouble length = root(sum_of_squares(scale(r.x()), scale(r.y()), scale(r.z())));
+    return {scale.undone(length.hi), scale.undone(length.lo)};
+}
+
 HalfLength half_length(const RotationVector& value) noexcept {
     const double size = value.vector.cwiseAbs().maxCoeff();
     const double per_radian = units_per_radian(value.unit);
     if (size <= linear_half_angle * per_radian) {
         return {};
     }
-    const Real half = ScaledRotationVector(value.vector.x(), value.vector.y(), value.vector.z()).half_angle();
+    const DoubleDouble half = scaled(length_of(value.vector), 0.5);
     return {half.hi / per_radian, sine_cosine<double>(half, value.unit)};
 }
 
@@ -104,7 +112,8 @@ using Eigen::Map;
 using Eigen::Vector3d;
 
 /// n (theta + 2 pi k); without an angle any axis.
-void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, double* r) noexcept {
+void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
+             double* r) noexcept {
     const double pi = half_turn_in(spec.unit).hi;
     if ((Map<const Vector3d>(r) - Map<const Vector3d>(last)).squaredNorm() < 0.99 * (pi * pi)) {
         return; // the others are a whole turn and more from these
@@ -115,16 +124,19 @@ void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/
     if (size == 0.0) {
         return;
     }
+    // the vector times a power of two, and its length
     const auto scale = PowerOfTwo::to_unit(size);
-    const Vector3d scaled{scale(along[0]), scale(along[1]), scale(along[2])};
-    const Real scaled_length = root(sum_of_squares(scaled[0], scaled[1], scaled[2]));
-    const Real theta = is_identity ? Real() : Real(scale.undone(scaled_length.hi), scale.undone(scaled_length.lo));
-    const double last_along = scaled.dot(Map<const Vector3d>(last)) / scaled_length.hi;
+    const auto component = [&](std::size_t i) { return two_sum(scale(along[i]), is_identity ? 0.0 : scale(rest[i])); };
+    const std::array vector{component(0), component(1), component(2)};
+    const DoubleDouble length = root(sum_of_squares(vector[0], vector[1], vector[2]));
+    const DoubleDouble theta =
+        is_identity ? DoubleDouble() : DoubleDouble(scale.undone(length.hi), scale.undone(length.lo));
+    const double last_along = (vector[0].hi * last[0] + (vector[1].hi * last[1] + vector[2].hi * last[2])) / length.hi;
     const double turns = nearest_turns(last_along - theta.hi, spec.unit);
     if (turns != 0.0) {
-        const Real ratio = plus_half_turns(theta, 2.0 * turns, spec.unit) / scaled_length;
+        const DoubleDouble ratio = plus_half_turns(theta, 2.0 * turns, spec.unit) / length;
         for (std::size_t i = 0; i < 3; ++i) {
-            r[i] = (ratio * scaled[static_cast<Eigen::Index>(i)]).hi + 0.0;
+            r[i] = (ratio * vector[i]).hi + 0.0;
         }
     }
 }

@@ -6,53 +6,41 @@
 
 #include <Eigen/Geometry>
 
-#include "../batch/scaling.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
-#include "../numerics/scaling.hpp"
+#include "../numerics/power_of_two.hpp"
 #include "codec.hpp"
-#include "gram_schmidt.hpp"
+#include "matrices.hpp"
 
-namespace rotconv::two_column {
-namespace {
-
-Reading read_any(const Columns& m) noexcept {
-    if (!m.allFinite()) {
-        return Error::not_finite;
-    }
-    const Reading reading = gram_schmidt(m.col(0), m.col(1));
-    return reading ? Reading(*reading, defect(m)) : reading;
-}
-
-void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, Readings& readings) noexcept {
-    TwoColumns m; // as many rows as there are
-    to_columns(numbers, rows, m);
-    read_columns(m, rows, readings,
-                 [numbers](std::size_t i) { return read_any(Eigen::Map<const Columns>(numbers + 6 * i)); });
-}
-
-} // namespace
-
-Reading to_rotation(const Columns& m) noexcept { return read_row({.name = RepresentationId::two_column}, m.data()); }
+namespace rotconv {
 
 // From the eigenvalues of M'M - I.
-double defect(const Columns& m) noexcept {
+double defect_of_columns(const double* columns) noexcept {
+    const Eigen::Map<const TwoColumns> m(columns);
     const auto scale = PowerOfTwo::to_unit(std::max(1.0, m.cwiseAbs().maxCoeff()));
-    const Columns scaled = m.unaryExpr(scale);
+    const TwoColumns scaled = m.unaryExpr(scale);
     const double unit = scale(1.0);
     const double a = scaled.col(0).squaredNorm() - unit * unit;
     const double b = scaled.col(1).squaredNorm() - unit * unit;
     const double c = scaled.col(0).dot(scaled.col(1));
     const double mean = 0.5 * (a + b);
-    const double radius = ScaledVector(0.5 * (a - b), c).length;
+    const double radius = std::sqrt(0.25 * (a - b) * (a - b) + c * c);
     const auto from_one = [unit](double square_excess) {
         return std::fabs(square_excess) / (unit + std::sqrt(std::max(0.0, unit * unit + square_excess)));
     };
     return scale.undone(std::max(from_one(mean + radius), from_one(mean - radius)));
 }
 
+namespace two_column {
+
+Reading to_rotation(const TwoColumns& m, double tolerance) noexcept {
+    return within(read_row({.name = RepresentationId::two_column}, m.data()), tolerance, [&] { return defect(m); });
+}
+
+double defect(const TwoColumns& m) noexcept { return defect_of_columns(m.data()); }
+
 Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = std::numbers::sqrt2}; }
 
-Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
+TwoColumns rate(const TwoColumns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
     Eigen::Vector3d axis = w;
     if (frame == Frame::body) {
         const Eigen::Vector3d normal = m.col(0).cross(m.col(1));
@@ -60,18 +48,16 @@ Columns rate(const Columns& m, const Eigen::Vector3d& w, Frame frame) noexcept {
         const Eigen::Vector3d third = normal / normal.norm();
         axis = w.x() * first + w.y() * third.cross(first) + w.z() * third;
     }
-    Columns rates;
+    TwoColumns rates;
     rates << axis.cross(m.col(0)), axis.cross(m.col(1));
     return rates;
 }
 
-Eigen::Vector3d angular_velocity(const Columns& m, const Columns& rates, Frame frame) noexcept {
+Eigen::Vector3d angular_velocity(const TwoColumns& m, const TwoColumns& rates, Frame frame) noexcept {
     return least_squares_angular_velocity([&](const Eigen::Vector3d& w) { return rate(m, w, frame); }, rates);
 }
 
-} // namespace rotconv::two_column
-
-namespace rotconv {
+} // namespace two_column
 
 constinit const Codec codecs::two_column{
     .representation = {.name = RepresentationId::two_column,
@@ -83,10 +69,9 @@ constinit const Codec codecs::two_column{
                        .presets = presets_of_matrices,
                        .range = "two orthonormal columns",
                        .formula = "columns 1 and 2 of R; the third is their cross product"},
-    .read = two_column::read,
-    .exact_defect = defect_of<Columns, two_column::defect>,
+    .exact_defect = defect_of_columns,
     .sensitivity = sensitivity_of<two_column::sensitivity>,
-    .rate = rate_of<Columns, two_column::rate>,
-    .angular_velocity = angular_velocity_of<Columns, two_column::angular_velocity>};
+    .rate = rate_of<TwoColumns, two_column::rate>,
+    .angular_velocity = angular_velocity_of<TwoColumns, two_column::angular_velocity>};
 
 } // namespace rotconv

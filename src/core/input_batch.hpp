@@ -9,11 +9,11 @@
 
 namespace rotconv {
 
-/// A batch of rows of a SPEC, to be read: its attitudes, not yet inverted where the SPEC is passive.
-class ReadBatch : public Readings {
+/// A batch of rows of a SPEC and the attitudes that they describe, once a kernel has read them.
+class InputBatch {
 public:
     /// @param in as written, at most `batch_rows` rows, which must outlive this
-    ReadBatch(const Spec& spec, const double* in, std::size_t rows) noexcept
+    InputBatch(const Spec& spec, const double* in, std::size_t rows) noexcept
         : codec_(&codec_of(spec.name)), own_(in), size_(spec.size()) {
         if (spec.is_reordered()) {
             to_own_order(spec, in, rows, own_order_.data());
@@ -24,22 +24,13 @@ public:
     /// The numbers in the representation's own order.
     [[nodiscard]] const double* own() const noexcept { return own_; }
 
-    void read(const Spec& spec, std::size_t rows) noexcept { batch_functions().read(spec, own_, rows, *this); }
-
-    /// The inverses.
-    void invert(std::size_t rows) noexcept {
-        for (std::size_t i = 0; i < rows; ++i) {
-            w[i] = -w[i];
-        }
-    }
-
-    /// The row's error, or its defect and whether that is to be told.
-    [[nodiscard]] Report report(std::size_t row, const Settings& settings) const noexcept {
-        const Reading read = reading(row);
-        Report report{.error = read.error(), .defect = read.defect()};
-        if (!read) {
+    /// The row's error, or its defect and whether that is to be reported.
+    [[nodiscard]] RowReport report(std::size_t row, const ConversionSettings& settings) const noexcept {
+        RowReport report{.error = attitudes.error[row]};
+        if (report.error != Error::none) {
             return report;
         }
+        report.defect = attitudes.defect[row];
         if (codec_->exact_defect != nullptr && (settings.sensitivity || settings.tolerance < report.defect)) {
             report.defect = codec_->exact_defect(own_ + row * size_);
         }
@@ -50,6 +41,8 @@ public:
         }
         return report;
     }
+
+    AttitudeBatch<double> attitudes; ///< rounded
 
 private:
     const Codec* codec_;

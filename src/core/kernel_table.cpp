@@ -1,34 +1,34 @@
-#include "batch.hpp"
-
 #include <array>
+
+#include "kernels.hpp"
 
 namespace rotconv {
 
-extern const BatchFunctions functions_of_any_processor;
+extern const KernelTable kernels_of_any_processor;
 #ifdef ROTCONV_HAS_FMA_TARGET
-extern const BatchFunctions functions_of_avx2_fma;
+extern const KernelTable kernels_of_avx2_fma;
 #endif
 
-const BatchFunctions& batch_functions() noexcept {
+const KernelTable& kernel_table() noexcept {
 #ifdef ROTCONV_HAS_FMA_TARGET
     static const bool has_fma =
         static_cast<bool>(__builtin_cpu_supports("avx2")) && static_cast<bool>(__builtin_cpu_supports("fma"));
-    return has_fma ? functions_of_avx2_fma : functions_of_any_processor;
+    return has_fma ? kernels_of_avx2_fma : kernels_of_any_processor;
 #else
-    return functions_of_any_processor;
+    return kernels_of_any_processor;
 #endif
 }
 
 Reading read_row(const Spec& spec, const double* numbers) noexcept {
     std::array<double, 4> q{};
     double defect = 0.0;
-    const Error error = batch_functions().read_one(spec, numbers, q.data(), defect);
+    const Error error = kernel_table().read_one(spec, numbers, q.data(), defect);
     return error == Error::none ? Reading(Rotation::near_unit(q[0], q[1], q[2], q[3]), defect) : Reading(error);
 }
 
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin) noexcept {
     const std::array<double, 4> q{rotation.w(), rotation.x(), rotation.y(), rotation.z()};
-    return batch_functions().write_one(spec, lock_margin, q.data(), numbers);
+    return kernel_table().write_one(spec, lock_margin, q.data(), numbers);
 }
 
 } // namespace rotconv

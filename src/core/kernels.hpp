@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+
+#include <rotconv/frame.hpp>
+#include <rotconv/spec.hpp>
+
+#include "representations/attitude_batch.hpp"
+
+namespace rotconv {
+
+// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
+
+/// A quaternion of 106 bits: w, x, y, z in two parts each, as those of Rotation.
+struct ExactQuaternion {
+    double hi[4];
+    double lo[4];
+};
+
+/// What the conversion of a batch needs beside its rows.
+struct ConversionBatch {
+    const Spec* from;
+    const Spec* to;
+    double lock_margin;
+    const ExactQuaternion* left;  ///< turns the attitudes, as they are written, from the left; or null
+    const ExactQuaternion* right; ///< or from the right
+};
+
+/// What a batch of relative attitudes, R_REF' R or R R_REF', needs beside its rows.
+struct RelativeBatch {
+    const Spec* from;
+    const Spec* reference;
+    const Spec* to;
+    Frame frame;
+    double lock_margin;
+};
+
+/// The functions that are compiled for one kind of processor. Batches have at most `batch_rows` rows. Numbers are in
+/// the representation's own order. Diagnostics are what there is to report of each row; the sets are empty at first.
+struct KernelTable {
+    /// From one representation to the other, each number rounded once. `attitudes` become those that are written,
+    /// rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers have beside
+    /// those written.
+    void (*convert)(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& attitudes,
+                    double* out, double* rest, DiagnosticSet* diagnostics) noexcept;
+    /// The same in plain double.
+    void (*convert_fast)(const ConversionBatch& batch, const double* in, std::size_t rows,
+                         AttitudeBatch<double>& attitudes, double* out, double* rest,
+                         DiagnosticSet* diagnostics) noexcept;
+    /// The attitudes that rows describe, rounded once.
+    void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes) noexcept;
+    /// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal
+    /// quaternions is 0.
+    void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
+                   std::size_t rows, AttitudeBatch<double>& relative) noexcept;
+    /// The relative attitudes of rows, each number rounded once.
+    void (*write_relative)(const RelativeBatch& batch, const double* in, const double* reference, std::size_t rows,
+                           double* out, DiagnosticSet* diagnostics) noexcept;
+    /// One row to the last bit.
+    void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
+    /// One row in plain double, q as w, x, y, z.
+    Error (*read_one)(const Spec& spec, const double* numbers, double* q, double& defect) noexcept;
+    DiagnosticSet (*write_one)(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept;
+};
+
+/// That of this processor. All give the same numbers.
+[[nodiscard]] const KernelTable& kernel_table() noexcept;
+
+/// One row; its defect, up to `reported_defect`, is a bound.
+[[nodiscard]] Reading read_row(const Spec& spec, const double* numbers) noexcept;
+
+/// One row; with a lock margin of 0 nothing is given up to lock. Returns what there is to report of it.
+DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin = 0.0) noexcept;
+
+// NOLINTEND(*-avoid-c-arrays)
+
+} // namespace rotconv

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "double_double.hpp"
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+
+[[nodiscard]] ROTCONV_INLINE double larger_of(double a, double b) noexcept { return a > b ? a : b; }
+
+/// Largest magnitude among the arguments.
+template <class... Rest> [[nodiscard]] ROTCONV_INLINE double largest_magnitude(double first, Rest... rest) noexcept {
+    double largest = __builtin_fabs(first);
+    ((largest = larger_of(largest, __builtin_fabs(rest))), ...);
+    return largest;
+}
+
+[[nodiscard]] ROTCONV_INLINE bool all_finite(const double* numbers, std::size_t count) noexcept {
+    double sum = 0.0; // or nan
+    for (std::size_t i = 0; i < count; ++i) {
+        sum += numbers[i] - numbers[i];
+    }
+    return sum == 0.0;
+}
+
+/// The power of two that brings a plain magnitude into [1/2, 1).
+[[nodiscard]] ROTCONV_INLINE double unit_scale(double magnitude) noexcept {
+    const std::uint64_t exponent = __builtin_bit_cast(std::uint64_t, magnitude) & 0x7ff0000000000000U;
+    return __builtin_bit_cast(double, 0x7fd0000000000000U - exponent);
+}
+
+/// An exact scaling of any number by a power of two, in two factors because one alone cannot span from 2^-1074 to
+/// 2^1023.
+class PowerOfTwo {
+public:
+    /// The power that brings the finite `magnitude` into [1/2, 1); 1 for 0.
+    static PowerOfTwo to_unit(double magnitude) noexcept {
+        if (magnitude == 0.0) {
+            return {0, 0};
+        }
+        const bool tiny = magnitude < 0x1p-500;
+        const int exponent = exponent_of(tiny ? magnitude * 0x1p600 : magnitude) + 1 - (tiny ? 600 : 0);
+        const int half = -exponent / 2;
+        return {half, -exponent - half};
+    }
+
+    [[nodiscard]] double operator()(double value) const noexcept { return (value * first_) * second_; }
+    [[nodiscard]] double undone(double value) const noexcept { return (value * first_back_) * second_back_; }
+
+private:
+    PowerOfTwo(int first, int second) noexcept
+        : first_(power_of_two(first)), second_(power_of_two(second)), first_back_(power_of_two(-first)),
+          second_back_(power_of_two(-second)) {}
+
+    double first_;
+    double second_;
+    double first_back_;
+    double second_back_;
+};
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

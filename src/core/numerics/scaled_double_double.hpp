@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstdint>
+
+#include "double_double.hpp"
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+
+/// Of what is called for a few rows alone, and would be long in line.
+#if defined(__GNUC__)
+#define ROTCONV_NOINLINE __attribute__((noinline))
+#else
+#define ROTCONV_NOINLINE
+#endif
+
+/// A DoubleDouble with an exponent of its own, for the few rows whose products would leave its range: slow, and right
+/// at any size. Errors as of DoubleDouble.
+class ScaledDoubleDouble {
+public:
+    ScaledDoubleDouble() noexcept = default;
+    ScaledDoubleDouble(double value) noexcept : ScaledDoubleDouble(DoubleDouble(value)) {}
+    ScaledDoubleDouble(DoubleDouble value) noexcept : ScaledDoubleDouble(value, 0) {}
+
+    /// Rounded once, to subnormal numbers too; infinite where it is too large.
+    [[nodiscard]] ROTCONV_NOINLINE double rounded() const noexcept {
+        if (exponent_ > 1023) {
+            return part_.hi * __builtin_inf();
+        }
+        if (exponent_ >= -1022) {
+            return part_.hi * power_of_two(exponent_);
+        }
+        if (exponent_ < -1080) {
+            return 0.0;
+        }
+        // In units of 2^-1074: below 2^52, and to the nearest integer, of two the even one.
+        const DoubleDouble units = scaled(scaled(part_, power_of_two(exponent_ + 600)), 0x1p474);
+        const double sign = units.hi < 0.0 ? -1.0 : 1.0;
+        const auto whole = static_cast<std::int64_t>(sign * units.hi);
+        const double rest = sign * units.hi - static_cast<double>(whole);
+        const double beyond = sign * units.lo;
+        const bool up = rest > 0.5 || (rest == 0.5 && (beyond > 0.0 || (beyond == 0.0 && (whole & 1) != 0)));
+        return sign * static_cast<double>(whole + (up ? 1 : 0)) * 0x1p-537 * 0x1p-537;
+    }
+    /// What is too small for the parts is rounded away.
+    [[nodiscard]] DoubleDouble rounded_parts() const noexcept {
+        const double high = rounded();
+        return {high, (*this - ScaledDoubleDouble(high)).rounded()};
+    }
+    [[nodiscard]] bool is_zero() const noexcept { return part_.hi == 0.0; }
+    [[nodiscard]] bool is_negative() const noexcept { return part_.hi < 0.0; }
+    [[nodiscard]] ScaledDoubleDouble magnitude() const noexcept { return is_negative() ? -*this : *this; }
+    /// Of the power of two that its leading bit stands for; very low for 0.
+    [[nodiscard]] int exponent() const noexcept { return is_zero() ? -1'000'000 : exponent_; }
+    /// Times 2^power.
+    [[nodiscard]] ScaledDoubleDouble shifted(int power) const noexcept { return {part_, exponent_ + power}; }
+
+    friend ScaledDoubleDouble operator-(const ScaledDoubleDouble& a) noexcept { return {-a.part_, a.exponent_}; }
+    ROTCONV_NOINLINE friend ScaledDoubleDouble operator+(const ScaledDoubleDouble& a,
+                                                         const ScaledDoubleDouble& b) noexcept {
+        if (a.is_zero() || b.is_zero()) {
+            return a.is_zero() ? b : a;
+        }
+        const bool a_first = a.exponent_ >= b.exponent_;
+        const ScaledDoubleDouble& first = a_first ? a : b;
+        const ScaledDoubleDouble& second = a_first ? b : a;
+        const int distance = first.exponent_ - second.exponent_;
+        if (distance > 300) {
+            return first;
+        }
+        return {first.part_ + scaled(second.part_, power_of_two(-distance)), first.exponent_};
+    }
+    friend ScaledDoubleDouble operator-(const ScaledDoubleDouble& a, const ScaledDoubleDouble& b) noexcept {
+        return a + -b;
+    }
+    friend ScaledDoubleDouble sloppy_sum(const ScaledDoubleDouble& a, const ScaledDoubleDouble& b) noexcept {
+        return a + b;
+    }
+    ROTCONV_NOINLINE friend ScaledDoubleDouble operator*(const ScaledDoubleDouble& a,
+                                                         const ScaledDoubleDouble& b) noexcept {
+        return {a.part_ * b.part_, a.exponent_ + b.exponent_};
+    }
+    ROTCONV_NOINLINE friend ScaledDoubleDouble operator/(const ScaledDoubleDouble& a,
+                                                         const ScaledDoubleDouble& b) noexcept {
+        return {a.part_ / b.part_, a.exponent_ - b.exponent_};
+    }
+    ROTCONV_NOINLINE friend ScaledDoubleDouble root(const ScaledDoubleDouble& a) noexcept {
+        const int odd = a.exponent_ & 1;
+        return {root(scaled(a.part_, odd != 0 ? 2.0 : 1.0)), (a.exponent_ - odd) / 2};
+    }
+    friend ScaledDoubleDouble square(const ScaledDoubleDouble& a) noexcept { return a * a; }
+    friend ScaledDoubleDouble exact_square(const ScaledDoubleDouble& a) noexcept { return a * a; }
+    friend ScaledDoubleDouble scaled(const ScaledDoubleDouble& a, double power) noexcept {
+        return a * ScaledDoubleDouble(power);
+    }
+    friend ScaledDoubleDouble select(bool condition, const ScaledDoubleDouble& yes,
+                                     const ScaledDoubleDouble& no) noexcept {
+        return condition ? yes : no;
+    }
+    friend bool is_at_most(const ScaledDoubleDouble& a, const ScaledDoubleDouble& b) noexcept {
+        return !(b - a).is_negative();
+    }
+    /// The nearest double, which may be 0 or infinite; see sign_of().
+    friend double to_double(const ScaledDoubleDouble& a) noexcept { return a.rounded(); }
+    /// Of the value's sign, and 0 only for 0.
+    friend double sign_of(const ScaledDoubleDouble& a) noexcept { return a.part_.hi; }
+
+private:
+    /// Takes the exponent out of the part.
+    ROTCONV_NOINLINE ScaledDoubleDouble(DoubleDouble part, int exponent) noexcept : part_(part), exponent_(exponent) {
+        if (part_.hi == 0.0 || !(__builtin_fabs(part_.hi) <= 0x1.fffffffffffffp1023)) {
+            exponent_ = 0;
+            return;
+        }
+        if (exponent_of(part_.hi) < -500) {
+            part_ = scaled(part_, 0x1p600);
+            exponent_ -= 600;
+        }
+        const int own = exponent_of(part_.hi);
+        part_ = scaled(scaled(part_, power_of_two(-own / 2)), power_of_two(-own - -own / 2));
+        exponent_ += own;
+    }
+
+    DoubleDouble part_; ///< 0, or of size 1 to 2
+    int exponent_ = 0;  ///< of 2
+};
+
+template <> inline ScaledDoubleDouble rounded_to<ScaledDoubleDouble>(DoubleDouble a) noexcept { return a; }
+template <> struct Scalars<ScaledDoubleDouble> {
+    using Precise = ScaledDoubleDouble;
+    using Given = ScaledDoubleDouble;
+};
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -1,0 +1,303 @@
+#include "../numerics/davenport.hpp"
+#include "../numerics/power_of_two.hpp"
+#include "kernel.hpp"
+#include "matrices.hpp"
+#include "write_rows.hpp"
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+namespace {
+
+struct Matrix {
+    static constexpr std::size_t size = 9;
+
+    template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[9]) noexcept {
+        scaled_matrix_of(q, numbers);
+        divide_entries(numbers, squared_norm(q));
+    }
+};
+
+/// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
+constexpr double near_rotation = 0.05;
+/// The square of the distance below up to which one power step serves, and a bound on the defect of such a matrix.
+constexpr double clean_square = 0x1p-58;
+constexpr double clean_defect = 0x1p-27;
+
+/// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
+/// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
+ROTCONV_INLINE double squared_distance(const double (&m)[9]) noexcept {
+    const double cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
+    const double cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
+    const double cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
+    const double first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
+    const double second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
+    const double both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
+    return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
+           ((first * first + second * second) + both * both);
+}
+
+/// k0 q0 + k1 q1 + k2 q2 + k3 q3 - mu q: what is small beside the products, with their own error of 2^-104.
+ROTCONV_INLINE double residual(DoubleDouble k0, double q0, DoubleDouble k1, double q1, DoubleDouble k2, double q2,
+                               DoubleDouble k3, double q3, double mu, double q) noexcept {
+    const DoubleDouble first = two_prod(k0.hi, q0);
+    const DoubleDouble second = two_prod(k1.hi, q1);
+    const DoubleDouble third = two_prod(k2.hi, q2);
+    const DoubleDouble fourth = two_prod(k3.hi, q3);
+    const DoubleDouble fifth = two_prod(-mu, q);
+    const DoubleDouble two = two_sum(first.hi, fifth.hi); // the large ones cancel first
+    const DoubleDouble three = two_sum(two.hi, second.hi);
+    const DoubleDouble four = two_sum(third.hi, fourth.hi);
+    const DoubleDouble all = two_sum(three.hi, four.hi);
+    return all.hi + (((all.lo + two.lo) + (three.lo + four.lo)) +
+                     (((first.lo + fifth.lo) + (second.lo + third.lo)) +
+                      ((fourth.lo + k0.lo * q0) + ((k1.lo * q1 + k2.lo * q2) + k3.lo * q3))));
+}
+inline ScaledDoubleDouble residual(const ScaledDoubleDouble& k0, const ScaledDoubleDouble& q0,
+                                   const ScaledDoubleDouble& k1, const ScaledDoubleDouble& q1,
+                                   const ScaledDoubleDouble& k2, const ScaledDoubleDouble& q2,
+                                   const ScaledDoubleDouble& k3, const ScaledDoubleDouble& q3, double mu,
+                                   const ScaledDoubleDouble& q) noexcept {
+    return ((k0 * q0 - ScaledDoubleDouble(mu) * q) + k1 * q1) + (k2 * q2 + k3 * q3);
+}
+
+/// The inverse of a symmetric matrix.
+struct Inverse {
+    double xx, yy, zz, xy, xz, yz;
+
+    ROTCONV_INLINE Inverse(double a_xx, double a_yy, double a_zz, double a_xy, double a_xz, double a_yz) noexcept
+        : xx(a_yy * a_zz - a_yz * a_yz), yy(a_xx * a_zz - a_xz * a_xz), zz(a_xx * a_yy - a_xy * a_xy),
+          xy(a_xz * a_yz - a_xy * a_zz), xz(a_xy * a_yz - a_xz * a_yy), yz(a_xy * a_xz - a_yz * a_xx) {
+        const double factor = 1.0 / ((a_xx * xx + a_xy * xy) + a_xz * xz);
+        xx *= factor;
+        yy *= factor;
+        zz *= factor;
+        xy *= factor;
+        xz *= factor;
+        yz *= factor;
+    }
+};
+
+/// One Newton step towards the unit quaternion that maximises trace(R(q)' M), where q is near it: the correction, in
+/// parts that are small as q's own components are, so that small angles keep their relative accuracy. T is the
+/// scalar of K, Small that of q, which is not normalised, and of what is small.
+///
+/// With S = R(q)' M the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12), and
+/// the right side is the vector part of q* (K - mu) q/|q|^2 for any mu. Near q's own eigenvalue nothing large is left.
+template <class T, class Small> ROTCONV_INLINE void
+newton_step(const double (&m)[9], const Small (&q)[4], const double (&near)[4], Small (&correction)[4]) noexcept {
+    const Davenport<T> k(m);
+    double r[9];
+    scaled_matrix_of(near, r);
+    const double norm = squared_norm(near);
+    const auto entry = [&](int i, int j) {
+        return (r[i] * m[j] + r[3 + i] * m[3 + j]) + r[6 + i] * m[6 + j]; // of |q|^2 S
+    };
+    const double s_xx = entry(0, 0);
+    const double s_yy = entry(1, 1);
+    const double s_zz = entry(2, 2);
+    const Inverse inverse(s_yy + s_zz, s_xx + s_zz, s_xx + s_yy, -0.5 * (entry(0, 1) + entry(1, 0)),
+                          -0.5 * (entry(0, 2) + entry(2, 0)), -0.5 * (entry(1, 2) + entry(2, 1)));
+    const double mu = 1.0 + (s_xx + s_yy + s_zz) / norm;
+    const Small rest_w = residual(k.ww, q[0], k.wx, q[1], k.wy, q[2], k.wz, q[3], mu, q[0]);
+    const Small rest_x = residual(k.wx, q[0], k.xx, q[1], k.xy, q[2], k.xz, q[3], mu, q[1]);
+    const Small rest_y = residual(k.wy, q[0], k.yy, q[2], k.xy, q[1], k.yz, q[3], mu, q[2]);
+    const Small rest_z = residual(k.wz, q[0], k.zz, q[3], k.xz, q[1], k.yz, q[2], mu, q[3]);
+    // Half of d.
+    const Small w = near[0];
+    const Small x = near[1];
+    const Small y = near[2];
+    const Small z = near[3];
+    const Small a = w * rest_x - x * rest_w - (y * rest_z - z * rest_y);
+    const Small b = w * rest_y - y * rest_w - (z * rest_x - x * rest_z);
+    const Small c = w * rest_z - z * rest_w - (x * rest_y - y * rest_x);
+    const Small dx = 0.5 * ((inverse.xx * a + inverse.xy * b) + inverse.xz * c);
+    const Small dy = 0.5 * ((inverse.xy * a + inverse.yy * b) + inverse.yz * c);
+    const Small dz = 0.5 * ((inverse.xz * a + inverse.yz * b) + inverse.zz * c);
+    // q (0, d/2). A component that K does not couple to the others stays 0, as at a symmetric matrix's half-turn.
+    const auto stays = [&](double component, const T& first, const T& second, const T& third) {
+        return component == 0.0 && sign_of(first) == 0.0 && sign_of(second) == 0.0 && sign_of(third) == 0.0;
+    };
+    const Small none = 0.0;
+    correction[0] = stays(near[0], k.wx, k.wy, k.wz) ? none : none - (x * dx + y * dy + z * dz);
+    correction[1] = stays(near[1], k.wx, k.xy, k.xz) ? none : w * dx + (y * dz - z * dy);
+    correction[2] = stays(near[2], k.wy, k.xy, k.yz) ? none : w * dy + (z * dx - x * dz);
+    correction[3] = stays(near[3], k.wz, k.xz, k.yz) ? none : w * dz + (x * dy - y * dx);
+}
+
+/// Any proper matrix, from a quaternion near its own on, until nothing is left to correct.
+void refine(const double* numbers, ScaledDoubleDouble (&q)[4]) noexcept {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < 9; ++k) {
+        largest = larger_of(largest, __builtin_fabs(numbers[k]));
+    }
+    const PowerOfTwo to_unit = PowerOfTwo::to_unit(largest);
+    double m[9];
+    for (std::size_t k = 0; k < 9; ++k) {
+        m[k] = to_unit(numbers[k]);
+    }
+    double last = 1.0;
+    for (int step = 0; step < 100; ++step) {
+        const double near[4] = {q[0].rounded(), q[1].rounded(), q[2].rounded(), q[3].rounded()};
+        ScaledDoubleDouble correction[4];
+        newton_step<ScaledDoubleDouble>(m, q, near, correction);
+        double size = 0.0;
+        bool is_small = true; // beside each component
+        for (std::size_t k = 0; k < 4; ++k) {
+            size += __builtin_fabs(correction[k].rounded());
+            is_small = is_small && (correction[k].is_zero() || correction[k].exponent() < q[k].exponent() - 60);
+        }
+        if (!(size < 0.5 * last)) {
+            return; // at the end of what can be told
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            q[k] = q[k] + correction[k];
+        }
+        if (is_small) {
+            return;
+        }
+        last = size;
+    }
+}
+
+/// A matrix of which one power step is not known to serve, in double. `is_near`: power steps were enough.
+Error read_unclean(const double* numbers, double square, double (&q)[4], double& defect, bool& is_near) noexcept {
+    if (!all_finite(numbers, 9)) {
+        return Error::not_finite;
+    }
+    const double bound = 3.0 * root(square);
+    is_near = bound <= near_rotation;
+    if (!is_near) {
+        return read_far_matrix(numbers, q, defect);
+    }
+    double m[9];
+    for (std::size_t k = 0; k < 9; ++k) {
+        m[k] = numbers[k];
+    }
+    const Davenport<double> k(m);
+    k.take_pivot_column(q);
+    k.take_power_step(q);
+    for (double remaining = bound * bound; remaining > 0x1p-56; remaining *= bound) {
+        k.take_power_step(q);
+    }
+    const double scale = unit_scale(root(squared_norm(q)));
+    for (double& component : q) {
+        component *= scale;
+    }
+    defect = bound <= reported_defect ? bound : defect_of_matrix(numbers);
+    return Error::none;
+}
+
+/// The steps of a clean matrix.
+ROTCONV_INLINE double read_clean(const double (&m)[9], double (&q)[4]) noexcept {
+    const Davenport<double> k(m);
+    k.take_pivot_column(q);
+    k.take_power_step(q);
+    return squared_distance(m);
+}
+
+Error read_one(const Spec& /*spec*/, const double* numbers, double* q, double& defect) noexcept {
+    double m[9];
+    for (std::size_t k = 0; k < 9; ++k) {
+        m[k] = numbers[k];
+    }
+    double own[4];
+    Error error = Error::none;
+    const double square = read_clean(m, own);
+    defect = clean_defect;
+    if (!(square <= clean_square)) [[unlikely]] {
+        bool is_near = false;
+        error = read_unclean(numbers, square, own, defect, is_near);
+        if (error == Error::none && !is_near) {
+            ScaledDoubleDouble exact[4] = {own[0], own[1], own[2], own[3]};
+            refine(numbers, exact);
+            for (std::size_t k = 0; k < 4; ++k) {
+                own[k] = exact[k].rounded();
+            }
+        }
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+        q[k] = own[k];
+    }
+    return error;
+}
+
+void read_carefully(const Spec& /*spec*/, const double* numbers, ScaledDoubleDouble* q) noexcept {
+    double near[4];
+    double defect = 0.0;
+    bool is_near = false;
+    double m[9];
+    for (std::size_t k = 0; k < 9; ++k) {
+        m[k] = numbers[k];
+    }
+    const double square = read_clean(m, near);
+    if (!(square <= clean_square)) {
+        read_unclean(numbers, square, near, defect, is_near);
+    }
+    ScaledDoubleDouble own[4] = {near[0], near[1], near[2], near[3]};
+    refine(numbers, own);
+    for (std::size_t k = 0; k < 4; ++k) {
+        q[k] = own[k];
+    }
+}
+
+template <class T>
+void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
+    double columns[9][batch_rows];
+    to_columns(numbers, rows, columns);
+    double near[4][batch_rows];
+    double square[batch_rows];
+    bool is_near[batch_rows];
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double m[9] = {columns[0][i], columns[1][i], columns[2][i], columns[3][i], columns[4][i],
+                             columns[5][i], columns[6][i], columns[7][i], columns[8][i]};
+        double q[4];
+        square[i] = read_clean(m, q);
+        for (std::size_t k = 0; k < 4; ++k) {
+            near[k][i] = q[k];
+        }
+        attitudes.defect[i] = clean_defect;
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        attitudes.error[i] = Error::none;
+        is_near[i] = true;
+        if (!(square[i] <= clean_square)) [[unlikely]] {
+            double q[4] = {1.0, 0.0, 0.0, 0.0};
+            attitudes.error[i] = read_unclean(numbers + 9 * i, square[i], q, attitudes.defect[i], is_near[i]);
+            for (std::size_t k = 0; k < 4; ++k) {
+                near[k][i] = q[k];
+            }
+        }
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
+        if constexpr (std::is_same_v<T, double>) {
+            attitudes.set(i, q);
+        } else {
+            const double m[9] = {columns[0][i], columns[1][i], columns[2][i], columns[3][i], columns[4][i],
+                                 columns[5][i], columns[6][i], columns[7][i], columns[8][i]};
+            double correction[4];
+            newton_step<DoubleDouble>(m, q, q, correction);
+            attitudes.set(i, two_sum(q[0], correction[0]), two_sum(q[1], correction[1]), two_sum(q[2], correction[2]),
+                          two_sum(q[3], correction[3]));
+        }
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (!is_near[i] && attitudes.error[i] == Error::none) [[unlikely]] {
+            ScaledDoubleDouble q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
+            refine(numbers + 9 * i, q);
+            attitudes.set(i, rounded_to<T>(q[0].rounded_parts()), rounded_to<T>(q[1].rounded_parts()),
+                          rounded_to<T>(q[2].rounded_parts()), rounded_to<T>(q[3].rounded_parts()));
+        }
+    }
+}
+
+} // namespace
+
+constinit const Kernel kernels::dcm{
+    .fast = {.read = read<double>, .write = write_rows_by<Matrix, double>},
+    .exact = {.read = read<DoubleDouble>, .write = write_rows_by<Matrix, DoubleDouble>},
+    .one = {.read = read_one, .write = write_row_by<Matrix, double>},
+    .careful = {.read = read_carefully, .write = write_row_by<Matrix, ScaledDoubleDouble>}};
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

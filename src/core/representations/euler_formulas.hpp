@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstddef>
+
+#include <rotconv/reading.hpp>
+
+#include "../numerics/elementary.hpp"
+#include "fixed_axes.hpp"
+
+// The formulas of Euler angles for one row, over a scalar: double, DoubleDouble or ScaledDoubleDouble.
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+
+/// a - b, and 0 where so much cancels that the rest is the operands' own error: 0 and gimbal lock are exact.
+template <class T> ROTCONV_INLINE T clean_difference(const T& a, const T& b) noexcept {
+    const T difference = a - b;
+    return select(__builtin_fabs(to_double(difference)) <= 0x1p-97 * __builtin_fabs(to_double(a)), T(0.0), difference);
+}
+ROTCONV_INLINE double clean_difference(double a, double b) noexcept { return a - b; }
+template <class T> ROTCONV_INLINE T clean_sum(const T& a, const T& b) noexcept { return clean_difference(a, -b); }
+
+/// The quaternion w, i, j, k of the three turns about fixed axes, of which half angles are given: their product.
+template <class T>
+ROTCONV_INLINE void product_of_turns(const FixedAxes& axes, const SineCosine<T> (&turns)[3], T (&q)[4]) noexcept {
+    const T cc = turns[2].cosine * turns[0].cosine;
+    const T ss = turns[2].sine * turns[0].sine;
+    const T sc = turns[2].sine * turns[0].cosine;
+    const T cs = turns[2].cosine * turns[0].sine;
+    const T c = turns[1].cosine;
+    const T s = turns[1].sine;
+    const T signed_s = scaled(s, axes.sign);
+    if (axes.proper) {
+        q[0] = c * clean_difference(cc, ss);
+        q[1] = c * clean_sum(sc, cs);
+        q[2] = s * clean_sum(cc, ss);
+        q[3] = signed_s * clean_difference(sc, cs);
+    } else {
+        q[0] = clean_sum(c * cc, signed_s * ss);
+        q[1] = clean_difference(c * cs, signed_s * sc);
+        q[2] = clean_sum(s * cc, scaled(c, axes.sign) * ss);
+        q[3] = clean_difference(c * sc, signed_s * cs);
+    }
+}
+
+template <class T> struct Vector {
+    T x, y;
+
+    [[nodiscard]] ROTCONV_INLINE T length() const noexcept { return root(sloppy_sum(square(x), square(y))); }
+};
+
+/// The vectors whose angles are those of the three turns. With a + ib = C e^(is), c + id = S e^(it) the outer angles
+/// are s + t and s - t, and C, S are cosine and sine of m/2, m the middle angle (of m/2 + pi/4 for Tait-Bryan angles),
+/// times a common factor.
+template <class T> struct TurnVectors {
+    /// @param q w, i, j, k
+    ROTCONV_INLINE TurnVectors(const FixedAxes& axes, const T (&q)[4]) noexcept {
+        const T k = scaled(q[3], axes.sign);
+        const Vector<T> ab{axes.proper ? q[0] : clean_difference(q[0], q[2]), axes.proper ? q[1] : clean_sum(q[1], k)};
+        const Vector<T> cd{axes.proper ? q[2] : clean_sum(q[2], q[0]), axes.proper ? k : clean_difference(k, q[1])};
+        cosine_length = ab.length();
+        sine_length = cd.length();
+        const T ac = ab.x * cd.x;
+        const T bd = ab.y * cd.y;
+        const T bc = ab.y * cd.x;
+        const T ad = ab.x * cd.y;
+        first = {clean_sum(ac, bd), clean_difference(bc, ad)};
+        third = {clean_difference(ac, bd), scaled(clean_sum(bc, ad), axes.proper ? 1.0 : axes.sign)};
+        // a Tait-Bryan angle by its own tangent, (S^2 - C^2)/(2 S C): near 0 it keeps its digits
+        middle = {axes.proper ? cosine_length : cosine_length * sine_length,
+                  axes.proper ? sine_length : scaled(clean_difference(q[0] * q[2], q[1] * k), 2.0)};
+    }
+
+    /// At lock only s (where S = 0) or t (where C = 0) is defined: of the angles that are listed first and last the
+    /// last is 0 and the first twice that.
+    void give_up_one(const FixedAxes& axes, bool intrinsic, const T (&q)[4]) noexcept {
+        const T k = scaled(q[3], axes.sign);
+        const bool sum = !is_at_most(cosine_length, sine_length);
+        const T x = sum ? (axes.proper ? q[0] : q[0] - q[2]) : (axes.proper ? q[2] : q[2] + q[0]);
+        const T y = sum ? (axes.proper ? q[1] : q[1] + k) : (axes.proper ? k : k - q[1]);
+        const double third_sign = axes.proper ? 1.0 : axes.sign;
+        const double sign = intrinsic ? third_sign : (sum ? 1.0 : -1.0);
+        // the first of the numbers is that of the last fixed turn where the turns are intrinsic
+        Vector<T>& free = intrinsic ? third : first;
+        Vector<T>& fixed = intrinsic ? first : third;
+        free = {clean_difference(x, y) * clean_sum(x, y), scaled(x * y, 2.0 * sign)};
+        fixed = {T(1.0), T(0.0)};
+    }
+
+    Vector<T> first, middle, third; ///< in the order of the fixed turns
+    T cosine_length, sine_length;   ///< C and S
+};
+
+/// From where on an attitude counts as locked: where its margin is at most the lock margin, that is where tan(margin/2)
+/// = min(C, S)/max(C, S) is at most tan(lock margin/2).
+struct LockLimit {
+    explicit LockLimit(double lock_margin) noexcept : locks_all(lock_margin >= 0.5 * exact_pi.hi) {
+        if (lock_margin < 1e-9) {
+            tangent = 0.5 * lock_margin;
+        } else if (!locks_all) {
+            const auto half = sine_cosine<DoubleDouble>(0.5 * lock_margin, AngleUnit::radians);
+            tangent = half.sine / half.cosine;
+        }
+    }
+
+    bool locks_all;
+    DoubleDouble tangent;
+};
+
+template <class T> struct Lock {
+    ROTCONV_INLINE Lock(const T& cosine_length, const T& sine_length, const LockLimit& limit) noexcept
+        : upper(is_at_most(cosine_length, sine_length)) {
+        const T smaller = select(upper, cosine_length, sine_length);
+        const T larger = select(upper, sine_length, cosine_length);
+        locked = limit.locks_all || is_at_most(smaller, rounded_to<T>(limit.tangent) * larger);
+        // condition = 1/(sqrt 2 sin(margin/2)), with sin(margin/2) = smaller/hypot
+        constexpr double factor = 2.0 * near_lock_condition * near_lock_condition;
+        const double a = to_double(smaller);
+        const double b = to_double(larger);
+        nearly_locked = !locked && factor * (a * a) < a * a + b * b;
+    }
+
+    [[nodiscard]] ROTCONV_INLINE DiagnosticSet diagnostics() const noexcept {
+        DiagnosticSet found{DiagnosticKind::gimbal_lock, locked};
+        found |= {DiagnosticKind::near_gimbal_lock, nearly_locked};
+        return found;
+    }
+
+    bool upper, locked, nearly_locked; ///< upper: the middle angle is nearer to its upper limit
+};
+
+/// The ranges of the angles of a sequence, in a unit.
+struct AngleRanges {
+    AngleRanges(const FixedAxes& axes, AngleUnit unit) noexcept
+        : half_turn(half_turn_in(unit)), middle_factor(axes.proper ? 2.0 : 1.0),
+          upper(scaled(half_turn, axes.proper ? 1.0 : 0.5)), lower(axes.proper ? DoubleDouble() : -upper) {}
+
+    /// In (-pi, pi] or (-180, 180], as it is printed.
+    template <class T> [[nodiscard]] ROTCONV_INLINE T outer(const T& angle) const noexcept {
+        return select(to_double(angle) <= -half_turn.hi, T(half_turn.hi), angle);
+    }
+    /// What the angle, or the same a full turn further, has beside the number that is printed.
+    [[nodiscard]] double rest_of(DoubleDouble angle, double printed) const noexcept {
+        return (select(angle.hi <= -half_turn.hi, angle + scaled(half_turn, 2.0), angle) - printed).hi;
+    }
+
+    DoubleDouble half_turn;
+    double middle_factor;      ///< from the angle of its vector to the middle angle
+    DoubleDouble upper, lower; ///< limits of that
+};
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

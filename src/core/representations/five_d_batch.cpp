@@ -1,0 +1,62 @@
+#include "columns_batch.hpp"
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+namespace {
+
+struct FiveNumbers {
+    static constexpr std::size_t size = 5;
+
+    template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[5]) noexcept {
+        // sqrt 2 - 1 and sqrt 2 + 1 to 106 bits and more
+        constexpr DoubleDouble less{0x1.a827999fcef32p-2, 0x1.08b2fb1366ea9p-56};
+        constexpr DoubleDouble more{0x1.3504f333f9de6p+1, 0x1.21165f626cdd5p-53};
+        T m[9];
+        scaled_matrix_of(q, m);
+        const T turning = sloppy_sum(square(q[0]), square(q[1]));
+        const T tilting = sloppy_sum(square(q[2]), square(q[3]));
+        numbers[0] = m[3];
+        numbers[1] = m[6];
+        numbers[2] = m[1];
+        numbers[3] = m[4];
+        numbers[4] = m[7];
+        // sqrt 2 - r11, without cancellation
+        divide(numbers, sloppy_sum(turning * rounded_to<T>(less), tilting * rounded_to<T>(more)));
+    }
+
+    /// Parallel to Hopf's columns.
+    template <class T> ROTCONV_INLINE static void directions(const T (&y)[5], T (&first)[3], T (&second)[3]) noexcept {
+        const T sum = ((square(y[0]) + square(y[1])) + (square(y[2]) + square(y[3]))) + square(y[4]);
+        first[0] = sum - T(1.0);
+        first[1] = scaled(y[0], 2.0);
+        first[2] = scaled(y[1], 2.0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            second[k] = y[2 + k];
+        }
+    }
+    /// Of numbers of any size.
+    ROTCONV_INLINE static void columns(const double (&y)[5], double (&m)[6]) noexcept {
+        const double size = largest_magnitude(y[0], y[1], y[2], y[3], y[4]);
+        const double f = size < 0x1p500 ? 1.0 : 0x1p-600; // f^2 (y'y + 1) does not overflow
+        const double a = f * y[0];
+        const double b = f * y[1];
+        const double c = f * y[2];
+        const double d = f * y[3];
+        const double e = f * y[4];
+        const double square = ((a * a + b * b) + (c * c + d * d)) + e * e;
+        const double factor = 1.4142135623730951 / (square + f * f);
+        m[0] = factor * (square - f * f);
+        m[1] = (2.0 * f) * (factor * a);
+        m[2] = (2.0 * f) * (factor * b);
+        m[3] = (2.0 * f) * (factor * c);
+        m[4] = (2.0 * f) * (factor * d);
+        m[5] = (2.0 * f) * (factor * e);
+    }
+};
+
+} // namespace
+
+constinit const Kernel kernels::five_d = kernel_of_columns<FiveNumbers>();
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv
