@@ -4,6 +4,7 @@
 #include <compare>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <Eigen/Core>
@@ -45,7 +46,8 @@ public:
     /// All 24, intrinsic first.
     [[nodiscard]] static std::array<EulerSequence, 24> all() noexcept;
 
-    [[nodiscard]] std::array<char, 3> letters() const noexcept;
+    /// Its letters, which parse() reads.
+    [[nodiscard]] std::string text() const;
     /// Axis 0, 1, 2 of the turn `position` 0, 1, 2.
     [[nodiscard]] constexpr int axis(std::size_t position) const noexcept { return axes_[position]; }
     [[nodiscard]] constexpr bool intrinsic() const noexcept { return intrinsic_; }

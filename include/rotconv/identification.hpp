@@ -61,8 +61,10 @@ public:
     Identification(std::size_t count, const Spec& known, std::optional<RepresentationId> name = {},
                    const IdentificationSettings& settings = {});
 
-    /// There is a representation with that count of numbers.
+    /// Whether there is a representation with that count of numbers.
     [[nodiscard]] static bool is_count(std::size_t count) noexcept;
+    /// The unknown numbers of a row.
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
     /// The next rows, each of the unknown numbers and then those of the known attitude, and the number that each has
     /// for the caller. What comes of rows does not depend on how many are added at once.

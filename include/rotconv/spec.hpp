@@ -90,6 +90,8 @@ struct Spec {
     [[nodiscard]] bool is_reordered() const noexcept { return column_major || scalar_last; }
     /// The column names in the order in which the numbers are written.
     [[nodiscard]] std::array<std::string_view, 9> columns() const noexcept;
+    /// As parse_spec() reads it: the name and the modifiers.
+    [[nodiscard]] std::string text() const;
     /// Angles in degrees, where the representation has any.
     [[nodiscard]] Spec in_degrees() const noexcept;
 };

@@ -1,18 +1,18 @@
-#include "identify.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include <rotconv/identification.hpp>
 
 #include "../stream/fmt.hpp"
-#include "messages.hpp"
-#include "pairing.hpp"
+#include "commands.hpp"
+#include "options.hpp"
 #include "print_error.hpp"
-#include "rows.hpp"
+#include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -22,19 +22,20 @@ constexpr std::size_t listed = 10;
 std::string name_of(const Spec& spec) { return std::string(representation(spec.name).text); }
 
 /// What the rows are.
-messages::Subject subject_of(const stream::IdentificationRows& rows, double tolerance) {
+messages::Subject subject_of(const operations::IdentificationRows& rows, double tolerance) {
+    const std::string unknown = fmt::format("{} unknown numbers", rows.count);
     if (rows.paired) {
-        return {fmt::format("{} unknown numbers", rows.count), rows.count, rows.known.name, tolerance};
+        return {unknown, rows.count, rows.known.name, tolerance};
     }
-    const std::string unknown = rows.count == 0 ? "" : fmt::format("{} unknown numbers with ", rows.count);
-    return {unknown + name_of(rows.known), rows.count + rows.known.size(), rows.known.name, tolerance};
+    return {(rows.count == 0 ? "" : unknown + " with ") + name_of(rows.known), rows.count + rows.known.size(),
+            rows.known.name, tolerance};
 }
 
-/// Of so many numbers those that are not the known attitude's; 0 and why, where no representation has so many.
-std::pair<std::size_t, std::string> unknown_of(std::size_t all, const stream::IdentificationRows& rows) {
+/// Of so many numbers those that are not the known attitude's, or why no representation has so many.
+std::variant<std::size_t, std::string> unknown_of(std::size_t all, const operations::IdentificationRows& rows) {
     const std::size_t count = rows.paired ? all : all - std::min(all, rows.known.size());
     if (Identification::is_count(count)) {
-        return {count, {}};
+        return count;
     }
     std::vector<std::size_t> legal;
     for (std::size_t i = 1; i <= 9; ++i) {
@@ -44,47 +45,7 @@ std::pair<std::size_t, std::string> unknown_of(std::size_t all, const stream::Id
     }
     const std::string known =
         rows.paired ? "" : fmt::format(" where {} has {}", name_of(rows.known), rows.known.size());
-    return {0, fmt::format("{} number{}{}: {} unknown (legal: {})", all, all == 1 ? "" : "s", known, count,
-                           fmt::join(legal, " "))};
-}
-
-std::size_t count_fields(std::string_view row, std::optional<stream::Delimiter> delimiter) {
-    std::vector<std::string_view> fields;
-    delimiter.value_or(stream::Delimiter::of_row(row)).split(row, fields);
-    return fields.size();
-}
-
-/// The unknown numbers of a row, where the command line tells how many there are; else 0.
-std::size_t count_of(const RawOptions& texts, const Operands& operands, const stream::IdentificationRows& rows,
-                     const std::optional<RepresentationId>& name) {
-    if (name) {
-        return representation(*name).size;
-    }
-    std::size_t all = 0;
-    if (!texts.columns.empty()) {
-        const auto parsed = stream::ColumnList::parse(texts.columns, 0);
-        const auto* error = std::get_if<stream::ColumnError>(&parsed);
-        if (error == nullptr || error->what != stream::ColumnError::What::wrong_count) {
-            return 0; // a list that is refused
-        }
-        all = error->count;
-    } else if (operands.values.size() > 1) {
-        all = count_fields(fmt::format("{}", fmt::join(operands.values, " ")), stream::Delimiter::blanks());
-    } else if (!operands.values.empty()) {
-        all = count_fields(operands.values[0], stream::Delimiter::parse(texts.delimiter));
-    } else if (texts.input_format == "f64") {
-        if (texts.width.empty()) {
-            throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
-        }
-        all = static_cast<std::size_t>(cli::count_of("--width", texts.width, 1000));
-    } else {
-        return 0;
-    }
-    const auto [count, wrong] = unknown_of(all, rows);
-    if (!wrong.empty()) {
-        throw Usage(wrong);
-    }
-    return count;
+    return fmt::format("{}{}: {} unknown (legal: {})", counted(all, "number"), known, count, fmt::join(legal, " "));
 }
 
 std::optional<RepresentationId> name_of(const std::string& text) {
@@ -92,12 +53,16 @@ std::optional<RepresentationId> name_of(const std::string& text) {
         return std::nullopt;
     }
     const Representation* found = find_representation(text);
-    if (found == nullptr) {
-        const SpecError error{SpecError::What::unknown_name, text};
-        throw Usage(fmt::format("--from takes a name alone, all its modifiers and sequences are tried: {}",
-                                messages::explain(error)));
+    if (found != nullptr) {
+        return found->name;
     }
-    return found->name;
+    const auto spec = parse_spec(text);
+    if (std::holds_alternative<Spec>(spec)) {
+        throw Usage(fmt::format("--from {}: all sequences and modifiers are tried, so that a name alone is given: {}",
+                                quoted(text), name_of(std::get<Spec>(spec))));
+    }
+    throw Usage(fmt::format("--from takes a name alone, all its modifiers and sequences are tried: {}",
+                            messages::explain(SpecError{SpecError::What::unknown_name, text})));
 }
 
 /// Indices from 1 as --columns takes them: three or more in a row as a range.
@@ -135,13 +100,12 @@ public:
         std::string text = fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", "SPEC", "columns", "worst angle",
                                        "at line", "rows", "fits");
         for (const Candidate& candidate : candidates_) {
-            text += fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", messages::text_of(candidate.spec),
+            text += fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", candidate.spec.text(),
                                 columns_of(candidate), angle_text(candidate), candidate.angle_row, candidate.rows,
                                 identification_->fits(candidate) ? "yes" : "no");
         }
-        const std::size_t rows = identification_->rows();
-        return fmt::format("{}\n{} row{}; the convention that fits within {:.6g} {}:\n{}{}\n", text, rows,
-                           rows == 1 ? "" : "s", within * unit_, unit_name_, word(),
+        return fmt::format("{}\n{}; the convention that fits within {:.6g} {}:\n{}{}\n", text,
+                           counted(identification_->rows(), "row"), within * unit_, unit_name_, word(),
                            verdict_.fitting > 1 ? fmt::format(": {} fit; {}", verdict_.fitting, lack()) : "");
     }
 
@@ -151,7 +115,7 @@ public:
             text += fmt::format(
                 R"({{"spec": "{}", "columns": "{}", "angle": {}, "angle_line": {}, "rows": {}, "fits": {}}})"
                 "\n",
-                messages::text_of(candidate.spec), columns_of(candidate),
+                candidate.spec.text(), columns_of(candidate),
                 std::isinf(candidate.angle) ? "null" : fmt::format("{}", candidate.angle * unit_), candidate.angle_row,
                 candidate.rows, identification_->fits(candidate));
         }
@@ -168,7 +132,7 @@ private:
             return verdict_.fitting > 1 ? "ambiguous" : "none";
         }
         const Candidate& best = candidates_.front();
-        return fmt::format("-f {} --columns {}", messages::text_of(best.spec), columns_of(best));
+        return fmt::format("-f {} --columns {}", best.spec.text(), columns_of(best));
     }
 
     /// What the rows lack.
@@ -217,88 +181,152 @@ private:
     std::string_view unit_name_;
 };
 
+class IdentificationConclusion final : public Conclusion {
+public:
+    struct Settings {
+        operations::IdentificationRows rows{};  ///< their count is 0 where the first row tells it
+        std::optional<RepresentationId> name{}; ///< the only one that is tried
+        IdentificationSettings identification{};
+        bool degrees = false; ///< the angles of the answer
+        bool json = false;
+    };
+
+    IdentificationConclusion(const Settings& settings, std::shared_ptr<messages::Subject> subject)
+        : settings_(settings), subject_(std::move(subject)) {
+        begin(settings.rows.count);
+    }
+
+    void begin(std::size_t count) {
+        settings_.rows.count = count;
+        identification_.emplace(count, settings_.rows.known, settings_.name, settings_.identification);
+        *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
+    }
+
+    /// See stream::InputOptions::take_count.
+    [[nodiscard]] std::variant<std::size_t, std::string> take_count(std::size_t fields) {
+        auto count = unknown_of(fields, settings_.rows);
+        if (const auto* unknown = std::get_if<std::size_t>(&count)) {
+            begin(*unknown);
+            return fields;
+        }
+        return count;
+    }
+
+    [[nodiscard]] Identification& identification() noexcept { return *identification_; }
+    [[nodiscard]] std::vector<std::size_t>& positions() noexcept { return positions_; }
+    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
+
+    [[nodiscard]] std::string text(const RowsResult& /*result*/) override {
+        if (identification_->rows() == 0) {
+            print_error(messages::nothing_read);
+            return settings_.json ? "{\"rows\": 0, \"fit\": 0, \"answer\": \"none\"}\n" : "none\n";
+        }
+        const Answer answer(*identification_, positions_, settings_.degrees);
+        is_one_ = answer.is_one();
+        return settings_.json ? answer.in_json() : answer.in_table(settings_.identification.within);
+    }
+
+    [[nodiscard]] bool holds(const RowsResult& /*result*/) const override { return is_one_; }
+
+private:
+    Settings settings_;
+    std::shared_ptr<messages::Subject> subject_; ///< of the rows
+    std::optional<Identification> identification_;
+    std::vector<std::size_t> positions_;
+    bool is_one_ = false;
+    stream::NullSink nowhere_;
+};
+
+class IdentifyOptions final : public CommandOptions {
+public:
+    IdentifyOptions() {
+        set.begin_group("What");
+        set.add("-t,--to", to_, "KNOWN", "The representation of the known attitudes: NAME[:MODIFIER]...");
+        set.add("-f,--from", from_, "NAME", "Try only this representation for the unknown numbers");
+        set.add("--within", within_, "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)");
+        pairing_.add_to(set);
+        reading_.add_to(set);
+        set.begin_group("Output");
+        set.add("--format", format_, "FORMAT", "pretty (default), a table, or json");
+    }
+
+    [[nodiscard]] std::string input() const override { return reading_.input; }
+
+    [[nodiscard]] Command command(const Operands& operands) const override {
+        IdentificationConclusion::Settings settings{
+            .name = name_of(from_),
+            .identification = {.tolerance = reading_.greatest_defect()},
+            .degrees = reading_.degrees,
+            .json = choose<bool>("format of identify", format_, {{"pretty", false}, {"json", true}})};
+        if (!within_.empty()) {
+            settings.identification.within =
+                amount_of("--within", within_, 0.0, false) * (reading_.degrees ? radians_per_degree : 1.0);
+        }
+        operations::IdentificationRows& rows = settings.rows;
+        rows.known = spec_of("--to", to_, reading_.degrees);
+        rows.paired = PairingOptions::is_paired(operands);
+        rows.by_key = pairing_.by_key(operands);
+        rows.count = settings.name ? representation(*settings.name).size : given_count(operands, rows);
+        const auto subject = std::make_shared<messages::Subject>();
+        const auto conclusion = std::make_shared<IdentificationConclusion>(settings, subject);
+        RowsCommand command = rows_command(
+            reading_, {}, file_columns(reading_, pairing_, operands), operations::identification_numbers(rows),
+            operations::identify(
+                rows, [self = conclusion.get()]() -> Identification& { return self->identification(); },
+                conclusion->positions()),
+            *subject, operands);
+        command.subject = subject;
+        if (rows.count == 0) {
+            command.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
+                return self->take_count(fields);
+            };
+        }
+        command.options.format = stream::Format::result;
+        command.conclusion = conclusion;
+        if (rows.paired) {
+            pair(command, reading_, pairing_, operations::attitude_numbers(rows.known, rows.by_key),
+                 messages::subject_of(rows.known, settings.identification.tolerance), operands);
+        }
+        return command;
+    }
+
+private:
+    /// The unknown numbers of a row, where the command line tells how many there are; else 0.
+    [[nodiscard]] std::size_t given_count(const Operands& operands, const operations::IdentificationRows& rows) const {
+        std::size_t all = 0;
+        const ChosenColumns columns = file_columns(reading_, pairing_, operands);
+        if (!columns.list.empty()) {
+            const auto parsed = stream::ColumnList::parse(columns.list, 0);
+            const auto* error = std::get_if<stream::ColumnError>(&parsed);
+            if (error == nullptr || error->what != stream::ColumnError::What::wrong_count) {
+                return 0; // a list that is refused
+            }
+            all = error->count;
+        } else if (operands.values.empty() && reading_.input_format == "f64") {
+            if (reading_.width.empty()) {
+                throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
+            }
+            all = static_cast<std::size_t>(count_of("--width", reading_.width, widest_row));
+        } else {
+            return 0;
+        }
+        auto count = unknown_of(all, rows);
+        if (const auto* wrong = std::get_if<std::string>(&count)) {
+            throw Usage(*wrong);
+        }
+        return std::get<std::size_t>(count);
+    }
+
+    std::string to_;
+    std::string from_;
+    std::string within_;
+    std::string format_ = "pretty";
+    PairingOptions pairing_;
+    ReadingOptions reading_;
+};
+
 } // namespace
 
-void define_identify(CLI::App& app, RawOptions& texts) {
-    begin_group(app, "What");
-    app.add_option("-t,--to", texts.to, "The representation of the known attitudes: NAME[:MODIFIER]...")
-        ->type_name("KNOWN");
-    app.add_option("-f,--from", texts.from, "Try only this representation for the unknown numbers")->type_name("NAME");
-    app.add_option("--within", texts.within, "The largest angle that fits (default 1e-3 rad; with -d in degrees)")
-        ->type_name("ANGLE");
-    define_pairing(app, texts);
-    define_input(app, texts);
-    begin_group(app, "Output");
-    app.add_option("--format", texts.format, "pretty (default), a table, or json")->type_name("FORMAT");
-}
-
-IdentifyCommand identify_command(const RawOptions& texts, const Operands& operands) {
-    const auto name = name_of(texts.from);
-    stream::IdentificationRows layout{.known = spec_of("--to", texts.to, texts.degrees), .paired = is_paired(operands)};
-    layout.by_key = layout.paired && !texts.key.empty();
-    layout.count = count_of(file_options(texts, layout.paired), operands, layout, name);
-    IdentificationSettings settings{.tolerance = settings_of(texts).tolerance};
-    if (!texts.within.empty()) {
-        const double unit = texts.degrees ? radians_per_degree : 1.0;
-        settings.within = amount_of("--within", texts.within, 0.0, false) * unit;
-    }
-    RawOptions input = file_options(texts, layout.paired);
-    input.format.clear(); // that of the answer
-    IdentifyCommand command{.rows = rows_command(input, stream::identification_operation(layout, nullptr),
-                                                 subject_of(layout, settings.tolerance), operands),
-                            .layout = layout,
-                            .name = name,
-                            .settings = settings,
-                            .degrees = texts.degrees,
-                            .json = choose<bool>("format of identify", texts.format.empty() ? "pretty" : texts.format,
-                                                 {{"pretty", false}, {"json", true}})};
-    if (layout.paired) {
-        pair(command.rows, texts, operands, stream::reference_operation(layout.known, layout.by_key),
-             messages::subject_of(layout.known, settings.tolerance));
-    }
-    return command;
-}
-
-ExitCode identify(const IdentifyCommand& command) {
-    std::optional<Identification> identification;
-    std::vector<std::size_t> positions;
-    const auto begin = [&](std::size_t count, RowsCommand& rows) {
-        stream::IdentificationRows layout = command.layout;
-        layout.count = count;
-        identification.emplace(count, layout.known, command.name, command.settings);
-        rows.options.operation = stream::identification_operation(layout, &*identification);
-        rows.options.operation.selected = [&positions, layout](const auto& selected) {
-            positions.assign(selected.begin() + (layout.by_key ? 1 : 0), selected.end());
-        };
-        rows.subject = subject_of(layout, command.settings.tolerance);
-    };
-    const auto begin_with = [&](std::string_view first_row, RowsCommand& rows) -> std::string {
-        if (first_row.empty() || first_row.starts_with('{') || first_row.starts_with('[')) {
-            return {}; // the reader says so
-        }
-        const auto [count, wrong] = unknown_of(count_fields(first_row, rows.options.delimiter), command.layout);
-        if (wrong.empty()) {
-            begin(count, rows);
-            return {};
-        }
-        return fmt::format("{}: {}", wrong, messages::quoted(first_row));
-    };
-    RowsCommand rows = command.rows;
-    begin(command.layout.count, rows);
-    bool is_one = false;
-    const auto conclude = [&](const RowsResult& /*result*/) {
-        const Answer answer(*identification, positions, command.degrees);
-        is_one = answer.is_one();
-        if (identification->rows() == 0) {
-            print_error(messages::nothing_read);
-            return std::string(command.json ? "{\"rows\": 0, \"fit\": 0, \"answer\": \"none\"}\n" : "none\n");
-        }
-        return command.json ? answer.in_json() : answer.in_table(command.settings.within);
-    };
-    stream::NullSink nowhere;
-    const RowsResult result =
-        run_rows(rows, Conclusion{nowhere, conclude}, command.layout.count == 0 ? Settle(begin_with) : Settle());
-    return result.code == ExitCode::done && !result.reader_left && !is_one ? ExitCode::reservations : result.code;
-}
+std::unique_ptr<CommandOptions> identify_options() { return std::make_unique<IdentifyOptions>(); }
 
 } // namespace rotconv::cli

@@ -1,5 +1,3 @@
-#include "list.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -10,8 +8,7 @@
 
 #include "../methods/method.hpp"
 #include "../stream/fmt.hpp"
-#include "messages.hpp"
-#include "options.hpp"
+#include "commands.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -95,6 +92,14 @@ std::string list_one(const Representation& entry) {
     return text;
 }
 
+/// A SPEC's numbers, and its representation.
+std::string list_spec(const Spec& spec) {
+    const auto columns = spec.columns();
+    const auto end = columns.begin() + static_cast<std::ptrdiff_t>(spec.size());
+    return fmt::format("{}: {}\n\n{}", spec.text(), fmt::join(columns.begin(), end, " "),
+                       list_one(representation(spec.name)));
+}
+
 std::string list_preset(const Preset& preset) {
     return fmt::format("{}: {}\n  sets       {}\n  leaves     all else as it is\n", preset.text, preset.about,
                        effects_of(preset));
@@ -108,12 +113,10 @@ std::string list_presets() {
     return text + "\nA preset goes behind a name, as in quat:tum; it leaves all else as it is.\n";
 }
 
-/// Of a SPEC, so that those of a command line can be copied.
+/// Of a SPEC, so that those of a command line can be copied, or euler without its sequence.
 RepresentationId named(const std::string& text) {
-    const auto* const id = std::ranges::find(all_representations, find_representation(text),
-                                             [](auto each) { return &representation(each); });
-    if (id != all_representations.end()) {
-        return *id; // euler without its sequence too
+    if (const Representation* entry = find_representation(text)) {
+        return entry->name;
     }
     const auto spec = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&spec)) {
@@ -157,13 +160,11 @@ std::string list_methods(const std::vector<std::string>& pair) {
                             text.empty() ? "any" : "any other", {});
 }
 
-} // namespace
-
 std::string list(const std::vector<std::string>& words) {
     const std::string first = words.empty() ? "" : words.front();
     const std::size_t most = first == "methods" ? 3 : 1;
     if (words.size() > most) {
-        throw Usage("unexpected argument " + messages::quoted(words[most]));
+        throw Usage("unexpected argument " + quoted(words[most]));
     }
     if (words.empty()) {
         return list_all();
@@ -174,14 +175,33 @@ std::string list(const std::vector<std::string>& words) {
     if (first == "methods") {
         return list_methods({words.begin() + 1, words.end()});
     }
-    const Representation* const found = find_representation(first);
     const auto all = presets();
     const auto preset = std::ranges::find(all, first, &Preset::text);
-    if (found == nullptr && preset == all.end()) {
-        throw Usage(messages::explain(SpecError{SpecError::What::unknown_name, first}));
+    if (preset != all.end()) {
+        return list_preset(*preset);
     }
-    return found != nullptr ? list_one(*found) : list_preset(*preset);
+    if (const Representation* entry = find_representation(first)) {
+        return list_one(*entry);
+    }
+    const auto spec = parse_spec(first);
+    if (const auto* error = std::get_if<SpecError>(&spec)) {
+        throw Usage(messages::explain(*error));
+    }
+    return list_spec(std::get<Spec>(spec));
 }
+
+class ListOptions final : public CommandOptions {
+public:
+    ListOptions() { set.add_operands("NAME", words_, "A representation, a preset, presets, or methods [FROM [TO]]"); }
+    [[nodiscard]] Command command(const Operands& /*operands*/) const override { return PrintCommand{list(words_)}; }
+
+private:
+    std::vector<std::string> words_;
+};
+
+} // namespace
+
+std::unique_ptr<CommandOptions> list_options() { return std::make_unique<ListOptions>(); }
 
 std::string help_footer() {
     std::string text =

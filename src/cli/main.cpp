@@ -1,18 +1,14 @@
 #include <cerrno>
 #include <csignal>
 #include <exception>
+#include <new>
 #include <string>
 #include <variant>
 
 #include "../stream/file.hpp"
 #include "command_line.hpp"
-#include "compare.hpp"
-#include "exit_code.hpp"
-#include "identify.hpp"
-#include "messages.hpp"
 #include "print_error.hpp"
 #include "rows.hpp"
-#include "survey.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -26,7 +22,8 @@ ExitCode print(const std::string& text) {
     if (error == 0 || error == EPIPE) {
         return ExitCode::done;
     }
-    print_error("-: " + messages::explain(stream::StreamError{stream::StreamError::What::write, 0, error, {}}, {}));
+    print_error("-: " + messages::explain(
+                            stream::StreamError{.what = stream::StreamError::What::write, .error_number = error}, {}));
     return ExitCode::incomplete;
 }
 
@@ -38,9 +35,6 @@ ExitCode usage(const std::string& message) {
 /// One overload for each command.
 struct Run {
     ExitCode operator()(const RowsCommand& command) const { return run_rows(command).code; }
-    ExitCode operator()(const SurveyCommand& command) const { return survey(command); }
-    ExitCode operator()(const CompareCommand& command) const { return compare(command); }
-    ExitCode operator()(const IdentifyCommand& command) const { return identify(command); }
     ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
     ExitCode operator()(const UsageError& error) const { return usage(error.message); }
 };
@@ -53,7 +47,9 @@ int main(int argc, char** argv) {
         rotconv::stream::guard_standard_descriptors();
         static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // a closed pipe is an error code of write()
         return static_cast<int>(std::visit(rotconv::cli::Run{}, rotconv::cli::read_command_line(argc, argv)));
-    } catch (const std::exception& error) { // such as std::bad_alloc
+    } catch (const std::bad_alloc&) {
+        rotconv::cli::print_error("out of memory");
+    } catch (const std::exception& error) {
         rotconv::cli::print_error(error.what());
     }
     return static_cast<int>(rotconv::cli::ExitCode::incomplete);

@@ -8,7 +8,6 @@
 #include "../methods/method.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
-#include "../stream/utf8.hpp"
 #include "guesses.hpp"
 
 namespace rotconv::cli::messages {
@@ -60,22 +59,9 @@ std::vector<std::string_view> legal_presets() {
     return words;
 }
 
-std::string sequences() {
-    std::string text;
-    for (const EulerSequence sequence : EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        text += text.empty() ? "" : " ";
-        text.append(letters.data(), letters.size());
-    }
-    return text;
-}
-
-std::vector<std::string> sequence_list() {
+std::vector<std::string> sequences() {
     std::vector<std::string> list;
-    for (const EulerSequence sequence : EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        list.emplace_back(letters.data(), letters.size());
-    }
+    std::ranges::transform(EulerSequence::all(), std::back_inserter(list), &EulerSequence::text);
     return list;
 }
 
@@ -91,28 +77,6 @@ std::string_view figure_name(DiagnosticKind kind) {
     }
 }
 
-/// The texts in quotes, or "none".
-std::string quoted_list(const std::vector<std::string>& texts) {
-    std::string list;
-    for (const std::string& text : texts) {
-        list += (list.empty() ? "" : ", ") + quoted(text);
-    }
-    return list.empty() ? "none" : list;
-}
-
-/// The names with their indices, as far as they fit.
-std::string numbered(const std::vector<std::string>& names) {
-    constexpr std::size_t longest = 500;
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (list.size() > longest) {
-            return list + ", ...";
-        }
-        list += fmt::format("{}{} {}", i == 0 ? "" : ", ", i + 1, shown(std::string_view(names[i]).substr(0, longest)));
-    }
-    return list;
-}
-
 } // namespace
 
 Subject subject_of(const Spec& spec, double tolerance) {
@@ -123,70 +87,12 @@ std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
     return fmt::format("{}", fmt::join(list_of(modifiers), separator));
 }
 
-std::string spec_text(const Spec& spec) {
-    std::string text(representation(spec.name).text);
-    if (representation(spec.name).takes_sequence) {
-        const auto letters = spec.sequence.letters();
-        text += ':';
-        text.append(letters.data(), letters.size());
-    }
-    return text;
-}
-
-std::string shown(std::string_view text) {
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t length = stream::printable_length(text);
-        if (length > 0) {
-            result += text.substr(0, length);
-        } else {
-            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
-        }
-        text.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return result;
-}
-
-std::string text_of(const Spec& spec) {
-    std::string text = spec_text(spec);
-    text += spec.column_major ? ":col" : spec.scalar_last ? ":xyzw" : "";
-    text += spec.unit == AngleUnit::degrees ? ":deg" : "";
-    return text + (spec.passive ? ":passive" : "");
-}
-
 std::string other_order(std::string_view list, const Spec& from, const std::vector<std::string_view>& order,
                         const std::optional<Spec>& right) {
     const std::string own =
-        fmt::format("{} is not the order of {}, which is {}", quoted(list), text_of(from), fmt::join(order, ","));
-    return right ? fmt::format("{}; it is that of {} (of a mislabelled file select by indices)", own, text_of(*right))
+        fmt::format("{} is not the order of {}, which is {}", quoted(list), from.text(), fmt::join(order, ","));
+    return right ? fmt::format("{}; it is that of {} (of a mislabelled file select by indices)", own, right->text())
                  : fmt::format("{}; of a mislabelled file select by indices", own);
-}
-
-std::string quoted(std::string_view text) {
-    constexpr std::size_t longest = 80;
-    return fmt::format("'{}{}'", shown(text.substr(0, longest)), text.size() > longest ? "..." : "");
-}
-
-std::string describe(const std::string& file, const FirstLook& look) {
-    if (look.line == 0) {
-        return fmt::format("{} begins with no row of numbers", quoted(file));
-    }
-    const std::size_t count = look.fields.size();
-    std::string text = fmt::format("{} has {} column{}: {}", quoted(file), count, count == 1 ? "" : "s",
-                                   numbered(look.names.empty() ? look.fields : look.names));
-    for (const char* spec : {"quat", "dcm", "rpy"}) {
-        const Representation& entry = *find_representation(spec);
-        const std::vector<std::string_view> columns(entry.columns.begin(),
-                                                    entry.columns.begin() + static_cast<std::ptrdiff_t>(entry.size));
-        if (std::ranges::all_of(columns, [&](auto column) { return std::ranges::count(look.names, column) == 1; })) {
-            return fmt::format("{}; perhaps -f {} --columns {}", text, spec, fmt::join(columns, ","));
-        }
-    }
-    return text;
-}
-
-std::string compressed(const std::string& file, const std::string& command) {
-    return fmt::format("{} is compressed: {}", quoted(file), command);
 }
 
 std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
@@ -227,9 +133,10 @@ std::string explain(const SpecError& error) {
         const auto legal = legal_names();
         return unknown("representation", error.text, legal, guess_spec(error, legal));
     }
-    case What::no_sequence: return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", sequences());
+    case What::no_sequence:
+        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(sequences(), " "));
     case What::unknown_sequence: {
-        const auto list = sequence_list();
+        const auto list = sequences();
         const std::vector<std::string_view> legal(list.begin(), list.end());
         return unknown("Euler sequence", error.text, legal, guess_spec(error, legal));
     }
@@ -254,8 +161,8 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
     case What::not_a_number: return fmt::format("not a number: {}", text);
     case What::too_large: return fmt::format("too large for a double: {}", text);
     case What::wrong_count:
-        return fmt::format("{} field{} where {} has {}{}: {}", error.found, error.found == 1 ? "" : "s", subject.text,
-                           error.expected, error.found > error.expected ? " (--columns selects)" : "", text);
+        return fmt::format("{} where {} has {}{}: {}", counted(error.found, "field"), subject.text, error.expected,
+                           error.found > error.expected ? " (--columns selects)" : "", text);
     case What::missing_column:
         return fmt::format("no column {}, the row has {}: {}", error.expected, error.found, text);
     case What::key_order: return fmt::format("the key does not increase: {}", text);
@@ -271,14 +178,15 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
     case Error::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
     case Error::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
     case Error::singular:
-        return fmt::format("{} has no rates at {}: {}", representation(subject.set).text,
-                           representation(subject.set).singular_attitude, text);
+        return fmt::format("{} has no rates at {}{}: {}", representation(subject.representation).text,
+                           representation(subject.representation).singular_attitude,
+                           subject.has_steps ? ", and a step came too near to it (--substeps)" : "", text);
     case Error::past_half_turn:
         return fmt::format("the body may have turned by half a turn or more since the row before (a gap?): {}", text);
     case Error::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
     case Error::coarse_step:
         return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",
-                           representation(subject.set).text, text);
+                           representation(subject.representation).text, text);
     case Error::time_order: return fmt::format("time does not increase: {}", text);
     case Error::defect:
         return fmt::format("defect {} is above the tolerance {} (--tolerance){}: {}", error.defect, subject.tolerance,
@@ -295,9 +203,8 @@ std::string explain(const stream::StreamError& error, const Subject& subject) {
     case What::partial_row: return fmt::format("the row that begins at byte {} is not whole", error.offset);
     case What::line_too_long:
         return fmt::format("the line is longer than {} MiB", stream::IoBlockReader::longest_line >> 20U);
-    case What::json:
-        return "the input looks like JSON; rows of numbers are read, as jq -r '[.qw, .qx, .qy, .qz] | @csv' writes "
-               "them";
+    case What::json: return "the input looks like JSON";
+    case What::count: return fmt::format("{}: {}", error.wrong, quoted(error.column.text));
     case What::columns: return explain(error.column, subject);
     }
     return {};
@@ -309,8 +216,8 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
     case What::not_an_item:
         return fmt::format("{} is neither an index from 1, nor a range such as 5-8, nor a name", quoted(error.text));
     case What::wrong_count:
-        return fmt::format("{} selects {} column{} where {} has {} number{}", quoted(error.text), error.count,
-                           error.count == 1 ? "" : "s", subject.text, subject.count, subject.count == 1 ? "" : "s");
+        return fmt::format("{} selects {} where {} has {}", quoted(error.text), counted(error.count, "column"),
+                           subject.text, counted(subject.count, "number"));
     case What::twice: return fmt::format("column {} is selected twice", quoted(error.text));
     case What::missing:
         return fmt::format("no header: of the columns the row lacks {} and has {}{}: {}", quoted_list(error.lacking),
@@ -321,10 +228,6 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
                            fmt::join(error.indices, " and "));
     }
     return {};
-}
-
-std::string json_number(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : fmt::format("\"{}\"", value);
 }
 
 std::string_view meaning(DiagnosticKind kind) {

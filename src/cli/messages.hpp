@@ -10,19 +10,13 @@
 
 #include "../stream/column_list.hpp"
 #include "../stream/event.hpp"
-#include "first_look.hpp"
+#include "words.hpp"
 
 /// What is told of rows, files, columns, SPECs and diagnostics. A sentence about one option stands with that option.
 namespace rotconv::cli::messages {
 
 /// The words of modifiers, in the order of the table.
 [[nodiscard]] std::string words_of(const ModifierSet& modifiers, std::string_view separator);
-
-/// The SPEC of a set without modifiers, such as "euler:ZYX".
-[[nodiscard]] std::string spec_text(const Spec& spec);
-
-/// The same with its modifiers.
-[[nodiscard]] std::string text_of(const Spec& spec);
 
 /// The names of a list of columns stand in another order than the SPEC's, but perhaps in that of another SPEC.
 [[nodiscard]] std::string other_order(std::string_view list, const Spec& from,
@@ -33,10 +27,11 @@ namespace rotconv::cli::messages {
 
 /// What the rows of a run are.
 struct Subject {
-    std::string text;                              ///< what has `count` numbers, such as "quat"
-    std::size_t count = 0;                         ///< numbers of a row
-    RepresentationId set = RepresentationId::quat; ///< whose singularities may be met
-    double tolerance = 0.0;                        ///< see ConversionSettings
+    std::string text;                                         ///< what has `count` numbers, such as "quat"
+    std::size_t count = 0;                                    ///< numbers of a row
+    RepresentationId representation = RepresentationId::quat; ///< whose singularities may be met
+    double tolerance = 0.0;                                   ///< see ConversionSettings
+    bool has_steps = false;                                   ///< of an integration
 };
 
 /// Rows of attitudes.
@@ -52,9 +47,6 @@ struct Subject {
 
 /// Of a run that had no attitude to look at.
 inline constexpr std::string_view nothing_read = "there was no row with an attitude";
-
-/// A number in JSON; a string where it is not finite.
-[[nodiscard]] std::string json_number(double value);
 
 /// A diagnostic in words, with its figure.
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);
@@ -72,19 +64,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 /// Why a word names no method of the pair, with those that there are and where they hold.
 [[nodiscard]] std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text);
 
-/// What the first rows of a file hold.
-[[nodiscard]] std::string describe(const std::string& file, const FirstLook& look);
-
-/// That a file is compressed, with a command line that reads it.
-[[nodiscard]] std::string compressed(const std::string& file, const std::string& command);
-
 /// Why a word that is no option can be used neither as a number nor as a file, with the nearest command.
 [[nodiscard]] std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands);
-
-/// A text from outside as messages may show it: what could move a terminal's cursor or end the line is escaped.
-[[nodiscard]] std::string shown(std::string_view text);
-
-/// The same in quotes, cut where it is long.
-[[nodiscard]] std::string quoted(std::string_view text);
 
 } // namespace rotconv::cli::messages

@@ -1,68 +1,112 @@
-#include "survey.hpp"
-
-#include <cmath>
+#include <utility>
 
 #include <rotconv/survey.hpp>
 
 #include "../stream/fmt.hpp"
-#include "messages.hpp"
+#include "commands.hpp"
+#include "options.hpp"
 #include "print_error.hpp"
-#include "rows.hpp"
+#include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-std::string in_table(const Survey& survey, double limit) {
-    std::string text =
-        fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", "SET", "n", "least margin",
-                    "at line", "greatest condition", "at line", "jumps", "first at", "serves");
-    for (const SetSurvey& set : survey.sets()) {
-        text += fmt::format("{:<10}  {:>1}  {:>12.6g}  {:>7}  {:>18.6g}  {:>7}  {:>6}  {:>8}  {}\n",
-                            messages::spec_text(set.set), set.set.size(), set.least_margin, set.margin_row,
-                            set.greatest_condition, set.condition_row, set.jumps,
-                            set.jumps == 0 ? "-" : std::to_string(set.jump_row), set.serves(limit) ? "yes" : "no");
-    }
-    return text;
-}
+constexpr double default_condition = 1e3;
 
-std::string in_json(const Survey& survey, double limit) {
-    std::string text;
-    for (const SetSurvey& set : survey.sets()) {
-        text += fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
-                            R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
-                            "\n",
-                            messages::spec_text(set.set), set.set.size(), messages::json_number(set.least_margin),
-                            set.margin_row, messages::json_number(set.greatest_condition), set.condition_row, set.jumps,
-                            set.jumps == 0 ? "null" : std::to_string(set.jump_row), set.serves(limit));
+class SurveyConclusion final : public Conclusion {
+public:
+    SurveyConclusion(double condition, bool json) : condition_(condition), json_(json) {}
+
+    [[nodiscard]] Survey& survey() noexcept { return survey_; }
+    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
+
+    [[nodiscard]] std::string text(const RowsResult& /*result*/) override {
+        if (survey_.rows() == 0) {
+            print_error(messages::nothing_read);
+            return json_ ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n";
+        }
+        const std::string smallest = has_smallest() ? survey_.smallest(condition_)->set.text() : "none";
+        if (json_) {
+            return fmt::format("{}{{\"rows\": {}, \"smallest\": \"{}\"}}\n", in_json(), survey_.rows(), smallest);
+        }
+        return fmt::format("{}\n{}; the smallest set that serves, with a condition of at most {}:\n{}\n", in_table(),
+                           counted(survey_.rows(), "attitude"), condition_, smallest);
     }
-    return text;
-}
+
+    [[nodiscard]] bool holds(const RowsResult& /*result*/) const override { return has_smallest(); }
+
+private:
+    [[nodiscard]] bool has_smallest() const { return survey_.rows() > 0 && survey_.smallest(condition_) != nullptr; }
+
+    [[nodiscard]] std::string in_table() const {
+        constexpr const char* line = "{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n";
+        std::string text = fmt::format(fmt::runtime(line), "SET", "n", "least margin", "at line", "greatest condition",
+                                       "at line", "jumps", "first at", "serves");
+        for (const SetSurvey& set : survey_.sets()) {
+            text +=
+                fmt::format(fmt::runtime(line), set.set.text(), set.set.size(), fmt::format("{:.6g}", set.least_margin),
+                            set.margin_row, fmt::format("{:.6g}", set.greatest_condition), set.condition_row, set.jumps,
+                            set.jumps == 0 ? "-" : std::to_string(set.jump_row), set.serves(condition_) ? "yes" : "no");
+        }
+        return text;
+    }
+
+    [[nodiscard]] std::string in_json() const {
+        std::string text;
+        for (const SetSurvey& set : survey_.sets()) {
+            text += fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
+                                R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
+                                "\n",
+                                set.set.text(), set.set.size(), json_number(set.least_margin), set.margin_row,
+                                json_number(set.greatest_condition), set.condition_row, set.jumps,
+                                set.jumps == 0 ? "null" : std::to_string(set.jump_row), set.serves(condition_));
+        }
+        return text;
+    }
+
+    Survey survey_;
+    double condition_; ///< the greatest that serves
+    bool json_;
+    stream::NullSink nowhere_;
+};
+
+class SurveyOptions final : public CommandOptions {
+public:
+    SurveyOptions() {
+        set.begin_group("What");
+        set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
+        set.add("--condition", condition_, "LIMIT", "How much a representation may enlarge a small turn (default 1e3)");
+        set.begin_group("Output");
+        set.add("--format", format_, "FORMAT", "pretty (default), a table, or json");
+        reading_.add_to(set);
+    }
+
+    [[nodiscard]] std::string input() const override { return reading_.input; }
+
+    [[nodiscard]] Command command(const Operands& operands) const override {
+        refuse_values(operands, "survey");
+        const Spec from = spec_of("--from", from_, reading_.degrees);
+        const double tolerance = reading_.greatest_defect();
+        const auto conclusion = std::make_shared<SurveyConclusion>(
+            amount_of("--condition", condition_, default_condition, true),
+            choose<bool>("format of survey", format_, {{"pretty", false}, {"json", true}}));
+        RowsCommand command = rows_command(reading_, {}, {.list = reading_.columns}, operations::attitude_numbers(from),
+                                           operations::survey(from, tolerance, conclusion->survey()),
+                                           messages::subject_of(from, tolerance), operands);
+        command.options.format = stream::Format::result;
+        command.conclusion = conclusion;
+        return command;
+    }
+
+private:
+    std::string from_;
+    std::string condition_;
+    std::string format_ = "pretty";
+    ReadingOptions reading_;
+};
 
 } // namespace
 
-ExitCode survey(const SurveyCommand& command) {
-    const Survey& survey = *command.survey;
-    bool none_serves = false;
-    stream::NullSink nowhere;
-    const auto conclude = [&](const RowsResult& /*result*/) {
-        if (survey.rows() == 0) {
-            print_error(messages::nothing_read);
-            none_serves = true;
-            return std::string(command.json ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n");
-        }
-        const SetSurvey* smallest = survey.smallest(command.condition);
-        none_serves = smallest == nullptr;
-        const std::string name = none_serves ? "none" : messages::spec_text(smallest->set);
-        return command.json
-                   ? fmt::format("{}{{\"rows\": {}, \"smallest\": \"{}\"}}\n", in_json(survey, command.condition),
-                                 survey.rows(), name)
-                   : fmt::format(
-                         "{}\n{} attitude{}; the smallest set that serves, with a condition of at most {}:\n{}\n",
-                         in_table(survey, command.condition), survey.rows(), survey.rows() == 1 ? "" : "s",
-                         command.condition, name);
-    };
-    const RowsResult result = run_rows(command.rows, Conclusion{nowhere, conclude});
-    return result.code == ExitCode::done && none_serves ? ExitCode::reservations : result.code;
-}
+std::unique_ptr<CommandOptions> survey_options() { return std::make_unique<SurveyOptions>(); }
 
 } // namespace rotconv::cli

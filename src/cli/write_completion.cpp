@@ -18,17 +18,8 @@
 namespace rotconv::cli {
 namespace {
 
-/// A text in quotes of the shell.
-std::string in_quotes(std::string_view text) {
-    std::string result = "'";
-    for (const char c : text) {
-        result += c == '\'' ? R"('\'')" : std::string(1, c);
-    }
-    return result + "'";
-}
-
 std::string joined(const std::vector<std::string_view>& words) {
-    return in_quotes(fmt::format("{}", fmt::join(words, " ")));
+    return in_shell(fmt::format("{}", fmt::join(words, " ")));
 }
 
 std::vector<std::string_view> names_of(const Representation& entry) {
@@ -37,36 +28,32 @@ std::vector<std::string_view> names_of(const Representation& entry) {
     return names;
 }
 
-std::string sequences() {
-    std::vector<std::string> all;
-    for (const EulerSequence sequence : EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        all.emplace_back(letters.data(), letters.size());
-    }
-    return in_quotes(fmt::format("{}", fmt::join(all, " ")));
-}
-
 /// The modifiers that each representation takes.
 std::string modifiers() {
     std::string text = "    modifiers= sequences=\n    case ${2-} in\n";
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
         text += fmt::format("    {}) modifiers={}", fmt::join(names_of(entry), " | "),
-                            in_quotes(messages::words_of(entry.modifiers, " ")));
-        text += entry.takes_sequence ? fmt::format(" sequences={} ;;\n", sequences()) : " ;;\n";
+                            in_shell(messages::words_of(entry.modifiers, " ")));
+        if (entry.takes_sequence) {
+            std::vector<std::string> sequences;
+            std::ranges::transform(EulerSequence::all(), std::back_inserter(sequences), &EulerSequence::text);
+            text += fmt::format(" sequences={}", in_shell(fmt::format("{}", fmt::join(sequences, " "))));
+        }
+        text += " ;;\n";
     }
     return text + "    esac\n";
 }
 
 /// A line for each name of each option: the name, the argument or a dash, and what is said of it.
-std::string lines_of(const std::vector<OptionText>& options) {
+std::string lines_of(const OptionSet& options) {
     std::string lines;
-    for (const OptionText& option : options) {
-        for (const std::string& name : option.names) {
-            lines += fmt::format("{} {} {}\n", name, option.argument.empty() ? "-" : option.argument, option.about);
+    for (const Option& option : options.all()) {
+        for (const std::string& name : option.is_operand() ? std::vector<std::string>() : option.each_name()) {
+            lines += fmt::format("{} {} {}\n", name, option.takes_argument() ? option.argument : "-", option.about);
         }
     }
-    return in_quotes(lines);
+    return in_shell(lines);
 }
 
 std::string words() {
@@ -88,14 +75,15 @@ std::string words() {
         if (!command.name.empty()) {
             commands += fmt::format("{} - {}\n", command.name, command.about);
         }
-        options += fmt::format("    {})\n        options={}\n", in_quotes(command.name), lines_of(command.options));
-        options +=
-            command.takes_name ? "        operands=\"$names $presets methods presets\"\n        ;;\n" : "        ;;\n";
+        options += fmt::format("    {})\n        options={}\n", in_shell(command.name), lines_of(command.options->set));
+        options += command.options->set.takes_operands()
+                       ? "        operands=\"$names $presets methods presets\"\n        ;;\n"
+                       : "        ;;\n";
     }
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
         "    names={}\n    presets={}\n    methods={}\n    commands={}\n{}    esac\n{}}}\n",
-        joined(names), joined(preset_names), joined(method_names), in_quotes(commands), options, modifiers());
+        joined(names), joined(preset_names), joined(method_names), in_shell(commands), options, modifiers());
 }
 
 } // namespace

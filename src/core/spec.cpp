@@ -63,6 +63,23 @@ std::string_view name_of(Modifier modifier) noexcept {
     return names[static_cast<std::size_t>(modifier)];
 }
 
+std::string Spec::text() const {
+    const Representation& entry = representation(name);
+    std::string text(entry.text);
+    const auto add = [&text](std::string_view word) { text.append(1, ':').append(word); };
+    if (entry.takes_sequence) {
+        add(sequence.text());
+    }
+    for (const auto& [modifier, is_set] :
+         {std::pair(Modifier::col, column_major), std::pair(Modifier::xyzw, scalar_last),
+          std::pair(Modifier::deg, unit == AngleUnit::degrees), std::pair(Modifier::passive, passive)}) {
+        if (is_set) {
+            add(name_of(modifier));
+        }
+    }
+    return text;
+}
+
 std::array<std::uint8_t, 9> Spec::order() const noexcept {
     if (column_major || scalar_last) {
         return representation(name).other_order;

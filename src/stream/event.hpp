@@ -45,9 +45,14 @@ struct Diagnostic {
     std::string_view answer{}; ///< whose it is, of several answers to a row
 };
 
-using Event = std::variant<RowError, Diagnostic>;
+/// The first bytes of the stream, up to 64 KiB, before anything else is reported: for advice on what stands in the way.
+struct FirstBytes {
+    std::string text;
+};
 
-/// What a block of rows became: bytes to write and then events to tell, both in the order of the rows.
+using Event = std::variant<RowError, Diagnostic, FirstBytes>;
+
+/// What a block of rows became: bytes to write and then events to report, both in the order of the rows.
 struct Output {
     Buffer bytes;
     std::vector<Event> events;
@@ -70,6 +75,7 @@ struct StreamError {
         line_too_long, ///< line `line`
         partial_row,   ///< the input ends in row `line`, which begins at byte `offset`
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
+        count,         ///< of the fields in the row at `line`, which is `column.text`; `wrong` says why
         json,          ///< the input begins with JSON
     };
     What what = What::read;
@@ -78,6 +84,7 @@ struct StreamError {
     ColumnError column{};
     std::size_t offset = 0;
     bool of_reference = false; ///< it is the reference that cannot be read
+    std::string wrong{};
 };
 
 } // namespace rotconv::stream

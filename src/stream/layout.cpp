@@ -6,17 +6,19 @@
 
 namespace rotconv::stream {
 
-void Layout::select(std::vector<std::size_t> chosen, std::size_t kept) {
+void Layout::select(std::vector<std::size_t> chosen, std::size_t number_count, std::size_t kept) {
+    count = number_count;
     positions = std::move(chosen);
     in_row_order = positions;
     std::ranges::sort(in_row_order);
-    replaced.assign(positions.begin() + static_cast<std::ptrdiff_t>(kept), positions.end());
-    std::ranges::sort(replaced);
-}
-
-void Layout::select_all(std::size_t count, std::size_t kept) {
-    replaced.resize(kept > 0 ? count - kept : 0);
-    std::iota(replaced.begin(), replaced.end(), kept);
+    replaced.clear();
+    if (!positions.empty()) {
+        replaced.assign(positions.begin() + static_cast<std::ptrdiff_t>(kept), positions.end());
+        std::ranges::sort(replaced);
+    } else if (kept > 0) {
+        replaced.resize(count - kept);
+        std::iota(replaced.begin(), replaced.end(), kept);
+    }
 }
 
 } // namespace rotconv::stream

@@ -14,18 +14,19 @@ namespace rotconv::stream {
 /// Where things stand in a row. It is known once the first data row has come, and is the same for all rows.
 struct Layout {
     Delimiter delimiter = Delimiter::blanks();
+    std::size_t count = 0;       ///< numbers of a row
+    std::size_t field_count = 0; ///< of the first data row
     /// Positions of the selected fields, in the order of the operation's numbers; empty where --columns selects none
     /// and a row is its numbers.
-    std::vector<std::size_t> positions;
-    std::vector<std::size_t> in_row_order; ///< the same, sorted
-    std::vector<std::size_t> replaced;     ///< those in whose place the result stands, sorted; empty: the whole row is
-    JsonKeys keys;                         ///< of the other fields, under Format::json
-    std::string line_end = "\n";           ///< for a last row that has none
+    std::vector<std::size_t> positions{};
+    std::vector<std::size_t> in_row_order{}; ///< the same, sorted
+    std::vector<std::size_t> replaced{}; ///< those in whose place the result stands, sorted; empty: the whole row is
+    JsonKeys keys{};                     ///< of the other fields, under Format::json
+    std::string line_end = "\n";         ///< for a last row that has none
 
-    /// The first `kept` of the chosen fields are not replaced.
-    void select(std::vector<std::size_t> chosen, std::size_t kept = 0);
-    /// The row is its numbers, of which the first `kept` are not replaced.
-    void select_all(std::size_t count, std::size_t kept);
+    /// The numbers stand in the chosen fields, or are the whole row where none is chosen; the first `kept` of them are
+    /// not replaced.
+    void select(std::vector<std::size_t> chosen, std::size_t number_count, std::size_t kept);
 };
 
 /// Calls `other(i)` for each of `count` fields that is not replaced and `result()` once, in the order of the output:

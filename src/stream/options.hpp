@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <variant>
+#include <vector>
 
 #include "column_list.hpp"
 #include "decimal.hpp"
@@ -19,6 +21,7 @@
 namespace rotconv::stream {
 
 enum class HeaderMode : std::uint8_t { automatic, yes, no, add };
+
 enum class Format : std::uint8_t {
     csv,
     json,
@@ -26,36 +29,42 @@ enum class Format : std::uint8_t {
     f64,
     result ///< the result's doubles and nothing else, for a sink that sums them up
 };
+
 enum class OnError : std::uint8_t { stop, nan, skip };
 
-struct Pairing;
+/// How the rows of a stream are read.
+struct InputOptions {
+    RowNumbers numbers{};
+    ColumnList columns{};                 ///< empty: a row is its numbers and nothing else
+    std::optional<Delimiter> delimiter{}; ///< nothing: that of the first data row
+    std::size_t width = 0;                ///< doubles of a row of binary input; 0: the input is text
+    HeaderMode header = HeaderMode::automatic;
+    bool refuses_json = false; ///< a first row that is JSON ends the run
+    /// Where the numbers are not yet known: of the count of fields of the first row, the count of numbers, or what is
+    /// wrong with it.
+    std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};
+};
+
+/// How the rows of two streams are paired. The operation gets the numbers of a row and then those of its partner.
+struct Pairing {
+    InputOptions reference{}; ///< how the other stream is read
+    bool by_key = false;      ///< the first selected column of both, a number that increases; else by the rows' number
+    Decimal within{};         ///< the greatest difference of two keys
+};
 
 /// What a run does with its rows.
 struct Options {
-    explicit Options(RowOperation given) : operation(std::move(given)) {}
-    explicit Options(const Conversion& conversion) : Options(conversion_operation(conversion)) {}
-
-    RowOperation operation;
-    ColumnList columns;                 ///< empty: a row is its numbers and nothing else
-    std::optional<Delimiter> delimiter; ///< nothing: that of the first data row
-    std::size_t width = 0;              ///< doubles of a row of binary input; 0: the input is text
-    HeaderMode header = HeaderMode::automatic;
+    InputOptions input{};
+    std::shared_ptr<RowOperation> operation{};
     Format format = Format::csv;
     OnError on_error = OnError::stop;
-    Digits digits;                                        ///< of the numbers of the result
+    Digits digits{};                                      ///< of the numbers of the result
     bool append = false;                                  ///< keep the row and add the result at its end
     bool diagnostic_columns = false;                      ///< margin, condition, defect and notes after the result
     bool show_diagnostics = true;                         ///< in words, under Format::pretty
     std::size_t threads = 1;                              ///< at most
     std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
-    std::shared_ptr<const Pairing> pairing;               ///< where the rows are paired with those of a reference
-};
-
-/// How the rows of two streams are paired. The operation gets the numbers of a row and then those of its partner.
-struct Pairing {
-    Options reference;   ///< how the other stream is read, of whose operation that is all that counts
-    bool by_key = false; ///< the first selected column of both, a number that increases; else by the rows' number
-    Decimal within{};    ///< the greatest difference of two keys
+    std::optional<Pairing> pairing{};                     ///< where the rows are paired with those of a reference
 };
 
 inline constexpr std::array<std::string_view, 4> diagnostic_names{"margin", "condition", "defect", "notes"};

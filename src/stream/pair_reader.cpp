@@ -20,34 +20,28 @@ constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
 } // namespace
 
-PairReader::Side::Side(Source& source, const Options& given, bool with_keys, std::size_t block_size)
-    : options(&given), by_key(with_keys), blocks(source, given.width * sizeof(double), block_size), header(given) {}
+PairReader::Side::Side(Source& source, const InputOptions& given, const Options* written, bool with_keys,
+                       std::size_t block_size)
+    : options(&given), by_key(with_keys), blocks(source, given, written, block_size) {}
 
 void PairReader::Side::read_block(Output& output) {
     for (; !texts.empty() && (waiting.empty() || texts_gone < waiting.front().text); ++texts_gone) {
         texts.pop_front();
     }
     const auto block = std::make_shared<IoBlock>();
-    ended = !blocks.read(*block);
+    ended = !blocks.read(*block, rest, line, output);
     if (block->text.empty()) {
         return;
     }
     if (2 * block->text.size() < block->bytes.size()) { // it may wait with thousands of others
+        const auto first = static_cast<std::size_t>(rest.data() - block->text.data());
         Buffer bytes;
         append(bytes, block->text);
         block->bytes = std::move(bytes);
         block->text = {block->bytes.data(), block->bytes.size()};
+        rest = rest.empty() ? rest : block->text.substr(first);
     }
     texts.push_back(block);
-    rest = block->text;
-    line = block->first_line;
-    if (!has_layout) {
-        has_layout = header.read(rest, line, output);
-    }
-    if (header.error()) {
-        rest = {};
-        ended = true;
-    }
 }
 
 void PairReader::Side::take_line() {
@@ -70,7 +64,7 @@ void PairReader::Side::take_line() {
 
 void PairReader::Side::find_key(Waiting& row) {
     using What = RowError::What;
-    const std::size_t position = header.layout().positions.front();
+    const std::size_t position = blocks.layout().positions.front();
     std::string text;
     if (options->width > 0) {
         double number = 0.0;
@@ -78,7 +72,7 @@ void PairReader::Side::find_key(Waiting& row) {
         text = fmt::format("{}", number);
     } else {
         fields.clear();
-        if (!header.layout().delimiter.split(row.line.text, fields)) {
+        if (!blocks.layout().delimiter.split(row.line.text, fields)) {
             row.error = RowError{.line = row.number, .what = What::open_quote, .text = std::string(row.line.text)};
             return;
         }
@@ -90,7 +84,7 @@ void PairReader::Side::find_key(Waiting& row) {
                                  .expected = position + 1};
             return;
         }
-        text = header.layout().delimiter.text_of(fields[position]);
+        text = blocks.layout().delimiter.text_of(fields[position]);
     }
     auto key = Decimal::parse(text);
     if (!key) {
@@ -139,8 +133,8 @@ void PairReader::Side::drop_line() {
 }
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
-    : pairing_(options.pairing.get()), rows_(source, options, pairing_->by_key, block_size),
-      references_(reference, pairing_->reference, pairing_->by_key, block_size) {}
+    : pairing_(&*options.pairing), rows_(source, options.input, &options, pairing_->by_key, block_size),
+      references_(reference, pairing_->reference, nullptr, pairing_->by_key, block_size) {}
 
 bool PairReader::read(Job& job) {
     keep_texts(job);
@@ -252,11 +246,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     return nullptr;
 }
 
-void PairReader::finish(Output& output) {
-    if (!rows_.has_layout) {
-        rows_.header.finish(output, !error());
-    }
-}
+void PairReader::finish(Output& output) { rows_.blocks.finish(output, !error()); }
 
 std::optional<StreamError> PairReader::error() const {
     auto found = rows_.is_done() ? rows_.error() : std::nullopt; // else it lies behind what was worked on

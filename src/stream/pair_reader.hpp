@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "decimal.hpp"
-#include "header_reader.hpp"
 #include "io_block.hpp"
 #include "job.hpp"
 #include "options.hpp"
+#include "row_blocks.hpp"
 
 namespace rotconv::stream {
 
@@ -29,8 +29,8 @@ public:
     void finish(Output& output) override;
     [[nodiscard]] std::optional<StreamError> error() const override;
 
-    [[nodiscard]] const Layout& layout() const noexcept { return rows_.header.layout(); }
-    [[nodiscard]] const Layout& reference_layout() const noexcept { return references_.header.layout(); }
+    [[nodiscard]] const Layout& layout() const noexcept { return rows_.blocks.layout(); }
+    [[nodiscard]] const Layout& reference_layout() const noexcept { return references_.blocks.layout(); }
     [[nodiscard]] std::array<Unpaired, 2> unpaired() const noexcept { return {rows_.unpaired, references_.unpaired}; }
 
 private:
@@ -49,7 +49,7 @@ private:
 
     /// One of the two streams.
     struct Side {
-        Side(Source& source, const Options& given, bool with_keys, std::size_t block_size);
+        Side(Source& source, const InputOptions& given, const Options* written, bool with_keys, std::size_t block_size);
 
         /// Whether its `ahead`-th row from here is at hand; takes lines off the text for it.
         At look(std::size_t ahead);
@@ -64,19 +64,15 @@ private:
         void drop_line();
         [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || blocks.is_ready(); }
-        [[nodiscard]] std::optional<StreamError> error() const {
-            return header.error() ? header.error() : blocks.error();
-        }
+        [[nodiscard]] std::optional<StreamError> error() const { return blocks.error(); }
 
-        const Options* options;
+        const InputOptions* options;
         bool by_key; ///< the first selected column
-        IoBlockReader blocks;
-        HeaderReader header;
+        RowBlocks blocks;
         std::deque<std::shared_ptr<IoBlock>> texts; ///< in which the waiting lines and the rest stand
         std::size_t texts_gone = 0;                 ///< before them
         std::string_view rest;                      ///< of the last block
         std::size_t line = 1;
-        bool has_layout = false;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
         std::size_t bytes_waiting = 0;   ///< of those lines

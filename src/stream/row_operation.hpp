@@ -1,22 +1,23 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <rotconv/comparison.hpp>
 #include <rotconv/conversion.hpp>
-#include <rotconv/identification.hpp>
-#include <rotconv/propagation.hpp>
-#include <rotconv/rates.hpp>
-
-#include "../methods/method_conversion.hpp"
 
 namespace rotconv::stream {
+
+/// What a row gives to an operation.
+struct RowNumbers {
+    std::vector<std::string> names{}; ///< what its numbers are called; none: that is not yet known
+    std::optional<Spec> attitude{}; ///< what the first of them are, after those that are kept, if they are an attitude
+    std::size_t kept = 0;           ///< how many of the first, such as a time or a key, also pass through unchanged
+};
 
 /// Rows that have their numbers, in the order of the stream.
 struct NumberRows {
@@ -27,85 +28,46 @@ struct NumberRows {
 };
 
 /// What a run makes of the numbers of its rows.
-struct RowOperation {
-    std::size_t inputs = 0;               ///< numbers that a row gives
-    std::vector<std::string> input_names; ///< what they are called
-    std::optional<Spec> from{};           ///< what the first of them are, where they are an attitude
-    std::size_t kept = 0;           ///< how many of the first of them, such as a time or a key, also pass as they are
-    std::vector<std::string> names; ///< the columns of the result
-    std::optional<Spec> attitude{}; ///< what the result is, where it is an attitude
-    /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
-    /// RowReport::row is then the index of the answer among those of all rows.
-    std::vector<std::string> answers{};
-    /// Told once, before the first row, which fields hold the numbers, from 0; none where a row is its numbers.
-    std::function<void(const std::vector<std::size_t>& positions)> selected{};
-    bool in_order = false; ///< all rows must come to it in their order; else each copy may answer any of them
+class RowOperation {
+public:
+    RowOperation() = default;
+    virtual ~RowOperation() = default;
+    /// For another thread; what has to follow the rows in their order is shared.
+    [[nodiscard]] virtual std::unique_ptr<RowOperation> copy() const = 0;
+
+    /// Answers rows with names.size() numbers each, or as many for each of the answers. `reports` becomes those of the
+    /// rows of which there is something to report, in their order.
+    virtual void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) = 0;
+    /// The same where an answer may depend on the rows after it: answers as many of the first rows as it can, or all
+    /// with `flush`. The others come first in the next call.
+    /// @return how many are answered
+    virtual std::size_t run_ahead(const NumberRows& rows, bool /*flush*/, std::span<double> out,
+                                  std::vector<RowReport>& reports) {
+        run(rows, out, reports);
+        return rows.lines.size();
+    }
+    /// What is done to the results, of all rows in the order of the stream, after run() of the same rows.
+    virtual void choose(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
+    /// Called once, before the first row, with the fields that hold the numbers, from 0; none where a row is its
+    /// numbers.
+    virtual void take_positions(const std::vector<std::size_t>& /*positions*/) {}
 
     [[nodiscard]] std::size_t answers_of_row() const noexcept { return answers.empty() ? 1 : answers.size(); }
 
-    /// Answers rows of `inputs` numbers with names.size() numbers each, or so many for each answer. `reports` become
-    /// those of the rows of which there is something to tell, in their order.
-    std::function<void(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports)> run;
-    /// Where an answer depends on the rows after it, to be called in the place of `run`: answers as many of the first
-    /// rows as it can, or all with `flush`. The others come first in the next call.
-    /// @return how many are answered
-    std::function<std::size_t(const NumberRows& rows, bool flush, std::span<double> out,
-                              std::vector<RowReport>& reports)>
-        run_ahead{};
-    /// What is done to the results of `run` and `run_ahead`, of all rows in the order of the stream: copies share what
-    /// it remembers. Null: nothing.
-    std::function<void(std::span<double> results, std::span<const RowReport> reports)> choose{};
+    std::vector<std::string> names{}; ///< the columns of the result
+    std::optional<Spec> attitude{};   ///< what the result is, if it is an attitude
+    /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
+    /// RowReport::row is then the index of the answer among those of all rows.
+    std::vector<std::string> answers{};
+    bool in_order = false;    ///< all rows must come to it in their order; else each copy may answer any of them
+    bool looks_ahead = false; ///< by run_ahead()
+    bool chooses = false;     ///< by choose()
+
+protected:
+    RowOperation(const RowOperation&) = default;
+    RowOperation(RowOperation&&) = default;
+    RowOperation& operator=(const RowOperation&) = default;
+    RowOperation& operator=(RowOperation&&) = default;
 };
-
-/// The conversion of attitudes.
-[[nodiscard]] RowOperation conversion_operation(const Conversion& conversion);
-[[nodiscard]] RowOperation method_operation(const MethodConversion& conversion);
-/// The answers of all its methods, each with its angle to the attitude.
-[[nodiscard]] RowOperation all_methods_operation(const MethodConversion& conversion);
-
-/// The same operation, whose result follows the motion; see ContinuousNumbers.
-[[nodiscard]] RowOperation continuous(RowOperation operation);
-
-/// What the columns of an angular velocity are called.
-[[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
-
-/// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are
-/// velocity_names(). `sensitivity`: a report of every row.
-[[nodiscard]] RowOperation rates_operation(const Spec& spec, const RateSettings& settings, bool sensitivity);
-
-/// What a propagation makes of rows t, wx, wy, wz.
-struct PropagationRows {
-    PropagationSettings settings;
-    int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
-    bool degrees = false; ///< the angular velocity in degrees a second
-    Spec to;              ///< what to make of the attitude
-    ConversionSettings conversion;
-    bool stop_at_error = true; ///< the first error is the end
-};
-[[nodiscard]] RowOperation propagation_operation(const PropagationRows& rows);
-
-/// What a comparison makes of rows that hold both attitudes.
-struct ComparisonRows {
-    bool paired = false;    ///< the second attitude comes from a reference...
-    bool by_key = false;    ///< ...and each of the two has its key before it
-    bool with_line = false; ///< the row's line after the angle, in the place of the relative attitude
-};
-[[nodiscard]] RowOperation comparison_operation(const Comparison& comparison, const ComparisonRows& rows);
-/// What is read of the reference: an attitude, perhaps after its key.
-[[nodiscard]] RowOperation reference_operation(const Spec& spec, bool by_key);
-
-/// Hands the attitude of each row, as a unit quaternion, to `take`. The results are for nobody.
-[[nodiscard]] RowOperation reading_operation(const Spec& from, double tolerance,
-                                             std::function<void(const Rotation& rotation, std::size_t line)> take);
-
-/// Adds the rows, of `count` unknown numbers and then those of the known attitude, to an identification, which must
-/// outlive it; null: to none. The results are for nobody.
-struct IdentificationRows {
-    std::size_t count = 0;
-    Spec known;
-    bool paired = false; ///< see ComparisonRows
-    bool by_key = false;
-};
-[[nodiscard]] RowOperation identification_operation(const IdentificationRows& rows, Identification* identification);
 
 } // namespace rotconv::stream

@@ -9,20 +9,20 @@
 
 namespace rotconv::stream {
 
-bool RowReader::read(std::string_view row, RowParts& to) const {
+bool RowReader::read(std::string_view row, RowParts& to, bool needs_fields) const {
     if (options_->width == 0) {
-        return read_text(row, to);
+        return read_text(row, to, needs_fields || has_other_fields());
     }
     read_binary(row, to);
     return true;
 }
 
-bool RowReader::read_text(std::string_view text, RowParts& to) const {
+bool RowReader::read_text(std::string_view text, RowParts& to, bool needs_fields) const {
     using What = RowError::What;
-    if (!needs_fields() && read_plain(text, to.numbers)) {
+    if (!needs_fields && read_plain(text, to.numbers)) {
         return true;
     }
-    const std::size_t needed = options_->operation.inputs;
+    const std::size_t needed = layout_->count;
     const std::size_t first_field = to.fields.size();
     if (!layout_->delimiter.split(text, to.fields)) {
         to.error = {.what = What::open_quote, .text = std::string(text)};
@@ -53,7 +53,7 @@ bool RowReader::read_text(std::string_view text, RowParts& to) const {
             return false;
         }
     }
-    for (std::size_t i = 0; i < options_->operation.kept; ++i) {
+    for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
         to.kept.push_back(layout_->delimiter.text_of(to.fields[first_field + position(i)]));
     }
     return true;
@@ -61,7 +61,7 @@ bool RowReader::read_text(std::string_view text, RowParts& to) const {
 
 bool RowReader::read_plain(std::string_view text, std::vector<double>& numbers) const {
     const std::size_t first = numbers.size();
-    numbers.resize(first + options_->operation.inputs);
+    numbers.resize(first + layout_->count);
     const char* at = text.data();
     const char* const end = at + text.size();
     for (std::size_t i = first; i < numbers.size(); ++i) {
@@ -78,7 +78,7 @@ bool RowReader::read_plain(std::string_view text, std::vector<double>& numbers) 
 }
 
 void RowReader::read_binary(std::string_view row, RowParts& to) const {
-    for (std::size_t i = 0; i < options_->operation.inputs; ++i) {
+    for (std::size_t i = 0; i < layout_->count; ++i) {
         std::memcpy(&to.numbers.emplace_back(), row.data() + position(i) * sizeof(double), sizeof(double));
     }
 }

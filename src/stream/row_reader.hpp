@@ -28,19 +28,19 @@ struct RowParts {
 /// Reads the numbers of a row.
 class RowReader {
 public:
-    RowReader(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {}
+    RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
 
-    /// The output has fields of the input beside the result, or not all of the input's are numbers.
-    [[nodiscard]] bool needs_fields() const noexcept { return options_->append || !layout_->replaced.empty(); }
+    /// Not all of the row's fields are numbers that the result replaces.
+    [[nodiscard]] bool has_other_fields() const noexcept { return !layout_->replaced.empty(); }
 
-    /// Adds what is read of a row, of text or of doubles.
+    /// Adds what is read of a row, of text or of doubles. `needs_fields`: its fields too.
     /// @return false where `to.error` says why there is nothing; fields may be there
-    [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
+    [[nodiscard]] bool read(std::string_view row, RowParts& to, bool needs_fields) const;
     /// The fields that hold the numbers, parted by the delimiter.
     [[nodiscard]] std::string selected_text(std::string_view row) const;
 
 private:
-    [[nodiscard]] bool read_text(std::string_view text, RowParts& to) const;
+    [[nodiscard]] bool read_text(std::string_view text, RowParts& to, bool needs_fields) const;
     void read_binary(std::string_view row, RowParts& to) const;
     /// A row of nothing but plain numbers, as most are, which needs no fields; false for any other.
     [[nodiscard]] bool read_plain(std::string_view text, std::vector<double>& numbers) const;
@@ -48,7 +48,7 @@ private:
         return layout_->positions.empty() ? number : layout_->positions[number];
     }
 
-    const Options* options_;
+    const InputOptions* options_;
     const Layout* layout_;
 };
 

@@ -9,8 +9,10 @@
 namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
-    : options_(&options), layout_(&layout), operation_(options.operation), reader_(options, layout),
-      row_text_(options, layout), nans_(options.operation.names.size(), std::numeric_limits<double>::quiet_NaN()) {
+    : options_(&options), layout_(&layout),
+      operation_(options.operation->in_order ? options.operation : options.operation->copy()),
+      reader_(options.input, layout), writer_(options, layout),
+      nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {
     if (reference_layout != nullptr) {
         reference_reader_.emplace(options.pairing->reference, *reference_layout);
     }
@@ -21,7 +23,7 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
         transform_doubles(text, line, output, in_turn);
         return;
     }
-    if (operation_.run_ahead) {
+    if (operation_->looks_ahead) {
         transform_ahead(text, line, false, output);
         return;
     }
@@ -40,8 +42,8 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output) {
 }
 
 void RowTransformer::answer(Output& output, const InTurn& in_turn) {
-    results_.resize(lines_.size() * operation_.answers_of_row() * operation_.names.size());
-    operation_.run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
+    results_.resize(lines_.size() * operation_->answers_of_row() * operation_->names.size());
+    operation_->run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
     choose(output, in_turn);
     if (!output.stopped) {
         write(output);
@@ -49,10 +51,10 @@ void RowTransformer::answer(Output& output, const InTurn& in_turn) {
 }
 
 void RowTransformer::choose(Output& output, const InTurn& in_turn) {
-    if (!operation_.choose) {
+    if (!operation_->chooses) {
         return;
     }
-    const auto what = [this] { operation_.choose(results_, reports_); };
+    const auto what = [this] { operation_->choose(results_, reports_); };
     if (in_turn) {
         output.stopped = !in_turn(what);
     } else {
@@ -61,7 +63,7 @@ void RowTransformer::choose(Output& output, const InTurn& in_turn) {
 }
 
 void RowTransformer::finish(Output& output) {
-    if (operation_.run_ahead) {
+    if (operation_->looks_ahead) {
         transform_ahead({}, 0, true, output);
     }
 }
@@ -75,7 +77,7 @@ void RowTransformer::clear() noexcept {
 
 void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t limit) {
     clear();
-    if (options_->width > 0) {
+    if (options_->input.width > 0) {
         gather_binary(text, line, limit);
         return;
     }
@@ -99,7 +101,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
 
 void RowTransformer::read_row(Row& row) {
     row.index = lines_.size();
-    if (reader_.read(row.line.text, parts_)) {
+    if (reader_.read(row.line.text, parts_, options_->append)) {
         lines_.push_back(row.number);
     } else {
         note_error(row, std::move(parts_.error));
@@ -132,8 +134,8 @@ void RowTransformer::read_pair(Row& row) {
         return;
     }
     const PairedRow& pair = *row.pair;
-    if (!reference_reader_->read(pair.reference.text, parts_)) {
-        parts_.numbers.resize(parts_.numbers.size() - operation_.inputs);
+    if (!reference_reader_->read(pair.reference.text, parts_, false)) {
+        parts_.numbers.resize(parts_.numbers.size() - layout_->count);
         lines_.pop_back();
         note_error(row, std::move(parts_.error));
         errors_.back().line = pair.reference_number;
@@ -151,13 +153,12 @@ double RowTransformer::norm_of(const Row& row, bool of_reference) const {
     if (of_reference && row.pair == nullptr) {
         return 0.0; // the second attitude of a row
     }
-    const RowOperation& read = of_reference ? options_->pairing->reference.operation : operation_;
-    if (!read.from || read.from->name != RepresentationId::quat) {
+    const RowNumbers& read = of_reference ? options_->pairing->reference.numbers : options_->input.numbers;
+    if (!read.attitude || read.attitude->name != RepresentationId::quat) {
         return 0.0;
     }
     const std::size_t size = parts_.numbers.size() / lines_.size();
-    const double* const q =
-        parts_.numbers.data() + row.index * size + (of_reference ? operation_.inputs : 0) + read.kept;
+    const double* const q = parts_.numbers.data() + row.index * size + (of_reference ? layout_->count : 0) + read.kept;
     return Eigen::Map<const Eigen::Vector4d>(q).stableNorm();
 }
 
@@ -181,11 +182,11 @@ void RowTransformer::write(Output& output) {
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
     const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
-    if (is_ours && options_->width > 0 && reader_.needs_fields() && options_->format != Format::result) {
+    if (is_ours && options_->input.width > 0 && needs_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }
-    const std::size_t size = operation_.names.size();
-    const std::size_t answers = operation_.answers_of_row();
+    const std::size_t size = operation_->names.size();
+    const std::size_t answers = operation_->answers_of_row();
     for (std::size_t i = 0; i < answers; ++i) {
         const std::size_t index = row.index * answers + i;
         const RowReport& report = report_of(row, index);
@@ -197,7 +198,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
         if (failed && (options_->on_error != OnError::nan || !is_ours)) {
             continue; // each answer's report is passed over
         }
-        row_text_.write(
+        writer_.write(
             output.bytes,
             {.line = row.line,
              .number = row.number,
@@ -205,7 +206,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
              .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
              .report = &report,
              .failed = failed,
-             .answer = operation_.answers.empty() ? std::string_view() : operation_.answers[i]});
+             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i]});
         if (!failed) {
             output.answered += i == 0 ? 1 : 0;
             tell_diagnostics(row, report, i, output);
@@ -232,8 +233,8 @@ void RowTransformer::tell_error(const Row& row, std::string_view given, const Ro
 
 void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output) {
     for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
-        if (diagnostic.kind == DiagnosticKind::method_error && !operation_.answers.empty()) {
-            diagnostic.answer = options_->operation.answers[answer]; // outlives this
+        if (diagnostic.kind == DiagnosticKind::method_error && !operation_->answers.empty()) {
+            diagnostic.answer = options_->operation->answers[answer]; // outlives this
         } else if (answer > 0) {
             return; // that is the row's, and told
         }

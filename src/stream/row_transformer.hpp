@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,7 +16,7 @@
 #include "layout.hpp"
 #include "options.hpp"
 #include "row_reader.hpp"
-#include "row_text.hpp"
+#include "row_writer.hpp"
 
 namespace rotconv::stream {
 
@@ -55,6 +56,8 @@ private:
         [[nodiscard]] bool has_numbers() const noexcept { return !passed && error == no_error; }
     };
 
+    /// The output has fields of the input beside the result, or not all of the input's are numbers.
+    [[nodiscard]] bool needs_fields() const noexcept { return options_->append || reader_.has_other_fields(); }
     /// Doubles in and nothing but the result out.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
     /// Of those rows as many are written at once as there is nothing to tell of.
@@ -65,7 +68,7 @@ private:
     /// Forgets the batch.
     void clear() noexcept;
     /// Rows that are answered together.
-    [[nodiscard]] std::size_t rows_at_once() const noexcept { return operation_.choose ? every_row : batch_rows; }
+    [[nodiscard]] std::size_t rows_at_once() const noexcept { return operation_->chooses ? every_row : batch_rows; }
     /// Lets the operation choose, where it does.
     void choose(Output& output, const InTurn& in_turn);
     /// Reads a batch of rows off the text, under `stop` none after an error.
@@ -94,10 +97,10 @@ private:
 
     const Options* options_;
     const Layout* layout_;
-    RowOperation operation_; ///< a copy, for it may have room of its own to work in
+    std::shared_ptr<RowOperation> operation_; ///< a copy, for it may have room of its own to work in
     RowReader reader_;
     std::optional<RowReader> reference_reader_; ///< where rows are paired
-    RowText row_text_;
+    RowWriter writer_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
     // One batch, reused: nothing is allocated per row once they have grown.

@@ -17,14 +17,14 @@ void RowTransformer::transform_ahead(std::string_view next, std::size_t next_lin
         gather(text, line, limit);
         const bool is_whole = text.empty();
         const bool at_error = options_->on_error == OnError::stop && !errors_.empty();
-        results_.resize(lines_.size() * operation_.names.size());
+        results_.resize(lines_.size() * operation_->names.size());
         const NumberRows rows{parts_.numbers, lines_, parts_.kept};
-        std::size_t answered = operation_.run_ahead(rows, at_error || (is_end && is_whole), results_, reports_);
+        std::size_t answered = operation_->run_ahead(rows, at_error || (is_end && is_whole), results_, reports_);
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
-            answered = operation_.run_ahead(rows, true, results_, reports_);
+            answered = operation_->run_ahead(rows, true, results_, reports_);
         }
-        if (operation_.choose) { // such rows are for one thread
-            operation_.choose(std::span(results_).first(answered * operation_.names.size()), reports_);
+        if (operation_->chooses) { // such rows are for one thread
+            operation_->choose(std::span(results_).first(answered * operation_->names.size()), reports_);
         }
         const auto held = std::ranges::find_if(
             rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "header_reader.hpp"
 #include "io_block.hpp"
 #include "job.hpp"
 #include "pair_reader.hpp"
+#include "row_blocks.hpp"
 #include "row_transformer.hpp"
 
 namespace rotconv::stream {
@@ -31,52 +31,16 @@ constexpr std::size_t most_under_way = 2 * IoBlockReader::largest_block;
 constexpr std::size_t too_long = 32 * IoBlockReader::largest_block;
 
 std::size_t thread_limit(const Options& options) {
-    return options.operation.in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
+    return options.operation->in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
 }
 
 /// Bytes of a block: the more threads, the smaller, but for doubles that remain doubles.
 std::size_t block_size(const Options& options) {
-    if (options.width > 0 && options.format == Format::f64) {
+    if (options.input.width > 0 && options.format == Format::f64) {
         return IoBlockReader::largest_block;
     }
     return std::min(IoBlockReader::largest_block, most_under_way / (thread_limit(options) + spare_jobs));
 }
-
-/// The jobs of one stream.
-class BlockReader final : public JobReader {
-public:
-    BlockReader(Source& source, const Options& options)
-        : blocks_(source, options.width * sizeof(double), block_size(options)), header_(options) {}
-
-    bool read(Job& job) override {
-        const bool goes_on = blocks_.read(job.block);
-        job.rest = job.block.text;
-        job.line = job.block.first_line;
-        if (!has_layout_ && !job.rest.empty()) {
-            has_layout_ = header_.read(job.rest, job.line, job.output);
-        }
-        if (header_.error()) {
-            job.rest = {};
-            return false;
-        }
-        return goes_on;
-    }
-    [[nodiscard]] bool is_ready() const override { return blocks_.is_ready(); }
-    void finish(Output& output) override {
-        if (!has_layout_) {
-            header_.finish(output, !error());
-        }
-    }
-    [[nodiscard]] std::optional<StreamError> error() const override {
-        return header_.error() ? header_.error() : blocks_.error();
-    }
-    [[nodiscard]] const Layout& layout() const noexcept { return header_.layout(); }
-
-private:
-    IoBlockReader blocks_;
-    HeaderReader header_; ///< the layout is settled before the first data row
-    bool has_layout_ = false;
-};
 
 /// A stream that is worked on by threads which are all alike: each writes the oldest block if that is converted, else
 /// reads a block and converts it. Reading is for one at a time, and writing too; so blocks leave in the order in which
@@ -323,7 +287,7 @@ void Run::finish(Transformer& transformer) {
 } // namespace
 
 RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report) {
-    BlockReader reader(source, options);
+    BlockReader reader(source, options, block_size(options));
     return Run(reader, sink, options, report, [&] { return RowTransformer(options, reader.layout()); })();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 namespace rotconv::stream {
@@ -32,21 +33,27 @@ std::size_t utf8_length(std::string_view text) noexcept {
 }
 
 std::size_t printable_length(std::string_view text) noexcept {
-    // Controls of ASCII and of Latin 1, and what Unicode has for formatting: marks, line ends, directions, joiners.
-    using Range = std::pair<std::string_view, std::string_view>;
-    static constexpr std::array<Range, 7> unprintable{{{std::string_view("\0", 1), "\x1F"},
-                                                       {"\x7F", "\x7F"},
-                                                       {"\xC2\x80", "\xC2\x9F"},
-                                                       {"\xE2\x80\x8B", "\xE2\x80\x8F"},
-                                                       // NOLINTNEXTLINE(misc-misleading-bidirectional): it is escaped
-                                                       {"\xE2\x80\xA8", "\xE2\x80\xAE"},
-                                                       {"\xE2\x81\xA0", "\xE2\x81\xAF"},
-                                                       {"\xEF\xBB\xBF", "\xEF\xBB\xBF"}}};
+    // Controls, and what Unicode has for formatting: marks, line ends, directions, joiners, annotations, tags.
+    using Range = std::pair<std::uint32_t, std::uint32_t>;
+    static constexpr auto unprintable = std::to_array<Range>({{0x0, 0x1F},
+                                                              {0x7F, 0x9F},
+                                                              {0xAD, 0xAD},
+                                                              {0x61C, 0x61C},
+                                                              {0x180E, 0x180E},
+                                                              {0x200B, 0x200F},
+                                                              {0x2028, 0x202E},
+                                                              {0x2060, 0x206F},
+                                                              {0xFEFF, 0xFEFF},
+                                                              {0xFFF9, 0xFFFB},
+                                                              {0xE0000, 0xE0FFF}});
     const std::size_t length = utf8_length(text);
-    const std::string_view character = text.substr(0, length);
-    const bool shows_nothing = std::ranges::any_of(unprintable, [character](const Range& range) {
-        return range.first <= character && character <= range.second && character.size() == range.first.size();
-    });
+    std::uint32_t code =
+        length > 1 ? static_cast<unsigned char>(text[0]) & (0x7FU >> length) : static_cast<unsigned char>(text[0]);
+    for (std::size_t i = 1; i < length; ++i) {
+        code = (code << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
+    }
+    const bool shows_nothing = std::ranges::any_of(
+        unprintable, [code](const Range& range) { return range.first <= code && code <= range.second; });
     return shows_nothing ? 0 : length;
 }
 

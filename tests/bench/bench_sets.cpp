@@ -14,15 +14,6 @@ namespace {
 
 constexpr double limit = 1000.0; // of the condition, the program's default
 
-std::string text_of(const rotconv::Spec& set) {
-    std::string text(rotconv::representation(set.name).text);
-    if (set.name == rotconv::RepresentationId::euler) {
-        const auto letters = set.sequence.letters();
-        text += ':' + std::string(letters.data(), letters.size());
-    }
-    return text;
-}
-
 rotconv::Survey survey_of(const motions::Motion& motion) {
     rotconv::Survey survey;
     for (std::size_t i = 0; i <= 2000; ++i) {
@@ -51,7 +42,7 @@ int main(int argc, char** argv) {
         const auto survey = survey_of(motion);
         const auto* const smallest = survey.smallest(limit);
         for (const auto& set : survey.sets()) {
-            csv << fmt::format("{},{},{},{:.4g},{:.4g},{},{},{}\n", motion.name, text_of(set.set), set.set.size(),
+            csv << fmt::format("{},{},{},{:.4g},{:.4g},{},{},{}\n", motion.name, set.set.text(), set.set.size(),
                                set.least_margin, set.greatest_condition, set.jumps, set.serves(limit) ? 1 : 0,
                                &set == smallest ? 1 : 0);
         }

@@ -18,15 +18,6 @@ using rotconv::RepresentationId;
 using rotconv::Spec;
 using Rows = std::vector<std::vector<double>>;
 
-std::string text_of(const Spec& spec) {
-    std::string text(rotconv::representation(spec.name).text);
-    if (spec.name == RepresentationId::euler) {
-        const auto letters = spec.sequence.letters();
-        text += ':' + std::string(letters.data(), letters.size());
-    }
-    return text + (spec.unit == rotconv::AngleUnit::degrees ? ":deg" : "");
-}
-
 /// As the table calls it: all Euler angles are one.
 std::string name_in_table(RepresentationId name) {
     const auto& entry = rotconv::representation(name);
@@ -157,7 +148,7 @@ Worst worst_error(const Spec& from, const Spec& to, const Convert& convert, cons
         if (!(error <= worst.error)) {
             std::ostringstream where;
             where.precision(17);
-            where << text_of(from) << " to " << text_of(to) << ":";
+            where << from.text() << " to " << to.text() << ":";
             for (const double v : row) {
                 where << ' ' << v;
             }

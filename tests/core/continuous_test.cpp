@@ -28,7 +28,7 @@ std::vector<Spec> specs_with_choice() {
     std::vector<Spec> specs;
     for (const auto id : all_representations) {
         for (const auto sequence : EulerSequence::all()) {
-            if (id != RepresentationId::euler && sequence.letters() != roll_pitch_yaw.letters()) {
+            if (id != RepresentationId::euler && sequence != roll_pitch_yaw) {
                 continue;
             }
             for (const bool passive : {false, true}) {
@@ -51,12 +51,6 @@ std::vector<Spec> specs_with_choice() {
         }
     }
     return specs;
-}
-
-std::string text_of(const Spec& spec) {
-    const auto letters = spec.sequence.letters();
-    return std::string(representation(spec.name).text) + ":" + std::string(letters.data(), letters.size()) +
-           (spec.unit == AngleUnit::degrees ? ":deg" : "") + (spec.passive ? ":passive" : "");
 }
 
 Numbers converted(const Spec& from, const Spec& to, const Numbers& rows, std::vector<RowReport>& reports) {
@@ -207,7 +201,7 @@ TEST_CASE("continuous numbers mean the attitude, and step no further than the mo
                     too_long += distance(to, before, row) <= 1.2 * largest * turn + 1e-12 ? 0 : 1;
                 }
             }
-            INFO(motion.name << " " << text_of(to));
+            INFO(motion.name << " " << to.text());
             CHECK(checked > 2000);
             CHECK(too_long == 0);
             CHECK(worst_error <= 0.0);
@@ -239,7 +233,7 @@ TEST_CASE("no other numbers of an attitude are nearer to the last") {
                 least = std::min(least, distance(plain, in_radians(to, last), other));
                 own = std::min(own, distance(plain, in_radians(to, chosen), other));
             });
-            INFO(text_of(to));
+            INFO(to.text());
             CHECK(distance(to, last, chosen) <= least + 1e-12);
             CHECK(own <= 1e-13);
         }
@@ -290,7 +284,7 @@ TEST_CASE("at lock the third angle keeps its last value and the first takes the 
                     worst = std::max(worst, std::fabs(row[k] - sign * given[k] - moved));
                 }
             }
-            INFO(text_of(spec) << " " << direction);
+            INFO(spec.text() << " " << direction);
             CHECK(worst < 1e-10);
         }
     }
@@ -310,7 +304,7 @@ TEST_CASE("whole turns are counted, through the identity and half-turns") {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             worst = std::max(worst, std::fabs(result[i] - expected[i]) / std::max(1.0, std::fabs(expected[i])));
         }
-        INFO(text_of(spec));
+        INFO(spec.text());
         CHECK(worst < 1e-15);
         CHECK(std::ranges::none_of(result, [](double v) { return v == 0.0 && std::signbit(v); }));
     };

@@ -112,8 +112,7 @@ TEST_CASE("an infinite Cayley vector keeps its signs") {
 // Would catch: a locked answer that is not the promised one, or a lock margin that is read in other units.
 TEST_CASE("locked angles have a zero third and a middle at its limit") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        const std::string text = "euler:" + std::string(letters.data(), 3);
+        const std::string text = "euler:" + sequence.text();
         const rotconv::Conversion conversion(spec("quat"), spec(text), {.lock_margin = 1e-3});
         for (const auto& attitude : strata::near_lock(sequence, 60).attitudes) {
             const auto row = oracle::numbers(spec("quat"), attitude);

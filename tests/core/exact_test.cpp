@@ -39,8 +39,7 @@ TEST_CASE("every number of every pair is the double nearest to the exact functio
 // Would catch: an axis, a sign or an order that one sequence alone gets wrong, and a modifier that rounds.
 TEST_CASE("every sequence and every modifier is rounded once") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        const std::string text = "euler:" + std::string(letters.data(), letters.size());
+        const std::string text = "euler:" + sequence.text();
         check("quat", text + ":deg", 8);
         check(text, "dcm", 200);
         check(text + ":deg", text, 100);

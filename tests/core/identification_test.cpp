@@ -91,19 +91,8 @@ std::vector<RowReport> add(Identification& identification, const std::vector<Row
 
 /// A candidate as text: the SPEC and the columns from 1.
 std::string text_of(const Candidate& candidate) {
-    const Representation& entry = representation(candidate.spec.name);
-    std::string text(entry.text);
-    if (entry.takes_sequence) {
-        const auto letters = candidate.spec.sequence.letters();
-        text += ':';
-        text.append(letters.begin(), letters.end());
-    }
-    text += candidate.spec.column_major ? ":col" : "";
-    text += candidate.spec.scalar_last ? ":xyzw" : "";
-    text += candidate.spec.unit == AngleUnit::degrees ? ":deg" : "";
-    text += candidate.spec.passive ? ":passive" : "";
-    text += ' ';
-    for (std::size_t i = 0; i < entry.size; ++i) {
+    std::string text = candidate.spec.text() + ' ';
+    for (std::size_t i = 0; i < candidate.spec.size(); ++i) {
         text += std::to_string(candidate.columns.at(i) + 1);
     }
     return text;
@@ -137,7 +126,7 @@ std::string called(Spec meant, Columns columns) {
         if (reversed < columns) {
             columns = reversed;
             std::string letters;
-            for (const char letter : meant.sequence.letters()) {
+            for (const char letter : meant.sequence.text()) {
                 letters.insert(letters.begin(), static_cast<char>(letter ^ ' ')); // the other case
             }
             meant.sequence = *EulerSequence::parse(letters);
@@ -165,8 +154,7 @@ std::vector<std::string> all_specs() {
         std::vector<std::string> texts;
         if (entry.takes_sequence) {
             for (const EulerSequence sequence : EulerSequence::all()) {
-                const auto letters = sequence.letters();
-                texts.emplace_back(entry.text).append(":").append(letters.begin(), letters.end());
+                texts.push_back("euler:" + sequence.text());
             }
         } else {
             texts.emplace_back(entry.text);

@@ -46,8 +46,7 @@ TEST_CASE("outputs stay in their ranges with and without modifiers") {
             if (entry.name == rotconv::RepresentationId::euler) {
                 texts.clear();
                 for (const auto sequence : rotconv::EulerSequence::all()) {
-                    const auto letters = sequence.letters();
-                    texts.push_back("euler:" + std::string(letters.data(), 3) + modifier);
+                    texts.push_back("euler:" + sequence.text() + modifier);
                 }
             }
             for (const auto& text : texts) {
@@ -109,8 +108,7 @@ TEST_CASE("the sign of a half-turn follows the quaternion rule") {
 // Would catch: quarter turns that pick up a rounding in degrees.
 TEST_CASE("multiples of 90 degrees are exact both ways") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        const std::string text = "euler:" + std::string(letters.data(), 3) + ":deg";
+        const std::string text = "euler:" + sequence.text() + ":deg";
         const auto to_matrix = accuracy::own(spec(text), spec("dcm"));
         const auto back = accuracy::own(spec("dcm"), spec(text));
         for (int i = 0; i < 64; ++i) {

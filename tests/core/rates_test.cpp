@@ -291,8 +291,7 @@ TEST_CASE("margin and condition of a rotation vector are those of its numbers") 
 
 TEST_CASE("rates of all Euler angles are those of the oracle") {
     for (const EulerSequence sequence : EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        const std::string text = "euler:" + std::string(letters.data(), 3);
+        const std::string text = "euler:" + sequence.text();
         check(text, 60);
         check(text + ":deg", 24);
         check(text + ":passive", 12);

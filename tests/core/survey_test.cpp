@@ -84,12 +84,12 @@ TEST_CASE("a survey has every set once") {
     const Survey survey;
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
-        std::set<std::array<char, 3>> sequences;
+        std::set<std::string> sequences;
         std::size_t count = 0;
         for (const SetSurvey& set : survey.sets()) {
             if (set.set.name == id) {
                 ++count;
-                sequences.insert(set.set.sequence.letters());
+                sequences.insert(set.set.sequence.text());
                 CHECK((set.set.sequence.intrinsic() || !entry.takes_sequence));
             }
         }

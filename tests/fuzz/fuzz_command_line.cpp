@@ -37,24 +37,17 @@ void require(bool holds) {
 }
 
 void check(const stream::Options& options) {
-    require(options.operation.inputs > 0 && !options.operation.names.empty() && options.threads > 0);
+    const stream::InputOptions& input = options.input;
+    require(input.numbers.names.empty() == (input.take_count != nullptr));
+    require(!options.operation->names.empty() && options.threads > 0);
     require(options.digits.significant >= 0 && options.digits.significant <= 100);
     require(options.digits.decimals >= -1 && options.digits.decimals <= 100);
-    require(options.width == 0 || options.width >= options.operation.inputs);
+    require(input.width == 0 || input.width >= input.numbers.names.size());
     if (options.pairing) {
         const stream::Pairing& pairing = *options.pairing;
-        require(pairing.by_key == (options.operation.kept == 1) && pairing.reference.operation.inputs > 0);
+        require(pairing.by_key == (input.numbers.kept == 1) && !pairing.reference.numbers.names.empty());
         require(pairing.within >= stream::Decimal());
         reach.add(pairing.by_key ? "pairs by key" : "pairs by row");
-    }
-}
-
-void run_values(const cli::RowsCommand& command, std::string_view name) {
-    if (command.has_values) {
-        reach.add(name);
-        stream::NullSink nowhere;
-        stream::TextSource values(command.values);
-        stream::run(values, nowhere, command.options, [](const stream::Event&) {});
     }
 }
 
@@ -63,31 +56,18 @@ struct Check {
 
     void operator()(const cli::RowsCommand& command) const {
         check(command.options);
-        const bool is_named = std::ranges::count(words, "rates") > 0;
-        reach.add(command.options.operation.in_order ? "propagate" : is_named ? "rates" : "conversion");
-        run_values(command, "VALUEs");
-    }
-    void operator()(const cli::SurveyCommand& command) const {
-        require(command.condition >= 0.0);
-        reach.add("survey");
-    }
-    void operator()(const cli::CompareCommand& command) const {
-        require(!command.within || *command.within >= 0.0);
-        check(command.rows.options);
-        reach.add("compare");
-        run_values(command.rows, "VALUEs that are compared");
-    }
-    void operator()(const cli::IdentifyCommand& command) const {
-        require(command.settings.within >= 0.0);
-        reach.add("identify");
-        const std::size_t count = command.layout.count;
-        require(count > 0 || !command.rows.has_values);
-        if (count > 0) {
-            check(command.rows.options);
-            Identification identification(count, command.layout.known, command.name, command.settings);
-            cli::RowsCommand rows = command.rows;
-            rows.options.operation = stream::identification_operation(command.layout, &identification);
-            run_values(rows, "VALUEs that are identified");
+        std::string name = "conversion";
+        for (const char* other : {"rates", "propagate", "survey", "compare", "identify"}) {
+            name = std::ranges::count(words, other) > 0 ? other : name;
+        }
+        reach.add(name);
+        if (command.has_values) {
+            reach.add(name == "compare"    ? "VALUEs that are compared"
+                      : name == "identify" ? "VALUEs that are identified"
+                                           : "VALUEs");
+            stream::NullSink nowhere;
+            stream::TextSource values(command.values);
+            stream::run(values, nowhere, command.options, [](const stream::Event&) {});
         }
     }
     void operator()(const cli::PrintCommand& command) const {
@@ -95,7 +75,7 @@ struct Check {
         reach.add("text to print");
     }
     void operator()(const cli::UsageError& error) const {
-        // RawOptions from outside are shown without what steers a terminal or looks like a line of the program's own.
+        // Texts from outside are shown without what steers a terminal or looks like a line of the program's own.
         require(!error.message.empty());
         for (std::size_t i = 0; i < error.message.size(); ++i) {
             const auto c = static_cast<unsigned char>(error.message[i]);

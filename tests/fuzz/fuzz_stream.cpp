@@ -25,7 +25,6 @@
 #include "comparison_model.hpp"
 #include "reach.hpp"
 #include "row_model.hpp"
-#include "stream/first_row.hpp"
 #include "stream/run.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -105,44 +104,37 @@ struct Result {
     std::size_t answered = 0;
     std::size_t beyond = 0;
     std::array<std::size_t, 4> unpaired{}; ///< of the stream and of the reference how many, and the line of the first
-    std::string identified;                ///< all that was found
-    std::size_t fitting = 0;               ///< of the conventions
+    std::string conclusion;                ///< of survey and identify
     std::size_t threads = 0;
     friend bool operator==(const Result& a, const Result& b) {
         return a.bytes == b.bytes && a.failed == b.failed && a.to_the_end == b.to_the_end && a.answered == b.answered &&
-               a.unpaired == b.unpaired && a.error == b.error && a.identified == b.identified;
+               a.unpaired == b.unpaired && a.error == b.error && a.conclusion == b.conclusion;
     }
 };
 
 /// A command that is run on streams.
 struct Program {
-    Options options;
-    std::shared_ptr<Survey> survey; ///< that takes the rows
-    std::optional<cli::IdentifyCommand> identify;
+    cli::RowsCommand command;
 
-    [[nodiscard]] bool is_paired() const { return options.pairing != nullptr; }
-    [[nodiscard]] bool is_by_key() const { return is_paired() && options.pairing->by_key; }
+    [[nodiscard]] const Options& options() const { return command.options; }
+    [[nodiscard]] const RowOperation& operation() const { return *options().operation; }
+    [[nodiscard]] bool is_paired() const { return options().pairing.has_value(); }
+    [[nodiscard]] bool is_by_key() const { return is_paired() && options().pairing->by_key; }
+    /// Its rows go nowhere.
+    [[nodiscard]] bool has_text_alone() const {
+        return options().format == Format::result && command.conclusion && operation().in_order;
+    }
+    /// It serves one run.
+    [[nodiscard]] bool remembers() const {
+        return operation().in_order || operation().chooses || options().input.take_count != nullptr;
+    }
 };
 
-bool remembers(const Program& program) {
-    return program.options.operation.in_order || program.options.operation.choose;
-}
-
-/// What the words say. A function that takes rows in their order remembers them: but for identify it serves one run.
+/// What the words say.
 std::optional<Program> program_of(const std::vector<std::string>& words) {
     auto command = fuzz::command_of(words);
-    if (auto* survey = std::get_if<cli::SurveyCommand>(&command)) {
-        return Program{survey->rows.options, survey->survey, {}};
-    }
-    const auto* compare = std::get_if<cli::CompareCommand>(&command);
-    const auto* identify = std::get_if<cli::IdentifyCommand>(&command);
-    const auto* rows = compare != nullptr    ? &compare->rows
-                       : identify != nullptr ? &identify->rows
-                                             : std::get_if<cli::RowsCommand>(&command);
-    if (rows == nullptr || rows->has_values) {
-        return std::nullopt;
-    }
-    return Program{rows->options, nullptr, identify != nullptr ? std::optional(*identify) : std::nullopt};
+    auto* const rows = std::get_if<cli::RowsCommand>(&command);
+    return rows == nullptr || rows->has_values ? std::nullopt : std::optional(Program{std::move(*rows)});
 }
 
 /// The same, for a look at it: to read a command line takes longer than a run.
@@ -165,61 +157,24 @@ struct Input {
     std::size_t piece = static_cast<std::size_t>(-1);
 };
 
-/// How many unknown numbers the rows have; nothing where they are so many that no convention has them.
-std::optional<std::size_t> count_of(const cli::IdentifyCommand& command, FirstRow& source) {
-    std::size_t count = command.layout.count;
-    if (count == 0) {
-        std::vector<std::string_view> fields;
-        const std::string_view row = source.text();
-        command.rows.options.delimiter.value_or(Delimiter::of_row(row)).split(row, fields);
-        const std::size_t known = command.layout.paired ? 0 : command.layout.known.size();
-        count = fields.size() - std::min(fields.size(), known);
-    }
-    return Identification::is_count(count) ? std::optional(count) : std::nullopt;
-}
-
-std::string text_of(const Identification& identification) {
-    std::string text = fmt::format("{} rows\n", identification.rows());
-    for (const Candidate& candidate : identification.best_first()) {
-        text += fmt::format("{} {} {} at {} in {}, fits: {}\n", cli::messages::text_of(candidate.spec),
-                            fmt::join(candidate.columns, ""), candidate.angle, candidate.angle_row, candidate.rows,
-                            identification.fits(candidate));
-    }
-    const Verdict verdict = identification.verdict();
-    return text + fmt::format("{} for lack of {}: {} ({}) {} {}\n", verdict.fitting, static_cast<int>(verdict.lack),
-                              verdict.angle, fmt::join(verdict.axis, " "), verdict.column, verdict.other);
-}
-
 Result run_once(const Input& input, const std::vector<std::string>& words, const Program& given, std::size_t threads) {
-    Program own = remembers(given) && !given.identify ? *program_of(words) : given;
-    Options& options = own.options;
+    Program own = given.remembers() ? *program_of(words) : given;
+    Options& options = own.command.options;
     options.threads = threads;
-    Pieces pieces(input.text, input.piece);
-    FirstRow source(pieces);
-    std::optional<Identification> identification;
-    if (own.identify) {
-        IdentificationRows layout = own.identify->layout;
-        const auto count = count_of(*own.identify, source);
-        if (!count) {
-            return {};
-        }
-        layout.count = *count;
-        identification.emplace(*count, layout.known, own.identify->name, own.identify->settings);
-        options.operation = identification_operation(layout, &*identification);
-    }
+    Pieces source(input.text, input.piece);
     Text sink;
     Result result;
     const auto report = [&result](const Event& event) {
         if (const auto* error = std::get_if<RowError>(&event)) {
             result.failed.push_back({error->line, error->of_reference});
-        } else if (std::get<Diagnostic>(event).kind == DiagnosticKind::beyond) {
-            ++result.beyond;
+        } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
+            result.beyond += diagnostic->kind == DiagnosticKind::beyond ? 1 : 0;
         }
     };
     Pieces reference(input.reference, input.piece);
     const RunResult ending =
         own.is_paired() ? run(source, reference, sink, options, report) : run(source, sink, options, report);
-    result.bytes = std::move(sink.text);
+    result.bytes = own.has_text_alone() ? std::string() : std::move(sink.text);
     result.to_the_end = !ending.stopped && !ending.error;
     if (ending.error) {
         result.error = fmt::format("{} {}{}", static_cast<int>(ending.error->what), ending.error->line,
@@ -230,13 +185,9 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         result.unpaired.at(2 * i) = ending.unpaired.at(i).rows;
         result.unpaired.at(2 * i + 1) = ending.unpaired.at(i).first_line;
     }
-    result.threads = pieces.threads();
-    if (own.survey) {
-        static_cast<void>(own.survey->smallest(1e3));
-    }
-    if (identification && result.to_the_end) {
-        result.identified = text_of(*identification);
-        result.fitting = identification->verdict().fitting;
+    result.threads = source.threads();
+    if (own.has_text_alone() && result.to_the_end && result.answered > 0) {
+        result.conclusion = own.command.conclusion->text({.answered = result.answered, .failed = result.failed.size()});
     }
     return result;
 }
@@ -272,8 +223,9 @@ void count_reach(const Result& result, const std::vector<std::string>& words, co
         reach.add("rows compared beyond --within", result.beyond);
     } else if (command == "identify") {
         reach.add("rows identified " + pairing, rows);
-        reach.add("conventions identified", result.fitting == 1 ? 1 : 0);
-        reach.add("identifications that are ambiguous", result.fitting > 1 ? 1 : 0);
+        reach.add("conventions identified", result.conclusion.find("-f ") != std::string::npos ? 1 : 0);
+        reach.add("identifications that are ambiguous",
+                  result.conclusion.find("ambiguous") != std::string::npos ? 1 : 0);
     } else if (command != "survey") { // whose rows go nowhere
         reach.add("rows converted under --format=" + argument_of(words, "--format", "csv"), rows);
     }
@@ -326,13 +278,12 @@ void check(const fuzz::Compared& compared, std::span<const double> numbers, cons
 }
 
 fuzz::Compared compared_of(const std::vector<std::string>& words, const Program& program) {
-    const RowOperation& operation = program.options.operation;
     const bool degrees = has(words, "--degrees");
     const std::string to = argument_of(words, "--to", argument_of(words, "--from"));
     const Spec reference = std::get<Spec>(parse_spec(to));
-    return {.from = *operation.from,
+    return {.from = *program.options().input.numbers.attitude,
             .reference = degrees ? reference.in_degrees() : reference,
-            .relative = operation.attitude,
+            .relative = program.operation().attitude,
             .in_reference_axes = has(words, "--frame=reference"),
             .degrees = degrees,
             .tolerance = std::strtod(argument_of(words, "--tolerance", "1e-3").c_str(), nullptr),
@@ -340,17 +291,18 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
 }
 
 /// What the command makes of the numbers of one row alone.
-fuzz::Calculate calculate_of(const RowOperation& operation, bool diagnostic_columns) {
-    return [run = operation.run, choose = operation.choose, kept = operation.kept, columns = diagnostic_columns,
-            size = operation.names.size()](const std::vector<double>& numbers, const std::vector<std::string>& texts) {
-        fuzz::Answer answer{.numbers = std::vector<double>(size), .notes = {}};
+fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
+    return [operation = std::shared_ptr<RowOperation>(program.operation().copy()),
+            kept = program.options().input.numbers.kept,
+            columns = diagnostic_columns](const std::vector<double>& numbers, const std::vector<std::string>& texts) {
+        fuzz::Answer answer{.numbers = std::vector<double>(operation->names.size()), .notes = {}};
         const std::vector<std::string_view> kept_texts(texts.begin(),
                                                        texts.begin() + static_cast<std::ptrdiff_t>(kept));
         const std::size_t line = 1;
         std::vector<RowReport> reports;
-        run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
-        if (choose) {
-            choose(answer.numbers, reports);
+        operation->run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
+        if (operation->chooses) {
+            operation->choose(answer.numbers, reports);
         }
         const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
@@ -369,11 +321,11 @@ fuzz::Calculate calculate_of(const RowOperation& operation, bool diagnostic_colu
 }
 
 /// How a stream is read.
-fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowOperation& operation) {
+fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowNumbers& numbers) {
     fuzz::Rules rules;
-    rules.inputs = operation.inputs;
-    rules.kept = operation.kept;
-    rules.input_names = operation.input_names;
+    rules.inputs = numbers.names.size();
+    rules.kept = numbers.kept;
+    rules.input_names = numbers.names;
     rules.columns = argument_of(words, "--columns");
     rules.delimiter = argument_of(words, "--delimiter");
     rules.header = argument_of(words, "--header", "auto");
@@ -382,7 +334,7 @@ fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowOpe
 }
 
 void add_reference(fuzz::Rules& rules, const std::vector<std::string>& words, const Program& program) {
-    fuzz::Rules reference = reading_rules_of(words, program.options.pairing->reference.operation);
+    fuzz::Rules reference = reading_rules_of(words, program.options().pairing->reference.numbers);
     reference.columns = argument_of(words, "--reference-columns", rules.columns);
     reference.header = rules.header == "add" ? "no" : rules.header;
     rules.by_key = program.is_by_key();
@@ -398,21 +350,19 @@ void add_reference(fuzz::Rules& rules, const std::vector<std::string>& words, co
 
 /// What the model is to know: the options' words, and the command's numbers.
 std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const Program& program) {
-    const RowOperation& operation = program.options.operation;
-    const std::string command = name_of_command(words);
-    const bool compares = command == "compare";
-    const bool sums_up = program.options.format == Format::result;
+    const RowOperation& operation = program.operation();
+    const bool compares = name_of_command(words) == "compare";
+    const bool sums_up = program.options().format == Format::result;
     const std::string format = sums_up ? "result" : argument_of(words, "--format", "csv");
     const std::string to = argument_of(words, compares ? "--as" : "--to");
     const int precision = std::atoi(argument_of(words, "--precision", "0").c_str());
     const bool fixed = !argument_of(words, "--decimals").empty();
     const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
-    if (format == "pretty" || format == "f64" || program.options.width > 0 || command == "survey" ||
-        command == "identify" || !operation.answers.empty() || argument_of(words, "--interpolation") == "cubic" ||
-        ((precision > 0 || fixed) && is_euler)) {
+    if (format == "pretty" || format == "f64" || program.options().input.width > 0 || program.has_text_alone() ||
+        !operation.answers.empty() || operation.looks_ahead || ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
     }
-    fuzz::Rules rules = reading_rules_of(words, operation);
+    fuzz::Rules rules = reading_rules_of(words, program.options().input.numbers);
     rules.precision = precision;
     rules.decimals = fixed ? std::atoi(argument_of(words, "--decimals").c_str()) : -1;
     rules.names = operation.names;
@@ -425,7 +375,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     if (program.is_paired()) {
         add_reference(rules, words, program);
     }
-    rules.calculate = calculate_of(operation, rules.diagnostic_columns);
+    rules.calculate = calculate_of(program, rules.diagnostic_columns);
     if (compares) {
         const fuzz::Compared compared = compared_of(words, program);
         rules.calculate = [compared, calculate = rules.calculate, has_relative = compared.relative && !sums_up,
@@ -450,7 +400,7 @@ std::string description(const Result& result) {
         text += fmt::format(" {}{}", failure.line, failure.of_reference ? " of the reference" : "");
     }
     return text + fmt::format("\nto the end: {}, error: {}, answered: {}, unpaired: {}\n{}", result.to_the_end,
-                              result.error, result.answered, fmt::join(result.unpaired, " "), result.identified);
+                              result.error, result.answered, fmt::join(result.unpaired, " "), result.conclusion);
 }
 
 void require_same(std::string_view what, const Result& a, const Result& b) {
@@ -461,7 +411,7 @@ void require_same(std::string_view what, const Result& a, const Result& b) {
 
 void compare_with_model(const Input& input, const std::vector<std::string>& words, const Program& program,
                         Result result) {
-    const auto rules = rules_of(words, remembers(program) ? *program_of(words) : program);
+    const auto rules = rules_of(words, program.remembers() ? *program_of(words) : program);
     auto outcome = !rules                ? std::nullopt
                    : program.is_paired() ? fuzz::model(input.text, input.reference, *rules)
                                          : fuzz::model(input.text, *rules);
@@ -526,7 +476,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string many_times = repeated(first, times, program->is_by_key());
         const std::string references = repeated(input.reference, times, program->is_by_key());
         const Input larger{.text = many_times, .reference = references};
-        const Result many = run_once(larger, words, *program, program->options.threads);
+        const Result many = run_once(larger, words, *program, program->options().threads);
         require_same("with threads", many, run_once(larger, words, *program, 1));
         const std::string pairs = program->is_by_key()   ? "pairs by key of "
                                   : program->is_paired() ? "pairs by row of "
@@ -697,17 +647,18 @@ std::string some_rows(std::minstd_rand& random, std::size_t fields, bool by_key,
 std::optional<std::string> pairs_for(const std::string& line, unsigned seed) {
     const auto words = words_of(line, ' ');
     const auto& program = known_program_of(line, words);
-    if (!program || !program->is_paired() || program->options.width > 0 || program->options.columns.has_names()) {
+    if (!program || !program->is_paired() || program->options().input.width > 0 ||
+        program->options().input.columns.has_names()) {
         return std::nullopt;
     }
     constexpr std::size_t many = 12;
     std::minstd_rand random(seed);
-    const auto rows = [&](const Options& options, char delimiter) {
-        const std::size_t fields = options.columns.empty() ? options.operation.inputs : many;
+    const auto rows = [&](const InputOptions& options, char delimiter) {
+        const std::size_t fields = options.columns.empty() ? options.numbers.names.size() : many;
         return some_rows(random, fields, program->is_by_key(), delimiter);
     };
-    const std::string text = rows(program->options, random() % 2 == 0 ? ',' : ' ');
-    return text + '\f' + rows(program->options.pairing->reference, ';');
+    const std::string text = rows(program->options().input, random() % 2 == 0 ? ',' : ' ');
+    return text + '\f' + rows(program->options().pairing->reference, ';');
 }
 
 std::size_t put(std::string_view line, std::string_view text, std::uint8_t* to, std::size_t most) {

@@ -185,16 +185,11 @@ bool stands_for_missing(std::string text) {
     return std::set<std::string>{"", "na", "n/a", "null", "none", "nil", "-", "?", "."}.contains(text);
 }
 
-/// Lines before the data that are no header, whatever their fields.
-template <class Texts> bool is_preamble(std::string_view row, const Texts& fields) {
-    const auto bare = [](std::string_view text) {
-        const auto first = text.find_first_not_of(" \t");
-        return first == std::string_view::npos ? std::string_view()
-                                               : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-    };
-    return row.starts_with("//") || row.starts_with("%") ||
-           (!fields.empty() && (bare(fields[0]) == "FMT" || bare(fields[0]) == "COMMENT")) ||
-           std::ranges::any_of(fields, [&](const auto& field) { return bare(field) == "="; });
+/// Of the marks and words by which other programs begin their files the manual says that they make no header, and not
+/// more: they are not modelled.
+bool may_be_remark(const Line& line) {
+    const auto has = [&line](std::string_view word) { return line.text.find(word) != std::string_view::npos; };
+    return line.text.starts_with("//") || line.text.starts_with('%') || has("FMT") || has("COMMENT") || has("=");
 }
 
 /// An item of --columns: a name, or a position.
@@ -298,7 +293,8 @@ private:
             meet("byte order mark");
         }
         lines_ = lines_of(text);
-        if (!find_header() || (rules_.header == "add" && first_data_ == lines_.size())) {
+        if (std::ranges::any_of(lines_, may_be_remark) || !find_header() ||
+            (rules_.header == "add" && first_data_ == lines_.size())) {
             return false;
         }
         if (first_data_ < lines_.size()) {
@@ -442,9 +438,9 @@ private:
         const char delimiter = delimiter_of(first.text, rules_.delimiter);
         Fields fields;
         const bool closed = split(first.text, delimiter, fields);
-        const bool is_header =
-            closed && selects(fields) && !is_preamble(first.text, fields) && !holds_a_number(fields, delimiter);
-        if ((rules_.header == "yes" || !is_header) && find_comment_header(fields.size(), delimiter)) {
+        const bool is_header = closed && selects(fields) && !holds_a_number(fields, delimiter);
+        const bool is_data = rules_.header == "yes" ? selects(fields) && holds_numbers(fields, delimiter) : !is_header;
+        if (is_data && find_comment_header(fields.size(), delimiter)) {
             return true;
         }
         if (rules_.header == "yes" || is_header) {
@@ -472,6 +468,17 @@ private:
             }
         }
         return false;
+    }
+
+    /// In all selected fields.
+    [[nodiscard]] bool holds_numbers(const Fields& fields, char delimiter) const {
+        double value = 0.0;
+        for (std::size_t i = 0; i < rules_.inputs; ++i) {
+            if (!read(content(fields[items_.empty() ? i : positions_[i]], delimiter), value)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /// The last comment before the first data row, where it has the fields of that row.
@@ -552,7 +559,7 @@ private:
             }
             Fields fields;
             split(text, delimiter, fields);
-            if (!is_preamble(line.text, fields) && find_names(fields, delimiter)) {
+            if (find_names(fields, delimiter)) {
                 return delimiter;
             }
         }

@@ -176,8 +176,7 @@ TEST_CASE("every method of the table is known to the tests and to methods.csv") 
 // Would catch: a formula that is right for one sequence only, or a convention that the methods do not see.
 TEST_CASE("methods know all sequences, the inverse and degrees") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
-        const auto letters = sequence.letters();
-        const std::string name = "euler:" + std::string(letters.data(), letters.size());
+        const std::string name = "euler:" + sequence.text();
         for (const std::string& to_text : {name, name + ":deg:passive"}) {
             const auto from = spec("quat:xyzw");
             const auto to = spec(to_text);

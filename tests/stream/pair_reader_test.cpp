@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "catch.hpp"
+#include "operations/operations.hpp"
 #include "stream/pair_reader.hpp"
 
 using namespace rotconv;
@@ -32,18 +33,17 @@ private:
 };
 
 /// Rows of a key and a quaternion: their first fields.
-Options keyed() {
-    const Spec quat = std::get<Spec>(parse_spec("quat"));
-    Options options(Conversion(quat, quat));
-    options.columns = std::get<ColumnList>(ColumnList::parse("1-5", 5));
-    options.delimiter = Delimiter::character(',');
-    return options;
+InputOptions keyed() {
+    return {.numbers = operations::attitude_numbers(Spec{}, true),
+            .columns = std::get<ColumnList>(ColumnList::parse("1-5", 5)),
+            .delimiter = Delimiter::character(',')};
 }
 
 std::string pairs_of(std::string_view rows, std::string_view references, std::size_t piece) {
-    Options options = keyed();
-    options.pairing =
-        std::make_shared<Pairing>(Pairing{.reference = keyed(), .by_key = true, .within = *Decimal::parse("0.5")});
+    const Options options{.input = keyed(),
+                          .operation =
+                              operations::compare(Comparison(Spec{}, Spec{}), {.paired = true, .by_key = true}),
+                          .pairing = Pairing{.reference = keyed(), .by_key = true, .within = *Decimal::parse("0.5")}};
     Pieces source(rows, piece);
     Pieces reference(references, piece);
     PairReader reader(source, reference, options, IoBlockReader::largest_block);

@@ -7,6 +7,7 @@
 #include <rotconv/spec.hpp>
 
 #include "catch.hpp"
+#include "operations/operations.hpp"
 #include "stream/row_transformer.hpp"
 
 using namespace rotconv;
@@ -14,8 +15,11 @@ using namespace rotconv::stream;
 
 namespace {
 
-Options options_of(const char* from, const char* to) {
-    return Options(Conversion(std::get<Spec>(parse_spec(from)), std::get<Spec>(parse_spec(to))));
+Options options_of(const char* from, const char* to, double tolerance = 1e-3) {
+    const Spec spec = std::get<Spec>(parse_spec(from));
+    const Conversion conversion(spec, std::get<Spec>(parse_spec(to)), {.tolerance = tolerance});
+    return {.input = {.numbers = operations::attitude_numbers(spec)},
+            .operation = operations::convert(conversion, false)};
 }
 
 /// Hands the text on in pieces of so many lines as `piece` says each time: take(text, first line).
@@ -78,15 +82,14 @@ std::string all_of(const Output& output) {
 
 // Would catch: state that leaks from one block into the next.
 TEST_CASE("a stream cut at any line becomes the same") {
-    Options options(
-        Conversion(std::get<Spec>(parse_spec("quat")), std::get<Spec>(parse_spec("rotvec")), {.tolerance = 1e9}));
+    Options options = options_of("quat", "rotvec", 1e9);
     options.on_error = OnError::nan;
-    options.columns = std::get<ColumnList>(ColumnList::parse("2-5", 4));
+    options.input.columns = std::get<ColumnList>(ColumnList::parse("2-5", 4));
     options.diagnostic_columns = true;
     const std::string text = rows(1500);
     Layout layout;
     layout.delimiter = Delimiter::character(',');
-    layout.select(options.columns.positions());
+    layout.select(options.input.columns.positions(), 4, 0);
     RowTransformer whole(options, layout);
     Output expected;
     whole.transform(text, 1, expected);
@@ -107,7 +110,7 @@ TEST_CASE("a stream cut at any line becomes the same") {
 
 // Would catch: rows that are held back for those after them, and get lost, doubled or out of order.
 TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at any line") {
-    PropagationRows propagation;
+    operations::PropagationRows propagation;
     propagation.settings.interpolation = Interpolation::cubic;
     propagation.stop_at_error = false;
     std::mt19937_64 engine(93);
@@ -122,11 +125,12 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
     }
     text += repeated("# many comments\n", 400) + "2000,0,0,1\n";
     const auto transformed = [&text, &propagation](const auto& piece) {
-        Options options(propagation_operation(propagation));
+        Options options{.input = {.numbers = operations::propagation_numbers()},
+                        .operation = operations::propagate(propagation)};
         options.on_error = OnError::nan;
         Layout layout;
         layout.delimiter = Delimiter::character(',');
-        layout.select_all(4, 1);
+        layout.select({}, 4, 1);
         RowTransformer transformer(options, layout);
         Output output;
         in_pieces(text, piece,
@@ -140,10 +144,11 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
     CHECK(transformed([&engine] { return static_cast<std::size_t>(1 + engine() % 300); }) == whole);
 }
 
-// Would catch: rows after a error that are written all the same.
-TEST_CASE("a error under stop ends the block") {
+// Would catch: rows after an error that are written all the same.
+TEST_CASE("an error under stop ends the block") {
     const Options options = options_of("quat", "quat");
     Layout layout;
+    layout.select({}, 4, 0);
     RowTransformer transformer(options, layout);
     Output output;
     transformer.transform("1 0 0 0\n1 0 0\n0 1 0 0\n", 10, output);

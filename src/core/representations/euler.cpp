@@ -29,7 +29,7 @@ std::array<EulerSequence, 24> EulerSequence::all() noexcept {
     return sequences;
 }
 
-std::array<char, 3> EulerSequence::letters() const noexcept {
+std::string EulerSequence::text() const {
     const char base = intrinsic_ ? 'X' : 'x';
     return {static_cast<char>(base + axes_[0]), static_cast<char>(base + axes_[1]), static_cast<char>(base + axes_[2])};
 }

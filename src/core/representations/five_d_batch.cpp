@@ -36,16 +36,16 @@ struct FiveNumbers {
     }
     /// Of numbers of any size.
     ROTCONV_INLINE static void columns(const double (&y)[5], double (&m)[6]) noexcept {
-        const double size = largest_magnitude(y[0], y[1], y[2], y[3], y[4]);
-        const double f = size < 0x1p500 ? 1.0 : 0x1p-600; // f^2 (y'y + 1) does not overflow
+        const double largest = largest_magnitude(y[0], y[1], y[2], y[3], y[4]);
+        const double f = largest < 0x1p500 ? 1.0 : 0x1p-600; // f^2 (y'y + 1) does not overflow
         const double a = f * y[0];
         const double b = f * y[1];
         const double c = f * y[2];
         const double d = f * y[3];
         const double e = f * y[4];
-        const double square = ((a * a + b * b) + (c * c + d * d)) + e * e;
-        const double factor = 1.4142135623730951 / (square + f * f);
-        m[0] = factor * (square - f * f);
+        const double squares = ((a * a + b * b) + (c * c + d * d)) + e * e;
+        const double factor = 1.4142135623730951 / (squares + f * f);
+        m[0] = factor * (squares - f * f);
         m[1] = (2.0 * f) * (factor * a);
         m[2] = (2.0 * f) * (factor * b);
         m[3] = (2.0 * f) * (factor * c);

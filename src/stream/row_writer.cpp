@@ -1,8 +1,9 @@
-#include "row_text.hpp"
+#include "row_writer.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -46,7 +47,7 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
 } // namespace
 
 std::vector<std::string_view> result_columns(const Options& options) {
-    const RowOperation& operation = options.operation;
+    const RowOperation& operation = *options.operation;
     std::vector<std::string_view> columns(operation.names.begin(), operation.names.end());
     if (!operation.answers.empty()) {
         columns.insert(columns.end() - 1, answer_column);
@@ -57,17 +58,47 @@ std::vector<std::string_view> result_columns(const Options& options) {
     return columns;
 }
 
-RowText::RowText(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
-    const auto& spec = options.operation.attitude;
-    const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation.choose;
-    if (!options.digits.shortest() && has_range) {
+void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header) {
+    const char delimiter = header.delimiter.text();
+    const auto write_names = [&] {
+        fmt::format_to(std::back_inserter(to), "{}",
+                       fmt::join(result_columns(options), std::string_view(&delimiter, 1)));
+    };
+    if (options.append) {
+        write_appended(to, header.line.text, delimiter, write_names);
+    } else {
+        append(to, header.prefix);
+        write_fields(to, layout, header.fields, delimiter, write_names);
+    }
+    append(to, header.line.end.empty() ? std::string_view("\n") : header.line.end);
+}
+
+void write_added_header(Buffer& to, const Options& options, const Layout& layout) {
+    if (options.input.header != HeaderMode::add || options.format != Format::csv) {
+        return;
+    }
+    std::string indices;
+    for (std::size_t i = 0; i < layout.field_count; ++i) {
+        if (i > 0) {
+            indices += layout.delimiter.text();
+        }
+        indices += std::to_string(i + 1);
+    }
+    write_header(to, options, layout, HeaderLine({indices, layout.line_end}, layout.delimiter));
+}
+
+RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
+    const auto& spec = options.operation->attitude;
+    const Digits digits = options.digits;
+    const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation->chooses;
+    if (!digits.shortest() && has_range) {
         const bool degrees = spec->unit == AngleUnit::degrees;
-        const Digits digits = options.digits;
-        const std::size_t after = options.operation.answers.empty() ? 0 : 1; // the attitude
-        middle_angle_ = options.operation.names.size() - 2 - after;
+        const int whole_digits = degrees ? 3 : 1; // of a half-turn
+        const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
+        const std::size_t after = options.operation->answers.empty() ? 0 : 1; // the attitude
+        middle_angle_ = options.operation->names.size() - 2 - after;
         half_turn_ = degrees ? 180.0 : std::numbers::pi;
-        half_a_digit_ = Decimal::parse("0.5")->rounded(digits.decimals >= 0 ? -digits.decimals
-                                                                            : (degrees ? 3 : 1) - digits.significant);
+        half_a_digit_ = whole_digits + decimals > 1 ? Decimal::parse("0.5")->rounded(-decimals) : -1.0;
         Buffer text;
         append_number(text, -half_turn_, digits);
         lower_end_ = fmt::to_string(text);
@@ -82,7 +113,7 @@ RowText::RowText(const Options& options, const Layout& layout) : options_(&optio
     std::ranges::for_each(result_columns(options), add_key);
 }
 
-void RowText::write(Buffer& to, const ConvertedRow& row) const {
+void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
     switch (options_->format) {
     case Format::csv: write_csv(to, row); break;
     case Format::json: write_json(to, row); break;
@@ -92,10 +123,11 @@ void RowText::write(Buffer& to, const ConvertedRow& row) const {
     }
 }
 
-void RowText::write_number(Buffer& to, double value, std::size_t column) const {
+void RowWriter::write_number(Buffer& to, double value, std::size_t column) const {
     const std::size_t start = to.size();
     append_number(to, value, options_->digits);
-    // The outer Euler angles have the range (-pi, pi]: what is -pi to the digits that are printed is pi.
+    // The outer Euler angles have the range (-pi, pi]: what is -pi to the digits that are printed is pi; one digit does
+    // not tell.
     if (column != middle_angle_ && value + half_turn_ <= half_a_digit_ &&
         std::string_view(to.data() + start, to.size() - start) == lower_end_) {
         to.resize(start);
@@ -103,9 +135,9 @@ void RowText::write_number(Buffer& to, double value, std::size_t column) const {
     }
 }
 
-void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
+void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (std::isinf(half_turn_) && options_->operation.answers.empty()) {
+    if (std::isinf(half_turn_) && options_->operation->answers.empty()) {
         append_numbers(to, row.result, delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
@@ -134,7 +166,7 @@ void RowText::write_result(Buffer& to, const ConvertedRow& row) const {
     }
 }
 
-void RowText::write_csv(Buffer& to, const ConvertedRow& row) const {
+void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
     const auto result = [&] { write_result(to, row); };
     if (options_->append) {
@@ -145,7 +177,7 @@ void RowText::write_csv(Buffer& to, const ConvertedRow& row) const {
     append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
 }
 
-void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
+void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
     std::size_t passed = separator.size(); // before the first key
     auto next_key = json_keys_.begin();
@@ -201,9 +233,9 @@ void RowText::write_json(Buffer& to, const ConvertedRow& row) const {
     append(to, "}\n");
 }
 
-void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
+void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     const auto out = std::back_inserter(to);
-    const auto& spec = options_->operation.attitude;
+    const auto& spec = options_->operation->attitude;
     fmt::format_to(out, "line {}\n", row.number);
     if (!row.answer.empty()) {
         fmt::format_to(out, "  {:<9}  {}\n", answer_column, row.answer);
@@ -229,7 +261,7 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
         labelled = texts.size();
     }
     for (std::size_t i = labelled; i < row.result.size(); ++i) {
-        fmt::format_to(out, "  {:<9}  {}\n", options_->operation.names[i], text_of(i));
+        fmt::format_to(out, "  {:<9}  {}\n", options_->operation->names[i], text_of(i));
     }
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);
@@ -249,14 +281,14 @@ void RowText::write_pretty(Buffer& to, const ConvertedRow& row) const {
     to.push_back('\n');
 }
 
-void RowText::write_f64(Buffer& to, const ConvertedRow& row) const {
+void RowWriter::write_f64(Buffer& to, const ConvertedRow& row) const {
     const auto result = [&] {
         append_bytes(to, row.result);
         if (options_->diagnostic_columns) {
             append_bytes(to, figures_of(row));
         }
     };
-    if (options_->width == 0) { // the other fields are text
+    if (options_->input.width == 0) { // the other fields are text
         result();
     } else if (options_->append) {
         append(to, row.line.text);

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "decimal.hpp"
+#include "../stream/decimal.hpp"
 
-namespace rotconv::stream {
+namespace rotconv::operations {
 
 /// The times of rows that are accepted.
 class Clock {
@@ -24,7 +24,7 @@ public:
             return std::numeric_limits<double>::quiet_NaN();
         }
         if (text != nullptr) {
-            next_text_ = Decimal::parse(*text).value_or(Decimal());
+            next_text_ = stream::Decimal::parse(*text).value_or(stream::Decimal());
             return (next_text_ - last_text_).rounded(power_);
         }
         next_ = time;
@@ -38,10 +38,10 @@ public:
 private:
     int power_;
     double per_second_ = 1.0;
-    Decimal last_text_;
-    Decimal next_text_;
+    stream::Decimal last_text_;
+    stream::Decimal next_text_;
     double last_ = 0.0;
     double next_ = 0.0;
 };
 
-} // namespace rotconv::stream
+} // namespace rotconv::operations

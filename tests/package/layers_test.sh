@@ -1,5 +1,5 @@
 #!/bin/sh
-# floors_test.sh SOURCE: a file includes only files of its own floor and of those below; src/README.md has the table. What
+# layers_test.sh SOURCE: a file includes only files of its own layer and of those below; src/README.md has the table. What
 # stands against it would be listed here, each with its reason; a line that is not needed fails too, so that the list stays empty.
 set -eu
 work=$(mktemp -d)
@@ -11,19 +11,20 @@ END
 # Prints what is wrong in the folder $1, but for the exceptions in the file $2.
 violations() {
     (cd "$1" && find include src -name '*.[hc]pp' | sort | xargs awk '
-        function floor_of(path) {
-            if (path ~ /^src\/cli\//) return 5
+        function layer_of(path) {
+            if (path ~ /^src\/cli\//) return 6
+            if (path ~ /^src\/operations\//) return 5
             if (path ~ /^src\/stream\//) return 4
             if (path ~ /^src\/methods\//) return 3
             if (path ~ /^src\/core\/kinematics\//) return 2
             if (path ~ /^include\/rotconv\/(rotconv|rates|integration|propagation|survey)\.hpp$/) return 2
             if (path ~ /^src\/core\/numerics\/|^include\/rotconv\/angle\.hpp$/) return 0
-            if (path ~ /^(src\/core|src\/core\/batch|src\/core\/representations|include\/rotconv)\/[^\/]*$/) return 1
+            if (path ~ /^(src\/core|src\/core\/representations|include\/rotconv)\/[^\/]*$/) return 1
             return -1
         }
-        # The libraries that not every floor may know.
+        # The libraries that not every layer may know.
         function lowest_user_of(library) {
-            if (library ~ /^CLI\//) return 5
+            if (library ~ /^CLI\//) return 6
             if (library ~ /^(fmt|dragonbox|fast_float)\//) return 4
             return -1
         }
@@ -33,7 +34,7 @@ violations() {
             return found
         }
         FILENAME == exceptions { excepted[$1 " " $2] = 1; next }
-        FNR == 1 && floor_of(FILENAME) < 0 { print FILENAME ": on no floor" }
+        FNR == 1 && layer_of(FILENAME) < 0 { print FILENAME ": in no layer" }
         /^[ \t]*#[ \t]*include/ {
             name = $0
             sub(/^[^<"]*/, "", name)
@@ -47,14 +48,14 @@ violations() {
             } else if (name ~ /^rotconv\//) {
                 path = "include/" name
             } else {
-                if (lowest_user_of(name) > floor_of(FILENAME)) print FILENAME ": includes " name ", which its floor does not use"
+                if (lowest_user_of(name) > layer_of(FILENAME)) print FILENAME ": includes " name ", which its layer does not use"
                 next
             }
             edge = FILENAME " " path
             if (!exists(path)) print FILENAME ": includes " path ", which is not there"
-            else if (floor_of(path) > floor_of(FILENAME)) {
+            else if (layer_of(path) > layer_of(FILENAME)) {
                 if (edge in excepted) used[edge] = 1
-                else print FILENAME ": includes " path ", which is on a floor above"
+                else print FILENAME ": includes " path ", which is in a layer above"
             }
         }
         END { for (edge in excepted) if (!(edge in used)) print edge ": the exception is no longer needed" }
@@ -80,10 +81,10 @@ printf '%s\n' 'include/rotconv/dcm.hpp include/rotconv/rates.hpp excepted' 'src/
 violations "$work/house" "$work/of_house" > "$work/seen"
 cat > "$work/expected" <<'END'
 src/a.cpp src/b.hpp: the exception is no longer needed
-src/core/library.cpp: includes fmt/format.h, which its floor does not use
-src/core/numerics/above.hpp: includes src/stream/file.hpp, which is on a floor above
+src/core/library.cpp: includes fmt/format.h, which its layer does not use
+src/core/numerics/above.hpp: includes src/stream/file.hpp, which is in a layer above
 src/core/numerics/missing.cpp: includes src/core/numerics/nowhere.hpp, which is not there
-src/elsewhere.cpp: on no floor
+src/elsewhere.cpp: in no layer
 END
 LC_ALL=C sort "$work/seen" | diff "$work/expected" - || fail "the made-up violations are not seen as they should be"
 

@@ -11,6 +11,7 @@
 #include "io_block.hpp"
 #include "layout.hpp"
 #include "options.hpp"
+#include "preamble.hpp"
 
 namespace rotconv::stream {
 
@@ -28,10 +29,15 @@ struct ConvertedRow {
 /// The columns of the result, and of its diagnostics where those are shown. They are views into the options.
 [[nodiscard]] std::vector<std::string_view> result_columns(const Options& options);
 
+/// The header with the result's columns in their place.
+void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header);
+/// The header of an input that has none, under HeaderMode::add: other columns are named by their index.
+void write_added_header(Buffer& to, const Options& options, const Layout& layout);
+
 /// Writes converted rows in the format of the options.
-class RowText {
+class RowWriter {
 public:
-    RowText(const Options& options, const Layout& layout);
+    RowWriter(const Options& options, const Layout& layout);
 
     void write(Buffer& to, const ConvertedRow& row) const;
 
@@ -45,7 +51,7 @@ private:
     void write_number(Buffer& to, double value, std::size_t column) const;
     /// Where answers have names, theirs stands before this number.
     [[nodiscard]] bool stands_name_before(std::size_t column) const noexcept {
-        return !options_->operation.answers.empty() && column + 1 == options_->operation.names.size();
+        return !options_->operation->answers.empty() && column + 1 == options_->operation->names.size();
     }
 
     const Options* options_;

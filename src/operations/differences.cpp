@@ -1,5 +1,3 @@
-#include "differences.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,32 +7,44 @@
 #include <memory>
 #include <numbers>
 
-#include <rotconv/comparison.hpp>
-
 #include "clock.hpp"
+#include "names.hpp"
+#include "operations.hpp"
 
-namespace rotconv::stream {
+namespace rotconv::operations {
 namespace {
+
+using stream::NumberRows;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Comparison comparison_of(const DifferenceRows& rows) {
-    const Spec vector{.name = RepresentationId::rotvec, .unit = rows.degrees ? AngleUnit::degrees : AngleUnit::radians};
-    return {rows.spec,
-            rows.spec,
-            {.reading = {.tolerance = rows.tolerance, .sensitivity = rows.sensitivity},
+Comparison comparison_of(const DifferenceSettings& settings) {
+    const Spec vector{.name = RepresentationId::rotvec,
+                      .unit = settings.degrees ? AngleUnit::degrees : AngleUnit::radians};
+    return {settings.spec,
+            settings.spec,
+            {.reading = {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity},
              .relative = vector,
-             .frame = rows.frame}};
+             .frame = settings.frame}};
 }
 
-/// The rows and the last attitude and time.
-class Differences {
+/// Compares each row with the last one before it that was not refused.
+class Differences final : public stream::RowOperation {
 public:
-    explicit Differences(const DifferenceRows& rows)
-        : clock_(rows.time_power), size_(rows.spec.size()), comparison_(comparison_of(rows)) {}
+    explicit Differences(const DifferenceSettings& settings)
+        : clock_(settings.time_power), size_(settings.spec.size()), comparison_(comparison_of(settings)) {
+        names = velocity_names(settings.degrees);
+        in_order = true;
+        looks_ahead = true;
+    }
+    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Differences>(*this); }
 
-    /// See RowOperation::run_ahead: a first row waits for the second.
-    std::size_t run(const NumberRows& rows, bool flush, std::span<double> out, std::vector<RowReport>& reports) {
+    void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+        run_ahead(rows, true, out, reports);
+    }
+    /// A first row waits for the second.
+    std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
+                          std::vector<RowReport>& reports) override {
         reports.clear();
         const std::size_t count = rows.lines.size();
         all_.resize(count);
@@ -201,24 +211,10 @@ private:
 
 } // namespace
 
-RowOperation differences_operation(const DifferenceRows& rows) {
-    const auto state = std::make_shared<Differences>(rows);
-    const auto columns = rows.spec.columns();
-    RowOperation operation;
-    operation.inputs = rows.spec.size() + 1;
-    operation.input_names = {"t"};
-    operation.input_names.insert(operation.input_names.end(), columns.begin(),
-                                 columns.begin() + static_cast<std::ptrdiff_t>(rows.spec.size()));
-    operation.from = rows.spec;
-    operation.kept = 1;
-    operation.names = velocity_names(rows.degrees);
-    operation.in_order = true;
-    operation.run = [state](const NumberRows& given, std::span<double> out, std::vector<RowReport>& reports) {
-        state->run(given, true, out, reports);
-    };
-    operation.run_ahead = [state](const NumberRows& given, bool flush, std::span<double> out,
-                                  std::vector<RowReport>& reports) { return state->run(given, flush, out, reports); };
-    return operation;
+stream::RowNumbers difference_numbers(const Spec& spec) {
+    return {.names = joined({"t"}, names_of(spec)), .attitude = spec, .kept = 1};
 }
 
-} // namespace rotconv::stream
+Operation differences(const DifferenceSettings& settings) { return std::make_shared<Differences>(settings); }
+
+} // namespace rotconv::operations

@@ -1,0 +1,98 @@
+#include <utility>
+#include <vector>
+
+#include <rotconv/propagation.hpp>
+
+#include "../stream/fmt.hpp"
+#include "commands.hpp"
+#include "options.hpp"
+#include "row_options.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// The integrator of that name; without a name the best for the representation.
+Integrator integrator_of(const Spec& with, const std::string& text) {
+    std::vector<std::pair<std::string_view, Integrator>> serving;
+    for (const IntegratorEntry& entry : integrators()) {
+        if (can_integrate(with.name, entry.integrator)) {
+            serving.emplace_back(entry.text, entry.integrator);
+        }
+    }
+    if (text.empty()) {
+        const Integrator best = PropagationSettings{}.integrator;
+        return can_integrate(with.name, best) ? best : serving.front().second;
+    }
+    return choose(fmt::format("integrator of {}", representation(with.name).text), text, serving);
+}
+
+class PropagateOptions final : public CommandOptions {
+public:
+    PropagateOptions() {
+        set.begin_group("What");
+        set.add("-t,--to", to_, "SPEC", "The representation to write: NAME[:MODIFIER]...");
+        set.add("--initial", initial_, "ATTITUDE", "The attitude at the first row, as \"SPEC: NUMBERS\"");
+        set.add("--with", with_, "SET", "The representation in which to integrate (default quat)");
+        set.add("--integrator", integrator_, "INTEGRATOR", "rk4, or for quat also magnus4 (its default) or magnus6");
+        set.add("--substeps", substeps_, "N", "Integration steps from one row to the next (default 1)");
+        set.add("--interpolation", interpolation_, "HOW",
+                "Angular velocity between rows: linear (default), or cubic, a row late");
+        set.add("--time-unit", time_unit_, "UNIT", "Unit of the times: s (default), ms, us or ns");
+        set.add("--renormalise", renormalise_, "Make the numbers unit, or orthogonal, again after every step");
+        attitudes_.add_to(set);
+        reading_.add_to(set);
+        set.describe("--degrees", "Degrees, and degrees a second; :deg alone leaves radians a second");
+        writing_.add_to(set);
+        attitudes_.add_lock_margin_to(set);
+    }
+
+    [[nodiscard]] std::string input() const override { return reading_.input; }
+
+    [[nodiscard]] Command command(const Operands& operands) const override {
+        refuse_values(operands, "propagate");
+        operations::PropagationRows rows{.time_power = time_power_of(time_unit_),
+                                         .degrees = reading_.degrees,
+                                         .to = spec_of("--to", to_, reading_.degrees),
+                                         .conversion = {},
+                                         .continuous = attitudes_.continuous,
+                                         .stop_at_error = reading_.on_error_policy() == stream::OnError::stop};
+        PropagationSettings& settings = rows.settings;
+        settings.set = spec_of("--with", with_, false);
+        require_rates("--with", settings.set);
+        rows.conversion = attitudes_.settings(reading_, writing_);
+        settings.integrator = integrator_of(settings.set, integrator_);
+        settings.interpolation = choose<Interpolation>(
+            "interpolation", interpolation_, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
+        settings.renormalise = renormalise_;
+        if (!substeps_.empty()) {
+            settings.substeps = static_cast<std::size_t>(count_of("--substeps", substeps_, 1'000'000));
+        }
+        const double tolerance = rows.conversion.tolerance;
+        if (!initial_.empty()) {
+            settings.initial = attitude_of("--initial", initial_, reading_.degrees, tolerance).rotation;
+        }
+        auto numbers = operations::propagation_numbers();
+        messages::Subject about{"t wx wy wz", numbers.names.size(), settings.set.name, tolerance, true};
+        return rows_command(reading_, writing_, {.list = reading_.columns}, std::move(numbers),
+                            operations::propagate(rows), std::move(about), operands);
+    }
+
+private:
+    std::string to_;
+    std::string initial_;
+    std::string with_ = "quat";
+    std::string integrator_;
+    std::string substeps_;
+    std::string interpolation_ = "linear";
+    std::string time_unit_ = "s";
+    bool renormalise_ = false;
+    AttitudeOptions attitudes_;
+    ReadingOptions reading_;
+    WritingOptions writing_;
+};
+
+} // namespace
+
+std::unique_ptr<CommandOptions> propagate_options() { return std::make_unique<PropagateOptions>(); }
+
+} // namespace rotconv::cli

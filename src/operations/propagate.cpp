@@ -1,0 +1,143 @@
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <rotconv/continuous.hpp>
+#include <rotconv/quaternion.hpp>
+
+#include "clock.hpp"
+#include "names.hpp"
+#include "operations.hpp"
+
+namespace rotconv::operations {
+namespace {
+
+using stream::NumberRows;
+
+constexpr std::size_t time_and_velocity = 4;
+
+/// A conversion from the unit quaternion, which is never refused.
+Conversion conversion_to(const Spec& to, ConversionSettings settings) {
+    settings.tolerance = std::numeric_limits<double>::infinity();
+    return {Spec{}, to, settings};
+}
+
+class Propagate final : public stream::RowOperation {
+public:
+    explicit Propagate(const PropagationRows& rows)
+        : clock_(rows.time_power), velocity_unit_(rows.degrees ? radians_per_degree : 1.0), settings_(rows.conversion),
+          stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
+          conversion_(conversion_to(rows.to, rows.conversion)),
+          continuous_(std::make_shared<ContinuousNumbers>(rows.to)) {
+        names = names_of(rows.to);
+        attitude = rows.to;
+        in_order = true;
+        looks_ahead = rows.settings.interpolation == Interpolation::cubic;
+        chooses = rows.continuous && continuous_->have_choice();
+    }
+    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Propagate>(*this); }
+
+    void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+        run_ahead(rows, true, out, reports);
+    }
+    std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
+                          std::vector<RowReport>& reports) override {
+        answered_ = 0;
+        rest_.resize(chooses ? out.size() : 0);
+        reports.clear();
+        while (pushed_.size() < rows.lines.size()) {
+            const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
+            const double interval = clock_.seconds_to(row[0], rows.kept.empty() ? nullptr : &rows.kept[pushed_.size()]);
+            const PushResult pushed =
+                propagator_.push(interval, velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
+            if (pushed.refused == Error::none) {
+                clock_.accept();
+            }
+            pushed_.push_back(pushed.refused);
+            take(pushed.answer, out, reports);
+            if (stop_at_error_ && pushed.refused != Error::none) {
+                flush = true;
+                break;
+            }
+        }
+        if (flush) {
+            take(propagator_.flush(), out, reports);
+        }
+        pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
+        return answered_;
+    }
+    void choose(std::span<double> results, std::span<const RowReport> reports) override {
+        continuous_->run(results, reports, rest_);
+    }
+
+private:
+    /// The answer is that of the first row that was not refused and has none.
+    void take(const std::optional<Propagated>& answer, std::span<double> out, std::vector<RowReport>& reports) {
+        report_refused(reports);
+        if (answer) {
+            const std::size_t size = conversion_.to().size();
+            const auto rest = std::span(rest_).subspan(chooses ? answered_ * size : 0, chooses ? size : 0);
+            write(*answer, out.subspan(answered_ * size, size), rest, reports);
+            ++answered_;
+            report_refused(reports);
+        }
+    }
+
+    void report_refused(std::vector<RowReport>& reports) {
+        for (; answered_ < pushed_.size() && pushed_[answered_] != Error::none; ++answered_) {
+            reports.push_back({.row = answered_, .error = pushed_[answered_]});
+        }
+    }
+
+    void write(const Propagated& answer, std::span<double> out, std::span<double> rest,
+               std::vector<RowReport>& reports) {
+        RowReport report{.row = answered_, .defect = answer.attitude.defect(), .deviation = answer.step_error};
+        if (ended_) {
+            reports.push_back({.row = answered_, .error = Error::ended});
+            return;
+        }
+        const bool drifted = answer.attitude.defect() > settings_.tolerance;
+        ended_ = drifted || !answer.attitude;
+        if (ended_) {
+            report.error = drifted ? Error::defect : answer.attitude.error();
+            reports.push_back(report);
+            return;
+        }
+        const Eigen::Quaterniond q = quaternion::from_rotation(*answer.attitude);
+        const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
+        conversion_.run(numbers, out, converted_, rest);
+        if (!converted_.empty()) {
+            report.diagnostics = converted_.front().diagnostics;
+            report.sensitivity = converted_.front().sensitivity;
+        }
+        report.diagnostics |= {DiagnosticKind::normalized, answer.attitude.defect() > reported_defect};
+        report.diagnostics |= {DiagnosticKind::coarse_step, answer.step_error > reported_step_error};
+        if (settings_.sensitivity || !report.diagnostics.empty()) {
+            reports.push_back(report);
+        }
+    }
+
+    Clock clock_;
+    double velocity_unit_;
+    ConversionSettings settings_;
+    bool stop_at_error_;
+    bool ended_ = false; ///< an answer has failed: the attitude is lost
+    Propagator propagator_;
+    Conversion conversion_;
+    std::shared_ptr<ContinuousNumbers> continuous_;
+    std::vector<double> rest_;         ///< what the exact numbers have beside the results
+    std::vector<RowReport> converted_; ///< of one row
+    std::vector<Error> pushed_;        ///< why each row that is pushed and not answered was refused
+    std::size_t answered_ = 0;         ///< of the rows at hand
+};
+
+} // namespace
+
+stream::RowNumbers propagation_numbers() { return {.names = {"t", "wx", "wy", "wz"}, .kept = 1}; }
+
+Operation propagate(const PropagationRows& rows) { return std::make_shared<Propagate>(rows); }
+
+} // namespace rotconv::operations

@@ -1,0 +1,415 @@
+#include "preamble.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+#include <variant>
+
+namespace rotconv::stream {
+namespace {
+
+using Lookup = std::variant<std::vector<std::size_t>, ColumnError>;
+
+/// A word for a missing number, in any case.
+bool is_missing(std::string_view text) noexcept {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+    constexpr std::array<std::string_view, 9> words{"", "na", "n/a", "null", "none", "nil", "-", "?", "."};
+    return std::ranges::any_of(words, [&](std::string_view word) { return std::ranges::equal(text, word, {}, lower); });
+}
+
+/// A number with a comma for its point.
+bool has_decimal_comma(std::string text) noexcept {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos) {
+        return false;
+    }
+    text[comma] = '.';
+    return is_number(text);
+}
+
+/// A remark in the manner of other programs, a keyword with its value, or a description of rows: no header.
+bool is_remark(const HeaderLine& row) noexcept {
+    const std::string_view text = row.line.text;
+    const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
+    return text.starts_with("//") || text.starts_with('%') || first == "FMT" || first == "COMMENT" ||
+           std::ranges::any_of(row.fields, [](auto field) { return trimmed(field) == "="; });
+}
+
+/// The decision on one list of lines.
+class Decision {
+public:
+    Decision(const std::vector<Line>& lines, const InputOptions& options) : lines_(lines), options_(options) {}
+
+    [[nodiscard]] Beginning by_index() const {
+        const Line& row = lines_.back();
+        if (is_json(row)) {
+            return error({.what = StreamError::What::json}, lines_.size() - 1);
+        }
+        const HeaderLine fields(row, delimiter_of(row.text));
+        const bool must_be = options_.header == HeaderMode::yes;
+        const bool may_be = is_header(fields);
+        const bool are_numbers = has_selected(fields) && std::ranges::all_of(selected(fields), is_number);
+        if (must_be ? are_numbers : !may_be) {
+            if (auto comment = comment_of(fields)) {
+                return {.state = Beginning::State::decided,
+                        .header = std::move(comment->second),
+                        .header_line = comment->first,
+                        .is_data = true};
+            }
+        }
+        if (must_be || may_be) {
+            return {.state = Beginning::State::decided, .header = fields, .header_line = lines_.size() - 1};
+        }
+        return {.state = Beginning::State::decided, .is_data = true};
+    }
+
+    /// The header is the last line that has all names; at the end of the stream, or of what is held, the last line is
+    /// none of the rows.
+    [[nodiscard]] Beginning by_name(bool is_end) const {
+        const Line& row = lines_.back();
+        std::optional<Delimiter> delimiter;
+        if (!is_end) {
+            if (is_json(row) && !has_all(find_names(row, {}).second)) {
+                return error({.what = StreamError::What::json}, lines_.size() - 1);
+            }
+            if (has_all(find_names(row, {}).second)) {
+                return {};
+            }
+            const Delimiter own = delimiter_of(row.text);
+            if (HeaderLine(row, own).fields.size() > 1) { // else it does not tell what delimits
+                delimiter = own;
+            }
+        }
+        std::optional<std::pair<HeaderLine, Lookup>> last;
+        std::size_t at = 0;
+        for (std::size_t i = 0; i + (is_end ? 0 : 1) < lines_.size(); ++i) {
+            if (is_blank(lines_[i].text)) {
+                continue;
+            }
+            // A comment is split by the delimiter of the data, so that prose is not taken for names.
+            auto found = find_names(lines_[i], is_comment(lines_[i].text) ? delimiter : std::nullopt);
+            if (has_all(found.second)) {
+                last = std::move(found);
+                at = i;
+            }
+        }
+        if (!last) {
+            return is_end ? Beginning{} : lacking(row);
+        }
+        auto& [header, found] = *last;
+        if (const auto* ambiguous = std::get_if<ColumnError>(&found)) {
+            return error({.what = StreamError::What::columns, .column = *ambiguous}, at, is_end);
+        }
+        if (delimiter && header.fields.size() == 1 && HeaderLine(header.line, *delimiter).fields.size() == 1) {
+            header.delimiter = *delimiter; // a name alone does not tell what delimits
+        }
+        return {.state = Beginning::State::decided,
+                .header = std::move(header),
+                .header_line = at,
+                .is_data = !is_end,
+                .positions = std::get<std::vector<std::size_t>>(std::move(found))};
+    }
+
+private:
+    static Beginning error(StreamError error, std::size_t line, bool is_end = false) {
+        error.line = line;
+        return {.state = Beginning::State::error, .is_data = !is_end, .error = std::move(error)};
+    }
+
+    [[nodiscard]] Delimiter delimiter_of(std::string_view row) const noexcept {
+        return options_.delimiter.value_or(Delimiter::of_row(row));
+    }
+
+    /// Not one of the names is missing, whatever else is wrong with them.
+    static bool has_all(const Lookup& found) noexcept {
+        const auto* error = std::get_if<ColumnError>(&found);
+        return error == nullptr || error->what != ColumnError::What::missing;
+    }
+
+    [[nodiscard]] std::size_t count() const noexcept { return options_.numbers.names.size(); }
+
+    /// All selected fields are there.
+    [[nodiscard]] bool has_selected(const HeaderLine& header) const noexcept {
+        if (options_.columns.empty()) {
+            return count() == 0 || header.fields.size() == count();
+        }
+        const auto positions = options_.columns.positions();
+        return *std::ranges::max_element(positions) < header.fields.size();
+    }
+
+    [[nodiscard]] std::vector<std::string> selected(const HeaderLine& header) const {
+        if (options_.columns.empty()) {
+            return header.names();
+        }
+        std::vector<std::string> texts;
+        for (const std::size_t position : options_.columns.positions()) {
+            texts.push_back(header.name(position));
+        }
+        return texts;
+    }
+
+    /// None of the selected fields is a number or a word for a missing one.
+    [[nodiscard]] bool is_header(const HeaderLine& header) const {
+        return header.is_closed && has_selected(header) && !is_remark(header) &&
+               std::ranges::none_of(selected(header), [](const auto& text) {
+                   return is_number(text) || is_missing(text) || has_decimal_comma(text);
+               });
+    }
+
+    /// The row is the beginning of JSON, and nothing that can be converted.
+    [[nodiscard]] bool is_json(const Line& row) const {
+        const char first = trimmed(row.text).front();
+        if ((first != '{' && first != '[') || !options_.refuses_json || options_.header != HeaderMode::automatic) {
+            return false;
+        }
+        const HeaderLine fields(row, delimiter_of(row.text));
+        return options_.columns.has_names() || !has_selected(fields) ||
+               !std::ranges::all_of(selected(fields), is_number);
+    }
+
+    [[nodiscard]] std::optional<std::size_t> last_comment() const {
+        for (std::size_t i = lines_.size(); i-- > 0;) {
+            if (is_comment(lines_[i].text)) {
+                return i;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The last comment and its index, if it is the header of a row.
+    [[nodiscard]] std::optional<std::pair<std::size_t, HeaderLine>> comment_of(const HeaderLine& row) const {
+        const auto comment = last_comment();
+        if (!comment) {
+            return std::nullopt;
+        }
+        HeaderLine header(lines_[*comment], row.delimiter);
+        if (!header.is_closed || header.fields.size() != row.fields.size() || !has_selected(header) ||
+            std::ranges::any_of(header.names(), is_number)) {
+            return std::nullopt;
+        }
+        if (row.delimiter.is_blanks() && count() > 0) { // then a remark may well have as many words
+            const auto kept = static_cast<std::ptrdiff_t>(options_.numbers.kept);
+            auto names = selected(header);
+            std::ranges::for_each(names, [](std::string& name) {
+                constexpr std::string_view unit = "_deg_s";
+                name.resize(name.size() - (name.ends_with(unit) ? unit.size() : 0));
+            });
+            const auto& own = options_.numbers.names;
+            if (!std::is_permutation(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {
+                return std::nullopt;
+            }
+        }
+        return std::pair(*comment, std::move(header));
+    }
+
+    /// Looks the names up under each delimiter, or the one given, until they are all there.
+    [[nodiscard]] std::pair<HeaderLine, Lookup> find_names(const Line& line, std::optional<Delimiter> delimiter) const {
+        if (!delimiter) {
+            delimiter = options_.delimiter;
+        }
+        const auto look_up = [this](const HeaderLine& header) {
+            return options_.columns.positions(is_remark(header) ? std::vector<std::string>() : header.names());
+        };
+        for (const char c : {',', '\t', ';'}) {
+            if (!delimiter && line.text.find(c) != std::string_view::npos) {
+                HeaderLine header(line, Delimiter::character(c));
+                auto found = look_up(header);
+                if (has_all(found)) {
+                    return {std::move(header), std::move(found)};
+                }
+            }
+        }
+        HeaderLine header(line, delimiter.value_or(Delimiter::blanks()));
+        auto found = look_up(header);
+        return {std::move(header), std::move(found)};
+    }
+
+    /// Which names a row has and lacks, with what the columns are called.
+    [[nodiscard]] Beginning lacking(const Line& line) const {
+        const HeaderLine row(line, delimiter_of(line.text));
+        ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);
+        column.text = line.text;
+        const auto comment = last_comment();
+        const HeaderLine above(comment ? lines_[*comment] : Line{}, row.delimiter);
+        for (const HeaderLine* header : {&row, &above}) {
+            if (header->is_closed && header->fields.size() == row.fields.size() && !is_remark(*header) &&
+                std::ranges::none_of(header->names(), is_number)) {
+                column.header = header->names();
+                break;
+            }
+        }
+        return error({.what = StreamError::What::columns, .column = std::move(column)}, lines_.size() - 1);
+    }
+
+    const std::vector<Line>& lines_;
+    const InputOptions& options_;
+};
+
+} // namespace
+
+HeaderLine::HeaderLine(const Line& line_, Delimiter delimiter_) : line(line_), delimiter(delimiter_) {
+    const std::size_t size =
+        is_comment(line.text) ? std::min(line.text.find_first_not_of(" \t", 1), line.text.size()) : 0;
+    prefix = line.text.substr(0, size);
+    is_closed = delimiter.split(line.text.substr(size), fields);
+}
+
+std::string HeaderLine::name(std::size_t at) const {
+    return std::string(trimmed(delimiter.unquoted(trimmed(fields[at]))));
+}
+
+std::vector<std::string> HeaderLine::names() const {
+    std::vector<std::string> names;
+    names.reserve(fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        names.push_back(name(i));
+    }
+    return names;
+}
+
+Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bool is_end) {
+    const Decision decision(lines, options);
+    if (options.columns.has_names()) {
+        return decision.by_name(is_end);
+    }
+    return is_end ? Beginning{} : decision.by_index();
+}
+
+Preamble::Preamble(const InputOptions& options)
+    : options_(&options), header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
+    if (!options.columns.has_names()) {
+        layout_.select(options.columns.positions(), options.numbers.names.size(), options.numbers.kept);
+    }
+}
+
+bool Preamble::read(std::string_view& rest, std::size_t& line) {
+    if (options_->width > 0) {
+        layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
+        layout_.field_count = options_->width;
+        return true;
+    }
+    while (!rest.empty() && !error_) {
+        std::string_view after = rest;
+        const Line current = next_line(after);
+        const bool is_row = !is_blank(current.text) && !is_comment(current.text);
+        if (header_done_) {
+            if (is_row) {
+                settle(current, line);
+                return !error_;
+            }
+            passed().append(current.text).append(current.end);
+        } else {
+            hold(current);
+            if (is_row && follow(decide(lines(), *options_, false))) {
+                settle(current, line);
+                return !error_;
+            }
+            limit();
+        }
+        rest = after;
+        ++line;
+    }
+    return false;
+}
+
+void Preamble::finish(bool at_end) {
+    if (at_end && !header_done_ && !held_.empty()) {
+        follow(decide(lines(), *options_, true));
+    }
+    release(held_.size());
+}
+
+std::vector<std::string> Preamble::names() const {
+    return has_header_ ? HeaderLine({header_text_, {}}, header_delimiter_).names() : std::vector<std::string>();
+}
+
+void Preamble::hold(const Line& line) {
+    const std::size_t begin = held_.size();
+    held_.append(line.text).append(line.end);
+    if (is_comment(line.text)) {
+        comment_begin_ = begin;
+        comment_end_ = held_.size();
+    }
+}
+
+std::vector<Line> Preamble::lines() const {
+    std::vector<Line> lines;
+    for (std::string_view rest = held_; !rest.empty();) {
+        lines.push_back(next_line(rest));
+    }
+    return lines;
+}
+
+bool Preamble::follow(const Beginning& beginning) {
+    using State = Beginning::State;
+    if (beginning.state == State::undecided) {
+        return false;
+    }
+    if (beginning.state == State::error) {
+        error_ = beginning.error;
+        error_->line += held_line_;
+    }
+    if (beginning.header) {
+        has_header_ = true;
+        header_text_ = beginning.header->line.text;
+        header_end_ = beginning.header->line.end;
+        header_delimiter_ = beginning.header->delimiter;
+        const auto begin = static_cast<std::size_t>(beginning.header->line.text.data() - held_.data());
+        const std::size_t end = begin + header_text_.size() + header_end_.size();
+        before_.append(held_, 0, begin);
+        held_.erase(0, end);
+    }
+    if (beginning.is_data) { // its row does not go out
+        const auto last = lines().back();
+        held_.resize(held_.size() - last.text.size() - last.end.size());
+    }
+    if (beginning.state == State::decided) {
+        header_done_ = true;
+        release(held_.size());
+    }
+    if (!beginning.positions.empty()) {
+        layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
+    }
+    return beginning.is_data && !error_;
+}
+
+void Preamble::release(std::size_t bytes) {
+    const std::string_view released = std::string_view(held_).substr(0, bytes);
+    passed().append(released);
+    held_line_ += static_cast<std::size_t>(std::ranges::count(released, '\n'));
+    held_.erase(0, bytes);
+    comment_begin_ -= std::min(comment_begin_, bytes);
+    comment_end_ -= std::min(comment_end_, bytes);
+}
+
+void Preamble::limit() {
+    constexpr std::size_t most_held = std::size_t{64} << 10U;
+    if (header_done_ || error_ || held_.size() - (comment_end_ - comment_begin_) <= most_held) {
+        return;
+    }
+    if (options_->columns.has_names()) {
+        follow(decide(lines(), *options_, true));
+    }
+    if (!header_done_ && !error_) {
+        release(held_.size() - comment_end_ > most_held ? held_.size() : comment_begin_);
+    }
+}
+
+void Preamble::settle(const Line& row, std::size_t number) {
+    layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(row.text));
+    layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
+    layout_.field_count = HeaderLine(row, layout_.delimiter).fields.size();
+    if (options_->take_count) {
+        const auto taken = options_->take_count(layout_.field_count);
+        if (const auto* wrong = std::get_if<std::string>(&taken)) {
+            error_ = StreamError{
+                .what = StreamError::What::count, .line = number, .column = {.text = std::string(row.text)}};
+            error_->wrong = *wrong;
+        } else {
+            layout_.select({}, std::get<std::size_t>(taken), options_->numbers.kept);
+        }
+    }
+}
+
+} // namespace rotconv::stream
