@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -62,7 +63,7 @@ private:
 
     std::vector<SetSurvey> sets_;
     std::vector<State> states_;
-    Eigen::Vector4d latest_ = Eigen::Vector4d::UnitX(); ///< w, x, y, z
+    std::array<double, 4> latest_{1.0, 0.0, 0.0, 0.0}; ///< w, x, y, z
     std::size_t rows_ = 0;
 };
 

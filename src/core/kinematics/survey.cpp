@@ -110,13 +110,13 @@ void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
             survey.greatest_condition = sensitivity.condition;
             survey.condition_row = row;
         }
-        if (rows_ > 0 && has_jump(survey.set, {latest_, now}, states_[i].numbers, state.numbers,
+        if (rows_ > 0 && has_jump(survey.set, {Unit(latest_.data()), now}, states_[i].numbers, state.numbers,
                                   std::max(states_[i].condition, state.condition))) {
             survey.jump_row = survey.jumps++ == 0 ? row : survey.jump_row;
         }
         states_[i] = state;
     }
-    latest_ = now;
+    latest_ = {now[0], now[1], now[2], now[3]};
     ++rows_;
 }
 

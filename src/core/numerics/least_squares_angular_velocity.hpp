@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "power_of_two.hpp"
@@ -23,9 +22,20 @@ Eigen::Vector3d least_squares_angular_velocity(const Rate& rate, const Numbers& 
         auto column = map.col(static_cast<Eigen::Index>(i));
         column = column.unaryExpr(scales[i]).eval();
     }
+    // L D L' x = b, written out: a call of Eigen's could be bound to a user's copy of it, with other flags.
     const Eigen::Matrix3d square = map.transpose() * map;
-    const Eigen::Vector3d scaled = square.ldlt().solve(map.transpose() * rates.reshaped());
-    return {scales[0](scaled[0]), scales[1](scaled[1]), scales[2](scaled[2])};
+    const Eigen::Vector3d b = map.transpose() * rates.reshaped();
+    const double l10 = square(1, 0) / square(0, 0);
+    const double l20 = square(2, 0) / square(0, 0);
+    const double d1 = square(1, 1) - l10 * square(1, 0);
+    const double product = square(2, 1) - l20 * square(1, 0);
+    const double l21 = product / d1;
+    const double d2 = square(2, 2) - l20 * square(2, 0) - l21 * product;
+    const double y1 = b[1] - l10 * b[0];
+    const double z = (b[2] - l20 * b[0] - l21 * y1) / d2;
+    const double y = y1 / d1 - l21 * z;
+    const double x = b[0] / square(0, 0) - l10 * y - l20 * z;
+    return {scales[0](x), scales[1](y), scales[2](z)};
 }
 
 } // namespace rotconv
