@@ -127,6 +127,24 @@ void typed_dcm_quat(EulerSequence /*unused*/, const double* in, std::size_t rows
     });
 }
 
+void typed_dcm_rotvec(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<9, 3>(in, rows, out, [](const double* m, double* to) {
+        store(rotconv::rotation_vector::from_rotation(*rotconv::dcm::to_rotation(In{m})).vector, to);
+    });
+}
+
+void typed_dcm_cayley(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<9, 3>(in, rows, out, [](const double* m, double* to) {
+        store(rotconv::cayley::from_rotation(*rotconv::dcm::to_rotation(In{m})), to);
+    });
+}
+
+void typed_quat_rotvec(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
+    each<4, 3>(in, rows, out, [](const double* q, double* to) {
+        store(rotconv::rotation_vector::from_rotation(*rotconv::quaternion::to_rotation(quaternion(q))).vector, to);
+    });
+}
+
 void typed_quat_dcm(EulerSequence /*unused*/, const double* in, std::size_t rows, double* out) noexcept {
     each<4, 9>(in, rows, out, [](const double* q, double* to) {
         Out{to} = rotconv::dcm::from_rotation(*rotconv::quaternion::to_rotation(quaternion(q)));
@@ -185,7 +203,10 @@ Run eigen_way(RepresentationId from, RepresentationId to, bool hostile) {
 Run typed_way(RepresentationId from, RepresentationId to) {
     static const Ways ways{
         {{RepresentationId::dcm, RepresentationId::quat}, typed_dcm_quat},
+        {{RepresentationId::dcm, RepresentationId::rotvec}, typed_dcm_rotvec},
+        {{RepresentationId::dcm, RepresentationId::cayley}, typed_dcm_cayley},
         {{RepresentationId::quat, RepresentationId::dcm}, typed_quat_dcm},
+        {{RepresentationId::quat, RepresentationId::rotvec}, typed_quat_rotvec},
         {{RepresentationId::quat, RepresentationId::euler}, typed_quat_euler},
         {{RepresentationId::rotvec, RepresentationId::dcm}, typed_rotvec_dcm},
         {{RepresentationId::cayley, RepresentationId::dcm}, typed_cayley_dcm},

@@ -48,7 +48,7 @@ set yrange [high:0]
 set label 3 "{/:Bold ●} serves the motion for 20 s   {/:Bold ◉} the smallest that does" at 16,328 left font small tc rgb ink
 set label 4 "singular: comes so near a singular attitude that a small rotation changes its numbers by over 1000 times as much" \
     at 16,346 left font small tc rgb ink
-set label 5 "jumps: how often its numbers leap while the body does not, as an angle from 180° to -180°" \
+set label 5 "jumps: how often its numbers leap while the body does not, as an angle from 180° to -180°; the sign of quat does not count" \
     at 16,364 left font small tc rgb ink
 plot $marks using ($3 == 1 ? $1 : NaN):2 with points pt 7 ps 0.8 lc rgb serves title "serves", \
     $marks using ($3 == 2 ? $1 : NaN):2 with points pt 7 ps 0.8 lc rgb serves title "serves", \

@@ -372,7 +372,8 @@ TEST_CASE("the pages count the methods") {
     CHECK(text_of(ROTCONV_README).find(published + " published methods") != std::string::npos);
     std::string page = text_of(ROTCONV_EXAMPLES "/methods.md");
     std::ranges::replace(page, '\n', ' ');
-    const std::string claim = "names " + published + " beside the default of " + std::to_string(own) + " pairs";
+    const std::string claim = "For " + std::to_string(own) + " pairs, `rotconv list methods` lists " + published +
+                              " methods besides the default";
     INFO(claim);
     CHECK(page.find(claim) != std::string::npos);
 }

@@ -46,12 +46,19 @@ claims ../README.md tools.csv '
     $1 == "rotconv on 1 thread" { rate = $7 / 1e6; own = worst }
     $1 == "rotconv on 2 threads" { rate_of_two = $7 / 1e6 }
     END {
-        printf "every tool is right to %.0e rad; with half-turns\n", uniform
-        if (lost == 4) print "NumPy, mawk, Miller and DuckDB loses the attitude at lock, SciPy"
+        printf "every tool is accurate to %s rad. The filled marks\n", not_below(uniform)
+        if (lost == 4) print "NumPy, mawk, Miller and DuckDB, loses the attitude at gimbal lock; SciPy"
         else print "not all formulas lose the attitude"
-        printf "from the rotation nearest to a noisy matrix by %.0e rad, which is the noise,", (scipy > eigen ? scipy : eigen)
-        printf " and rotconv stays within %.0e rad,", own
-        printf " at %.1f million rows a second on one thread and %.1f million on two\n", rate, rate_of_two
+        printf "from the rotation nearest to a noisy matrix by %.0e rad, which is the size of the noise;", (scipy > eigen ? scipy : eigen)
+        printf " rotconv stays within %s rad.\n", not_below(own)
+        printf "rotconv converts %.1f million rows a second on one thread and %.1f million on two\n", rate, rate_of_two
+    }
+    # One digit, rounded up.
+    function not_below(x,   text, parts) {
+        text = sprintf("%.0e", x)
+        if (text + 0 >= x * (1 - 1e-9)) return text
+        split(text, parts, "e")
+        return sprintf("%.0e", (parts[1] + 1 "e" parts[2]) + 0)
     }'
 claims streams.md tools.csv '
     { least = $4; for (i = 5; i <= 6; ++i) { if ($i < least) least = $i } time[$1] = least }
@@ -63,7 +70,7 @@ claims comparison.md kinematics.csv '
     $1 FS $2 FS $4 FS $6 FS $7 == "drift,tumbling,rk4,0,1e+04" { error[$3] = $8; drift[$3] = $11 }
     END {
         printf "the matrix is off by %.1e rad, and its nine numbers are %.1e away", error["dcm"], drift["dcm"]
-        printf " from a rotation; of the quaternion it is %.1e rad and %.1e\n", error["quat"], drift["quat"]
+        printf " from a rotation; for the quaternion these figures are %.1e rad and %.1e\n", error["quat"], drift["quat"]
     }'
 claims comparison.md kinematics.csv '
     $1 FS $2 FS $12 == "drift,tumbling,singular" { printf $3 == "cayley" ? "half-turn at %.1f s\n" : "after %.1f s\n", $7 }'
