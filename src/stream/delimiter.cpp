@@ -1,6 +1,8 @@
 #include "delimiter.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "number_text.hpp"
 
@@ -25,17 +27,11 @@ std::size_t after_quotes(std::string_view row, std::size_t start) noexcept {
 } // namespace
 
 std::optional<Delimiter> Delimiter::parse(std::string_view text) noexcept {
-    if (text == "comma") {
-        return character(',');
-    }
-    if (text == "tab" || text == "\\t") {
-        return character('\t');
-    }
-    if (text == "semicolon") {
-        return character(';');
-    }
-    if (text == "blank") {
-        return blanks();
+    using Named = std::pair<std::string_view, char>;
+    static constexpr auto names =
+        std::to_array<Named>({{"comma", ','}, {"tab", '\t'}, {"\\t", '\t'}, {"semicolon", ';'}, {"blank", ' '}});
+    if (const auto* const found = std::ranges::find(names, text, &Named::first); found != names.end()) {
+        return Delimiter(found->second);
     }
     constexpr std::string_view refused = "0123456789+-.\"\r\n#aefintyAEFINTY";
     if (text.size() != 1 || refused.find(text[0]) != std::string_view::npos ||

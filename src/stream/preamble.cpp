@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "row_writer.hpp"
+
 namespace rotconv::stream {
 namespace {
 
@@ -276,58 +278,69 @@ Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bo
     return is_end ? Beginning{} : decision.by_index();
 }
 
-Preamble::Preamble(const InputOptions& options)
-    : options_(&options), header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
+Preamble::Preamble(const InputOptions& options, const Options* written)
+    : options_(&options), written_(written),
+      header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
+    layout_.appends = written != nullptr && written->append;
     if (!options.columns.has_names()) {
         layout_.select(options.columns.positions(), options.numbers.names.size(), options.numbers.kept);
     }
 }
 
-bool Preamble::read(std::string_view& rest, std::size_t& line) {
-    if (options_->width > 0) {
+bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
+    if (!has_row_ && options_->width > 0 && !rest.empty()) {
         layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
         layout_.field_count = options_->width;
-        return true;
+        begin_rows(output);
     }
-    while (!rest.empty() && !error_) {
+    while (!has_row_ && !rest.empty()) {
         std::string_view after = rest;
         const Line current = next_line(after);
-        const bool is_row = !is_blank(current.text) && !is_comment(current.text);
-        if (header_done_) {
-            if (is_row) {
-                settle(current, line);
-                return !error_;
-            }
-            passed().append(current.text).append(current.end);
-        } else {
-            hold(current);
-            if (is_row && follow(decide(lines(), *options_, false))) {
-                settle(current, line);
-                return !error_;
-            }
-            limit();
+        const std::string_view whole = rest.substr(0, rest.size() - after.size());
+        bool is_data = is_row(current.text);
+        if (!header_done_) {
+            hold(whole);
+            is_data = is_data && follow(decide(lines(), *options_, false), output);
+            limit(output);
+        } else if (!is_data) {
+            pass(whole, output);
         }
-        rest = after;
-        ++line;
+        if (is_data) {
+            take_layout(current, line);
+        }
+        if (error_) {
+            rest = {};
+        } else if (is_data) {
+            begin_rows(output);
+        } else {
+            rest = after;
+            ++line;
+        }
     }
-    return false;
+    return has_row_;
 }
 
-void Preamble::finish(bool at_end) {
+void Preamble::finish(Output& output, bool at_end) {
+    if (has_row_) {
+        return;
+    }
     if (at_end && !header_done_ && !held_.empty()) {
-        follow(decide(lines(), *options_, true));
+        follow(decide(lines(), *options_, true), output);
     }
-    release(held_.size());
+    release(held_.size(), output);
+    if (at_end && !error_) {
+        layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
+        layout_.field_count = options_->width > 0 ? options_->width : options_->columns.empty() ? layout_.count : 0;
+        if (written_ != nullptr && layout_.field_count > 0) {
+            write_added_header(output.bytes, *written_, layout_);
+        }
+    }
 }
 
-std::vector<std::string> Preamble::names() const {
-    return has_header_ ? HeaderLine({header_text_, {}}, header_delimiter_).names() : std::vector<std::string>();
-}
-
-void Preamble::hold(const Line& line) {
+void Preamble::hold(std::string_view line) {
     const std::size_t begin = held_.size();
-    held_.append(line.text).append(line.end);
-    if (is_comment(line.text)) {
+    held_.append(line);
+    if (is_comment(line)) {
         comment_begin_ = begin;
         comment_end_ = held_.size();
     }
@@ -341,75 +354,94 @@ std::vector<Line> Preamble::lines() const {
     return lines;
 }
 
-bool Preamble::follow(const Beginning& beginning) {
-    using State = Beginning::State;
-    if (beginning.state == State::undecided) {
+bool Preamble::follow(const Beginning& beginning, Output& output) {
+    if (beginning.state == Beginning::State::undecided) {
         return false;
     }
-    if (beginning.state == State::error) {
+    if (beginning.state == Beginning::State::error) {
         error_ = beginning.error;
         error_->line += held_line_;
     }
-    if (beginning.header) {
-        has_header_ = true;
-        header_text_ = beginning.header->line.text;
-        header_end_ = beginning.header->line.end;
-        header_delimiter_ = beginning.header->delimiter;
-        const auto begin = static_cast<std::size_t>(beginning.header->line.text.data() - held_.data());
-        const std::size_t end = begin + header_text_.size() + header_end_.size();
-        before_.append(held_, 0, begin);
-        held_.erase(0, end);
+    if (!beginning.positions.empty()) {
+        layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
     }
     if (beginning.is_data) { // its row does not go out
         const auto last = lines().back();
         held_.resize(held_.size() - last.text.size() - last.end.size());
     }
-    if (beginning.state == State::decided) {
-        header_done_ = true;
-        release(held_.size());
+    if (beginning.header) {
+        const HeaderLine& header = *beginning.header;
+        const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
+        pass(std::string_view(held_).substr(0, begin), output);
+        if (is_written()) {
+            write_header(output.bytes, *written_, layout_, header);
+        }
+        names_ = header.names();
+        held_.erase(0, begin + header.line.text.size() + header.line.end.size());
     }
-    if (!beginning.positions.empty()) {
-        layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
+    if (beginning.state == Beginning::State::decided) {
+        header_done_ = true;
+        release(held_.size(), output);
     }
     return beginning.is_data && !error_;
 }
 
-void Preamble::release(std::size_t bytes) {
+void Preamble::pass(std::string_view text, Output& output) const {
+    if (is_written()) {
+        append(output.bytes, text);
+    }
+}
+
+void Preamble::release(std::size_t bytes, Output& output) {
     const std::string_view released = std::string_view(held_).substr(0, bytes);
-    passed().append(released);
+    pass(released, output);
     held_line_ += static_cast<std::size_t>(std::ranges::count(released, '\n'));
     held_.erase(0, bytes);
     comment_begin_ -= std::min(comment_begin_, bytes);
     comment_end_ -= std::min(comment_end_, bytes);
 }
 
-void Preamble::limit() {
+void Preamble::limit(Output& output) {
     constexpr std::size_t most_held = std::size_t{64} << 10U;
     if (header_done_ || error_ || held_.size() - (comment_end_ - comment_begin_) <= most_held) {
         return;
     }
     if (options_->columns.has_names()) {
-        follow(decide(lines(), *options_, true));
+        follow(decide(lines(), *options_, true), output);
     }
     if (!header_done_ && !error_) {
-        release(held_.size() - comment_end_ > most_held ? held_.size() : comment_begin_);
+        release(held_.size() - comment_end_ > most_held ? held_.size() : comment_begin_, output);
     }
 }
 
-void Preamble::settle(const Line& row, std::size_t number) {
+void Preamble::take_layout(const Line& row, std::size_t number) {
     layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(row.text));
     layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
     layout_.field_count = HeaderLine(row, layout_.delimiter).fields.size();
     if (options_->take_count) {
         const auto taken = options_->take_count(layout_.field_count);
         if (const auto* wrong = std::get_if<std::string>(&taken)) {
-            error_ = StreamError{
-                .what = StreamError::What::count, .line = number, .column = {.text = std::string(row.text)}};
-            error_->wrong = *wrong;
+            error_ = StreamError{.what = StreamError::What::count,
+                                 .line = number,
+                                 .column = {.text = std::string(row.text)},
+                                 .wrong = *wrong};
         } else {
             layout_.select({}, std::get<std::size_t>(taken), options_->numbers.kept);
         }
     }
+}
+
+void Preamble::begin_rows(Output& output) {
+    has_row_ = true;
+    if (written_ == nullptr) {
+        return;
+    }
+    write_added_header(output.bytes, *written_, layout_);
+    if (written_->format == Format::json) {
+        layout_.keys =
+            JsonKeys(names_, result_columns(*written_), [this](std::size_t at) { return !layout_.replaces(at); });
+    }
+    written_->operation->take_positions(layout_.positions);
 }
 
 } // namespace rotconv::stream

@@ -47,11 +47,9 @@ std::size_t block_size(const Options& options) {
 /// they came. Nobody waits for input while blocks are under way, so that their end is the end of the run at once.
 class Run {
 public:
-    /// `make_transformer`: asked by each thread once there is a data row.
-    Run(JobReader& reader, Sink& sink, const Options& options, const std::function<void(const Event&)>& report,
-        std::function<RowTransformer()> make_transformer)
-        : reader_(&reader), sink_(&sink), report_(&report), make_transformer_(std::move(make_transformer)),
-          large_(block_size(options) / 2), most_(thread_limit(options)) {}
+    Run(JobReader& reader, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
+        : reader_(&reader), sink_(&sink), options_(&options), report_(&report), large_(block_size(options) / 2),
+          most_(thread_limit(options)) {}
 
     RunResult operator()();
 
@@ -71,7 +69,7 @@ private:
     void convert(Job& job, Transformer& transformer);
     /// See InTurn: jobs are read in their order and converted by the threads that have read them, so that the one whose
     /// turn it is never waits for another.
-    bool in_turn(const Job& job, const std::function<void()>& what);
+    bool in_turn(Job& job, const std::function<void()>& what);
     void end_run(std::exception_ptr exception);
     [[nodiscard]] std::unique_ptr<Job> idle_job();
     /// Writes the bytes and then reports the events; false where the run is over.
@@ -80,8 +78,8 @@ private:
 
     JobReader* reader_; ///< of the thread that reads
     Sink* sink_;
+    const Options* options_;
     const std::function<void(const Event&)>* report_;
-    std::function<RowTransformer()> make_transformer_;
     std::size_t large_; ///< bytes of a block that is worth another thread
     RunResult ending_;  ///< of the thread that writes
 
@@ -93,8 +91,6 @@ private:
     std::vector<std::unique_ptr<Job>> idle_;
     std::vector<std::thread> helpers_; ///< of the first thread
     std::size_t most_;                 ///< threads, the first among them
-    std::size_t turns_ = 0;            ///< given to jobs
-    std::size_t turn_ = 0;             ///< whose it is
     bool reading_ = false;
     bool writing_ = false;
     bool all_read_ = false;
@@ -182,13 +178,12 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     const bool goes_on = reader_->read(job);
     lock.lock();
     all_read_ = !goes_on;
-    job.turn = turns_;
-    turns_ += job.rest.empty() ? 0 : 1;
-    if (job.size() == 0 && job.output.bytes.size() == 0) {
+    if (job.size() == 0 && job.output.bytes.size() == 0 && job.output.events.empty()) {
         idle_.push_back(std::move(made));
         reading_ = false;
         return;
     }
+    job.had_its_turn = job.rest.empty();
     jobs_.push_back(std::move(made));
     under_way_ += job.size();
     const bool shared = job.size() >= large_;
@@ -213,7 +208,7 @@ void Run::convert(Job& job, Transformer& transformer) {
         return;
     }
     if (!transformer) {
-        transformer.emplace(make_transformer_());
+        transformer.emplace(*options_, reader_->layout(), reader_->reference_layout());
     }
     if (job.pairs.rows.empty()) {
         transformer->transform(job.rest, job.line, job.output,
@@ -223,16 +218,19 @@ void Run::convert(Job& job, Transformer& transformer) {
     }
 }
 
-bool Run::in_turn(const Job& job, const std::function<void()>& what) {
+bool Run::in_turn(Job& job, const std::function<void()>& what) {
     Lock lock(mutex_);
-    turn_changed_.wait(lock, [this, &job] { return over_ || turn_ == job.turn; });
+    turn_changed_.wait(lock, [this, &job] {
+        const auto first = std::ranges::find(jobs_, false, [](const auto& each) { return each->had_its_turn; });
+        return over_ || (first != jobs_.end() && first->get() == &job);
+    });
     if (over_) {
         return false;
     }
     lock.unlock();
     what();
     lock.lock();
-    ++turn_;
+    job.had_its_turn = true;
     turn_changed_.notify_all();
     return true;
 }
@@ -277,7 +275,7 @@ void Run::finish(Transformer& transformer) {
     if (transformer) {
         transformer->finish(output);
     } else {
-        reader_->finish(output);
+        reader_->finish(output, !reader_->error());
     }
     if (hand_on(output)) {
         ending_.error = reader_->error();
@@ -286,17 +284,16 @@ void Run::finish(Transformer& transformer) {
 
 } // namespace
 
-RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report) {
-    BlockReader reader(source, options, block_size(options));
-    return Run(reader, sink, options, report, [&] { return RowTransformer(options, reader.layout()); })();
-}
-
-RunResult run(Source& source, Source& reference, Sink& sink, const Options& options,
-              const std::function<void(const Event&)>& report) {
-    PairReader reader(source, reference, options, block_size(options));
-    RunResult result = Run(reader, sink, options, report,
-                           [&] { return RowTransformer(options, reader.layout(), &reader.reference_layout()); })();
-    result.unpaired = reader.unpaired();
+RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report,
+              Source* reference) {
+    std::unique_ptr<JobReader> reader;
+    if (reference != nullptr) {
+        reader = std::make_unique<PairReader>(source, *reference, options, block_size(options));
+    } else {
+        reader = std::make_unique<RowBlocks>(source, options.input, &options, block_size(options));
+    }
+    RunResult result = Run(*reader, sink, options, report)();
+    result.unpaired = reader->unpaired();
     return result;
 }
 
