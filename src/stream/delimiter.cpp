@@ -88,8 +88,12 @@ bool Delimiter::split(std::string_view row, std::vector<std::string_view>& field
     }
 }
 
+bool Delimiter::is_quoted(std::string_view field) const noexcept {
+    return !is_blanks() && field.size() >= 2 && field.front() == '"' && field.back() == '"';
+}
+
 std::string Delimiter::unquoted(std::string_view field) const {
-    if (is_blanks() || field.size() < 2 || field.front() != '"' || field.back() != '"') {
+    if (!is_quoted(field)) {
         return std::string(field);
     }
     std::string text;
@@ -104,10 +108,7 @@ std::string Delimiter::unquoted(std::string_view field) const {
 
 std::string_view Delimiter::text_of(std::string_view field) const noexcept {
     field = trimmed(field);
-    if (!is_blanks() && field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-        field = trimmed(field.substr(1, field.size() - 2));
-    }
-    return field;
+    return is_quoted(field) ? trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
 } // namespace rotconv::stream

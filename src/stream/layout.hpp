@@ -66,34 +66,4 @@ void for_each_output(const Layout& layout, std::size_t count, const Other& other
     }
 }
 
-/// The fields that are not replaced, with the result in its place, parted by the delimiter.
-template <class Fields, class WriteResult> void write_fields(Buffer& to, const Layout& layout, const Fields& fields,
-                                                             char delimiter, const WriteResult& write_result) {
-    bool first = true;
-    const auto part = [&] {
-        if (!first) {
-            to.push_back(delimiter);
-        }
-        first = false;
-    };
-    for_each_output(
-        layout, fields.size(),
-        [&](std::size_t i) {
-            part();
-            append(to, fields[i]);
-        },
-        [&] {
-            part();
-            write_result();
-        });
-}
-
-/// The row less trailing blanks, and the result after it.
-template <class WriteResult>
-void write_appended(Buffer& to, std::string_view row, char delimiter, const WriteResult& write_result) {
-    append(to, row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1));
-    to.push_back(delimiter);
-    write_result();
-}
-
 } // namespace rotconv::stream

@@ -11,6 +11,9 @@ constexpr std::size_t enough_rows = 256;
 constexpr std::size_t most_rows = 2048;
 /// Texts that a job with few rows may hold: the rows between them may have been left out.
 constexpr std::size_t most_texts = 8;
+/// Lines, and bytes of them, between a row and the next one whose key must be known.
+constexpr std::size_t most_lines_ahead = 4096;
+constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
 /// The block holds the text for as long as its rows are used.
 void hold(PairBlock& pairs, const std::shared_ptr<const std::string>& text) {

@@ -22,10 +22,6 @@ namespace rotconv::stream {
 /// that memory stays flat. In what pieces the streams arrive makes no difference.
 class PairReader final : public JobReader {
 public:
-    /// Lines, and bytes of them, between a row and the next one whose key must be known.
-    static constexpr std::size_t most_lines_ahead = std::size_t{1} << 16U;
-    static constexpr std::size_t most_bytes_ahead = std::size_t{16} << 20U;
-
     /// @pre options.pairing
     PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size);
 
@@ -88,7 +84,6 @@ private:
     /// Pairs the first rows of both, or disposes of one of them.
     /// @return the side whose next row must be known first, or null
     Side* match(Job& job, At row, At reference);
-    /// The first rows of both are a pair.
     void pair(Job& job);
     /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,
     /// which come after all of the stream that stand before its next row.

@@ -51,19 +51,15 @@ public:
         const HeaderLine fields(row, delimiter_of(row.text));
         const bool must_be = options_.header == HeaderMode::yes;
         const bool may_be = is_header(fields);
-        const bool are_numbers = has_selected(fields) && std::ranges::all_of(selected(fields), is_number);
-        if (must_be ? are_numbers : !may_be) {
+        if (must_be ? are_numbers(fields) : !may_be) {
             if (auto comment = comment_of(fields)) {
-                return {.state = Beginning::State::decided,
-                        .header = std::move(comment->second),
-                        .header_line = comment->first,
-                        .is_data = true};
+                return {.is_decided = true, .header = std::move(comment), .is_data = true};
             }
         }
         if (must_be || may_be) {
-            return {.state = Beginning::State::decided, .header = fields, .header_line = lines_.size() - 1};
+            return {.is_decided = true, .header = fields};
         }
-        return {.state = Beginning::State::decided, .is_data = true};
+        return {.is_decided = true, .is_data = true};
     }
 
     /// The header is the last line that has all names; at the end of the stream, or of what is held, the last line is
@@ -72,11 +68,11 @@ public:
         const Line& row = lines_.back();
         std::optional<Delimiter> delimiter;
         if (!is_end) {
-            if (is_json(row) && !has_all(find_names(row, {}).second)) {
-                return error({.what = StreamError::What::json}, lines_.size() - 1);
-            }
             if (has_all(find_names(row, {}).second)) {
                 return {};
+            }
+            if (is_json(row)) {
+                return error({.what = StreamError::What::json}, lines_.size() - 1);
             }
             const Delimiter own = delimiter_of(row.text);
             if (HeaderLine(row, own).fields.size() > 1) { // else it does not tell what delimits
@@ -106,9 +102,8 @@ public:
         if (delimiter && header.fields.size() == 1 && HeaderLine(header.line, *delimiter).fields.size() == 1) {
             header.delimiter = *delimiter; // a name alone does not tell what delimits
         }
-        return {.state = Beginning::State::decided,
+        return {.is_decided = true,
                 .header = std::move(header),
-                .header_line = at,
                 .is_data = !is_end,
                 .positions = std::get<std::vector<std::size_t>>(std::move(found))};
     }
@@ -116,7 +111,7 @@ public:
 private:
     static Beginning error(StreamError error, std::size_t line, bool is_end = false) {
         error.line = line;
-        return {.state = Beginning::State::error, .is_data = !is_end, .error = std::move(error)};
+        return {.is_data = !is_end, .error = std::move(error)};
     }
 
     [[nodiscard]] Delimiter delimiter_of(std::string_view row) const noexcept {
@@ -131,30 +126,30 @@ private:
 
     [[nodiscard]] std::size_t count() const noexcept { return options_.numbers.names.size(); }
 
-    /// All selected fields are there.
-    [[nodiscard]] bool has_selected(const HeaderLine& header) const noexcept {
+    /// The texts of the selected fields; nothing if one is not there.
+    [[nodiscard]] std::optional<std::vector<std::string>> selected(const HeaderLine& header) const {
         if (options_.columns.empty()) {
-            return count() == 0 || header.fields.size() == count();
-        }
-        const auto positions = options_.columns.positions();
-        return *std::ranges::max_element(positions) < header.fields.size();
-    }
-
-    [[nodiscard]] std::vector<std::string> selected(const HeaderLine& header) const {
-        if (options_.columns.empty()) {
-            return header.names();
+            return count() == 0 || header.fields.size() == count() ? std::optional(header.names()) : std::nullopt;
         }
         std::vector<std::string> texts;
         for (const std::size_t position : options_.columns.positions()) {
+            if (position >= header.fields.size()) {
+                return std::nullopt;
+            }
             texts.push_back(header.name(position));
         }
         return texts;
     }
 
+    [[nodiscard]] bool are_numbers(const HeaderLine& row) const {
+        const auto texts = selected(row);
+        return texts && std::ranges::all_of(*texts, is_number);
+    }
+
     /// None of the selected fields is a number or a word for a missing one.
     [[nodiscard]] bool is_header(const HeaderLine& header) const {
-        return header.is_closed && has_selected(header) && !is_remark(header) &&
-               std::ranges::none_of(selected(header), [](const auto& text) {
+        const auto texts = selected(header);
+        return header.is_closed && texts && !is_remark(header) && std::ranges::none_of(*texts, [](const auto& text) {
                    return is_number(text) || is_missing(text) || has_decimal_comma(text);
                });
     }
@@ -165,44 +160,36 @@ private:
         if ((first != '{' && first != '[') || !options_.refuses_json || options_.header != HeaderMode::automatic) {
             return false;
         }
-        const HeaderLine fields(row, delimiter_of(row.text));
-        return options_.columns.has_names() || !has_selected(fields) ||
-               !std::ranges::all_of(selected(fields), is_number);
+        return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
     }
 
-    [[nodiscard]] std::optional<std::size_t> last_comment() const {
-        for (std::size_t i = lines_.size(); i-- > 0;) {
-            if (is_comment(lines_[i].text)) {
-                return i;
-            }
-        }
-        return std::nullopt;
+    /// The last comment; an empty line where there is none.
+    [[nodiscard]] Line last_comment() const {
+        const auto found =
+            std::find_if(lines_.rbegin(), lines_.rend(), [](const Line& line) { return is_comment(line.text); });
+        return found == lines_.rend() ? Line{} : *found;
     }
 
-    /// The last comment and its index, if it is the header of a row.
-    [[nodiscard]] std::optional<std::pair<std::size_t, HeaderLine>> comment_of(const HeaderLine& row) const {
-        const auto comment = last_comment();
-        if (!comment) {
-            return std::nullopt;
-        }
-        HeaderLine header(lines_[*comment], row.delimiter);
-        if (!header.is_closed || header.fields.size() != row.fields.size() || !has_selected(header) ||
+    /// The last comment, if it is the header of a row.
+    [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
+        HeaderLine header(last_comment(), row.delimiter);
+        auto names = selected(header);
+        if (header.line.text.empty() || !header.is_closed || header.fields.size() != row.fields.size() || !names ||
             std::ranges::any_of(header.names(), is_number)) {
             return std::nullopt;
         }
         if (row.delimiter.is_blanks() && count() > 0) { // then a remark may well have as many words
             const auto kept = static_cast<std::ptrdiff_t>(options_.numbers.kept);
-            auto names = selected(header);
-            std::ranges::for_each(names, [](std::string& name) {
+            for (std::string& name : *names) {
                 constexpr std::string_view unit = "_deg_s";
                 name.resize(name.size() - (name.ends_with(unit) ? unit.size() : 0));
-            });
+            }
             const auto& own = options_.numbers.names;
-            if (!std::is_permutation(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {
+            if (!std::is_permutation(names->begin() + kept, names->end(), own.begin() + kept, own.end())) {
                 return std::nullopt;
             }
         }
-        return std::pair(*comment, std::move(header));
+        return header;
     }
 
     /// Looks the names up under each delimiter, or the one given, until they are all there.
@@ -210,21 +197,19 @@ private:
         if (!delimiter) {
             delimiter = options_.delimiter;
         }
-        const auto look_up = [this](const HeaderLine& header) {
-            return options_.columns.positions(is_remark(header) ? std::vector<std::string>() : header.names());
-        };
-        for (const char c : {',', '\t', ';'}) {
+        std::vector<Delimiter> tried{delimiter.value_or(Delimiter::blanks())};
+        for (const char c : {';', '\t', ','}) {
             if (!delimiter && line.text.find(c) != std::string_view::npos) {
-                HeaderLine header(line, Delimiter::character(c));
-                auto found = look_up(header);
-                if (has_all(found)) {
-                    return {std::move(header), std::move(found)};
-                }
+                tried.push_back(Delimiter::character(c));
             }
         }
-        HeaderLine header(line, delimiter.value_or(Delimiter::blanks()));
-        auto found = look_up(header);
-        return {std::move(header), std::move(found)};
+        for (;; tried.pop_back()) {
+            HeaderLine header(line, tried.back());
+            auto found = options_.columns.positions(is_remark(header) ? std::vector<std::string>() : header.names());
+            if (has_all(found) || tried.size() == 1) {
+                return {std::move(header), std::move(found)};
+            }
+        }
     }
 
     /// Which names a row has and lacks, with what the columns are called.
@@ -232,8 +217,7 @@ private:
         const HeaderLine row(line, delimiter_of(line.text));
         ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);
         column.text = line.text;
-        const auto comment = last_comment();
-        const HeaderLine above(comment ? lines_[*comment] : Line{}, row.delimiter);
+        const HeaderLine above(last_comment(), row.delimiter);
         for (const HeaderLine* header : {&row, &above}) {
             if (header->is_closed && header->fields.size() == row.fields.size() && !is_remark(*header) &&
                 std::ranges::none_of(header->names(), is_number)) {
@@ -355,10 +339,10 @@ std::vector<Line> Preamble::lines() const {
 }
 
 bool Preamble::follow(const Beginning& beginning, Output& output) {
-    if (beginning.state == Beginning::State::undecided) {
+    if (!beginning.is_decided && !beginning.error) {
         return false;
     }
-    if (beginning.state == Beginning::State::error) {
+    if (beginning.error) {
         error_ = beginning.error;
         error_->line += held_line_;
     }
@@ -379,7 +363,7 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
         names_ = header.names();
         held_.erase(0, begin + header.line.text.size() + header.line.end.size());
     }
-    if (beginning.state == Beginning::State::decided) {
+    if (beginning.is_decided) {
         header_done_ = true;
         release(held_.size(), output);
     }

@@ -28,17 +28,11 @@ struct HeaderLine {
 
 /// What the lines before the first data row are.
 struct Beginning {
-    enum class State : std::uint8_t {
-        undecided, ///< a later line tells
-        decided,
-        error
-    };
-    State state = State::undecided;
+    bool is_decided = false; ///< else a later line tells, unless there is an error
     std::optional<HeaderLine> header{};
-    std::size_t header_line = 0;          ///< its index among the lines
     bool is_data = false;                 ///< the last line is the first data row, or in its place
     std::vector<std::size_t> positions{}; ///< of columns that are selected by name
-    StreamError error{};                  ///< its line is an index among the lines, from 0
+    std::optional<StreamError> error{};   ///< its line is an index among the lines, from 0
 };
 
 /// Decides on lines that begin a stream, of which the last is a row, neither blank nor a comment. `is_end`: none

@@ -52,7 +52,6 @@ private:
     void transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn);
     /// Reads a batch of rows off the text, under `stop` none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
-    /// Forgets the batch.
     void clear() noexcept;
     /// Reads the numbers of a row, and of its partner.
     void read(Row& row);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "decimal.hpp"
 #include "json.hpp"
@@ -42,6 +43,33 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
             figure_of(*row.report, DiagnosticKind::normalized)};
 }
 
+/// The fields that are not replaced, with the result in its place, or at the end of the row less trailing blanks.
+template <class WriteResult> void write_fields(Buffer& to, const Layout& layout, std::string_view row,
+                                               std::span<const std::string_view> fields, char delimiter,
+                                               const WriteResult& write_result) {
+    if (layout.appends) {
+        append(to, row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1));
+        to.push_back(delimiter);
+        write_result();
+        return;
+    }
+    bool first = true;
+    const auto part = [&] {
+        if (!std::exchange(first, false)) {
+            to.push_back(delimiter);
+        }
+    };
+    const auto other = [&](std::size_t i) {
+        part();
+        append(to, fields[i]);
+    };
+    const auto result = [&] {
+        part();
+        write_result();
+    };
+    for_each_output(layout, fields.size(), other, result);
+}
+
 } // namespace
 
 std::vector<std::string_view> result_columns(const Options& options) {
@@ -62,12 +90,8 @@ void write_header(Buffer& to, const Options& options, const Layout& layout, cons
         fmt::format_to(std::back_inserter(to), "{}",
                        fmt::join(result_columns(options), std::string_view(&delimiter, 1)));
     };
-    if (options.append) {
-        write_appended(to, header.line.text, delimiter, write_names);
-    } else {
-        append(to, header.prefix);
-        write_fields(to, layout, header.fields, delimiter, write_names);
-    }
+    append(to, layout.appends ? "" : header.prefix);
+    write_fields(to, layout, header.line.text, header.fields, delimiter, write_names);
     append(to, header.line.end.empty() ? std::string_view("\n") : header.line.end);
 }
 
@@ -163,13 +187,7 @@ void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
 }
 
 void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
-    const char delimiter = layout_->delimiter.text();
-    const auto result = [&] { write_result(to, row); };
-    if (options_->append) {
-        write_appended(to, row.line.text, delimiter, result);
-    } else {
-        write_fields(to, *layout_, row.fields, delimiter, result);
-    }
+    write_fields(to, *layout_, row.line.text, row.fields, layout_->delimiter.text(), [&] { write_result(to, row); });
     append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
 }
 

@@ -59,8 +59,8 @@ private:
 
     /// What each thread does, until the end of the stream or of the run.
     void work(Transformer& transformer, bool is_first);
-    /// The same, for a thread that was added.
-    void help();
+    /// The same; what is thrown ends the run.
+    void work_safely(Transformer& transformer, bool is_first);
     void add_thread();
     [[nodiscard]] bool can_write() const { return !writing_ && !jobs_.empty() && jobs_.front()->done; }
     [[nodiscard]] bool can_read() const;
@@ -70,7 +70,6 @@ private:
     /// See InTurn: jobs are read in their order and converted by the threads that have read them, so that the one whose
     /// turn it is never waits for another.
     bool in_turn(Job& job, const std::function<void()>& what);
-    void end_run(std::exception_ptr exception);
     [[nodiscard]] std::unique_ptr<Job> idle_job();
     /// Writes the bytes and then reports the events; false where the run is over.
     bool hand_on(const Output& output);
@@ -100,11 +99,7 @@ private:
 
 RunResult Run::operator()() {
     Transformer transformer;
-    try {
-        work(transformer, true);
-    } catch (...) {
-        end_run(std::current_exception());
-    }
+    work_safely(transformer, true);
     std::ranges::for_each(helpers_, &std::thread::join);
     if (exception_) {
         std::rethrow_exception(exception_);
@@ -129,19 +124,25 @@ void Run::work(Transformer& transformer, bool is_first) {
     changed_.notify_all();
 }
 
-void Run::help() {
+void Run::work_safely(Transformer& transformer, bool is_first) {
     try {
-        Transformer transformer;
-        work(transformer, false);
+        work(transformer, is_first);
     } catch (...) {
-        end_run(std::current_exception());
+        const Lock lock(mutex_);
+        exception_ = std::current_exception();
+        over_ = true;
+        changed_.notify_all();
+        turn_changed_.notify_all();
     }
 }
 
 void Run::add_thread() {
     if (helpers_.size() + 1 < most_) {
         try {
-            helpers_.emplace_back(&Run::help, this);
+            helpers_.emplace_back([this] {
+                Transformer transformer;
+                work_safely(transformer, false);
+            });
         } catch (const std::system_error&) { // the system gives no more
             most_ = helpers_.size() + 1;
         }
@@ -233,14 +234,6 @@ bool Run::in_turn(Job& job, const std::function<void()>& what) {
     job.had_its_turn = true;
     turn_changed_.notify_all();
     return true;
-}
-
-void Run::end_run(std::exception_ptr exception) {
-    const Lock lock(mutex_);
-    exception_ = std::move(exception);
-    over_ = true;
-    changed_.notify_all();
-    turn_changed_.notify_all();
 }
 
 std::unique_ptr<Job> Run::idle_job() {
