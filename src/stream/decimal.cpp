@@ -21,19 +21,16 @@ bool are_digits(std::string_view text) noexcept {
 
 /// The number after the e; nothing where there is none.
 std::optional<std::int64_t> read_power(std::string_view text) noexcept {
-    const bool negative = text.starts_with('-');
-    if (negative || text.starts_with('+')) {
-        text.remove_prefix(1);
-    }
-    if (text.empty() || !are_digits(text)) {
+    text.remove_prefix(text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
+    std::int64_t power = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
+    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
         return std::nullopt;
     }
-    std::int64_t power = 0;
-    if (std::from_chars(text.data(), text.data() + text.size(), power).ec != std::errc{}) {
-        power = largest_power;
+    if (error == std::errc::result_out_of_range) {
+        return text.starts_with('-') ? -largest_power : largest_power;
     }
-    power = std::min(power, largest_power);
-    return negative ? -power : power;
+    return std::clamp(power, -largest_power, largest_power);
 }
 
 } // namespace

@@ -192,8 +192,13 @@ double RowTransformer::norm_of(const Row& row, bool of_reference) const {
         return 0.0;
     }
     const std::size_t size = parts_.numbers.size() / lines_.size();
-    const double* const q = parts_.numbers.data() + row.index * size + (of_reference ? layout_->count : 0) + read.kept;
-    return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    const std::span q(parts_.numbers.data() + row.index * size + (of_reference ? layout_->count : 0) + read.kept, 4);
+    const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
+    double squares = 0.0; // of numbers that neither overflow nor underflow
+    for (const double number : q) {
+        squares += (number / largest) * (number / largest);
+    }
+    return largest * std::sqrt(squares);
 }
 
 void RowTransformer::write(Output& output) {

@@ -24,12 +24,9 @@ void append_notes(Buffer& to, const ConvertedRow& row) {
         append(to, "error");
         return;
     }
-    bool first = true;
+    const std::size_t begin = to.size();
     for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
-        if (!first) {
-            to.push_back('+');
-        }
-        first = false;
+        append(to, to.size() > begin ? "+" : "");
         append(to, name_of(diagnostic.kind));
     });
 }

@@ -57,10 +57,8 @@ private:
     using Lock = std::unique_lock<std::mutex>;
     using Transformer = std::optional<RowTransformer>; ///< nothing before a thread's first data row
 
-    /// What each thread does, until the end of the stream or of the run.
+    /// What each thread does, until the end of the stream or of the run; what is thrown ends the run.
     void work(Transformer& transformer, bool is_first);
-    /// The same; what is thrown ends the run.
-    void work_safely(Transformer& transformer, bool is_first);
     void add_thread();
     [[nodiscard]] bool can_write() const { return !writing_ && !jobs_.empty() && jobs_.front()->done; }
     [[nodiscard]] bool can_read() const;
@@ -73,7 +71,6 @@ private:
     [[nodiscard]] std::unique_ptr<Job> idle_job();
     /// Writes the bytes and then reports the events; false where the run is over.
     bool hand_on(const Output& output);
-    void finish(Transformer& transformer);
 
     JobReader* reader_; ///< of the thread that reads
     Sink* sink_;
@@ -99,18 +96,26 @@ private:
 
 RunResult Run::operator()() {
     Transformer transformer;
-    work_safely(transformer, true);
+    work(transformer, true);
     std::ranges::for_each(helpers_, &std::thread::join);
     if (exception_) {
         std::rethrow_exception(exception_);
     }
     if (!over_) {
-        finish(transformer);
+        Output output;
+        if (transformer) {
+            transformer->finish(output);
+        } else {
+            reader_->finish(output, !reader_->error());
+        }
+        if (hand_on(output)) {
+            ending_.error = reader_->error();
+        }
     }
     return ending_;
 }
 
-void Run::work(Transformer& transformer, bool is_first) {
+void Run::work(Transformer& transformer, bool is_first) try {
     Lock lock(mutex_);
     while (!over_ && !(all_read_ && jobs_.empty())) {
         if (can_write()) {
@@ -122,18 +127,12 @@ void Run::work(Transformer& transformer, bool is_first) {
         }
     }
     changed_.notify_all();
-}
-
-void Run::work_safely(Transformer& transformer, bool is_first) {
-    try {
-        work(transformer, is_first);
-    } catch (...) {
-        const Lock lock(mutex_);
-        exception_ = std::current_exception();
-        over_ = true;
-        changed_.notify_all();
-        turn_changed_.notify_all();
-    }
+} catch (...) {
+    const Lock lock(mutex_);
+    exception_ = std::current_exception();
+    over_ = true;
+    changed_.notify_all();
+    turn_changed_.notify_all();
 }
 
 void Run::add_thread() {
@@ -141,7 +140,7 @@ void Run::add_thread() {
         try {
             helpers_.emplace_back([this] {
                 Transformer transformer;
-                work_safely(transformer, false);
+                work(transformer, false);
             });
         } catch (const std::system_error&) { // the system gives no more
             most_ = helpers_.size() + 1;
@@ -261,18 +260,6 @@ bool Run::hand_on(const Output& output) {
     ending_.answered += output.answered;
     ending_.stopped = output.stopped;
     return !output.stopped;
-}
-
-void Run::finish(Transformer& transformer) {
-    Output output;
-    if (transformer) {
-        transformer->finish(output);
-    } else {
-        reader_->finish(output, !reader_->error());
-    }
-    if (hand_on(output)) {
-        ending_.error = reader_->error();
-    }
 }
 
 } // namespace
