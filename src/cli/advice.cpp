@@ -281,7 +281,8 @@ std::string contents_advice(const std::string& path) {
     stream::Preamble preamble(input);
     std::string_view rest = text;
     std::size_t line = 1;
-    const bool has_row = preamble.read(rest, line);
+    stream::Output nowhere;
+    const bool has_row = preamble.read(rest, line, nowhere);
     const Fields fields = has_row ? split(stream::next_line(rest).text, input) : Fields();
     if (!is_row(fields)) {
         return fmt::format("; {} begins with no row of numbers", quoted(path));

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "../stream/event.hpp"
 #include "../stream/file.hpp"
-#include "../stream/job.hpp"
 #include "../stream/options.hpp"
 #include "messages.hpp"
 #include "option_set.hpp"

@@ -34,7 +34,7 @@ public:
         ConversionSettings settings = attitudes_.settings(reading_, writing_);
         settings.fast = method_ == fast_method;
         operations::Operation operation = by_method(Conversion(from, to, settings));
-        if (operation->chooses && !operation->answers.empty()) {
+        if (operation->is_continuous && !operation->answers.empty()) {
             throw Usage("--continuous follows one answer, and --method all writes several to a row");
         }
         RowsCommand command =

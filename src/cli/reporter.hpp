@@ -5,7 +5,6 @@
 #include <string>
 
 #include "../stream/event.hpp"
-#include "../stream/job.hpp"
 #include "command.hpp"
 
 namespace rotconv::cli {

@@ -63,9 +63,8 @@ RowsResult run_rows(const RowsCommand& command) {
     stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
     Reporter reporter(command, other == nullptr && command.options.on_error == stream::OnError::nan);
     const auto report = [&reporter](const stream::Event& event) { reporter(event); };
-    const stream::RunResult ending = inputs.size() > 1
-                                         ? stream::run(source, *inputs.back(), sink, command.options, report)
-                                         : stream::run(source, sink, command.options, report);
+    stream::Source* const reference = inputs.size() > 1 ? inputs.back().get() : nullptr;
+    const stream::RunResult ending = stream::run(source, sink, command.options, report, reference);
     if (ending.reader_left) {
         return {.reader_left = true};
     }

@@ -16,15 +16,15 @@ public:
         : conversion_(conversion), numbers_(std::make_shared<ContinuousNumbers>(conversion.to())) {
         names = names_of(conversion.to());
         attitude = conversion.to();
-        chooses = continuous && numbers_->have_choice();
+        is_continuous = continuous && numbers_->have_choice();
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Convert>(*this); }
 
     void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        rest_.resize(chooses ? out.size() : 0);
+        rest_.resize(is_continuous ? out.size() : 0);
         conversion_.run(rows.numbers, out, reports, rest_);
     }
-    void choose(std::span<double> results, std::span<const RowReport> reports) override {
+    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
         numbers_->run(results, reports, rest_);
     }
 

@@ -17,7 +17,7 @@ public:
         : conversion_(conversion), continuous_(std::make_shared<ContinuousNumbers>(conversion.to())) {
         names = names_of(conversion.to());
         attitude = conversion.to();
-        chooses = continuous && continuous_->have_choice();
+        is_continuous = continuous && continuous_->have_choice();
         if (all) {
             const auto methods = conversion.names();
             answers.assign(methods.begin(), methods.end());
@@ -40,7 +40,7 @@ public:
             out[i * (size + 1) + size] = angles_[i];
         }
     }
-    void choose(std::span<double> results, std::span<const RowReport> reports) override {
+    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
         continuous_->run(results, reports);
     }
 

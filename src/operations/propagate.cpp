@@ -36,7 +36,7 @@ public:
         attitude = rows.to;
         in_order = true;
         looks_ahead = rows.settings.interpolation == Interpolation::cubic;
-        chooses = rows.continuous && continuous_->have_choice();
+        is_continuous = rows.continuous && continuous_->have_choice();
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Propagate>(*this); }
 
@@ -46,7 +46,7 @@ public:
     std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
                           std::vector<RowReport>& reports) override {
         answered_ = 0;
-        rest_.resize(chooses ? out.size() : 0);
+        rest_.resize(is_continuous ? out.size() : 0);
         reports.clear();
         while (pushed_.size() < rows.lines.size()) {
             const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
@@ -69,7 +69,7 @@ public:
         pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
         return answered_;
     }
-    void choose(std::span<double> results, std::span<const RowReport> reports) override {
+    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
         continuous_->run(results, reports, rest_);
     }
 
@@ -79,7 +79,7 @@ private:
         report_refused(reports);
         if (answer) {
             const std::size_t size = conversion_.to().size();
-            const auto rest = std::span(rest_).subspan(chooses ? answered_ * size : 0, chooses ? size : 0);
+            const auto rest = std::span(rest_).subspan(is_continuous ? answered_ * size : 0, is_continuous ? size : 0);
             write(*answer, out.subspan(answered_ * size, size), rest, reports);
             ++answered_;
             report_refused(reports);

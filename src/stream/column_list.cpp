@@ -4,8 +4,6 @@
 #include <charconv>
 #include <iterator>
 #include <optional>
-#include <tuple>
-#include <utility>
 
 #include "number_text.hpp"
 
@@ -44,19 +42,17 @@ std::optional<ColumnError> find_twice(const std::vector<std::size_t>& positions)
 std::variant<ColumnList, ColumnError> ColumnList::parse(std::string_view list, std::size_t count) {
     ColumnList made;
     std::size_t counted = 0;
-    std::string_view rest = list;
-    for (bool more = true; more;) {
-        const auto comma = rest.find(',');
-        more = comma != std::string_view::npos;
-        const std::string_view item = trimmed(rest.substr(0, comma));
-        rest = more ? rest.substr(comma + 1) : std::string_view{};
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t comma = std::min(list.find(',', begin), list.size());
+        const std::string_view item = trimmed(list.substr(begin, comma - begin));
+        begin = comma + 1;
         const auto dash = item.find('-');
-        const bool is_range =
-            dash != std::string_view::npos && is_digits(item.substr(0, dash)) && is_digits(item.substr(dash + 1));
-        if (!is_range && !is_digits(item)) {
-            if (item.empty()) {
-                return ColumnError{What::not_an_item, std::string(item)};
-            }
+        const std::string_view from = item.substr(0, dash);
+        const std::string_view to = dash == std::string_view::npos ? from : item.substr(dash + 1);
+        if (item.empty()) {
+            return ColumnError{What::not_an_item, {}};
+        }
+        if (!is_digits(from) || !is_digits(to)) {
             if (++counted <= count) {
                 if (std::ranges::count(made.items_, item, &Item::name) != 0) {
                     return ColumnError{What::twice, std::string(item)};
@@ -65,8 +61,8 @@ std::variant<ColumnList, ColumnError> ColumnList::parse(std::string_view list, s
             }
             continue;
         }
-        const auto first = read_index(item.substr(0, is_range ? dash : item.size()));
-        const auto last = is_range ? read_index(item.substr(dash + 1)) : first;
+        const auto first = read_index(from);
+        const auto last = read_index(to);
         if (!first || !last || *first > *last) {
             return ColumnError{What::not_an_item, std::string(item)};
         }
@@ -116,28 +112,25 @@ ColumnList::positions(const std::vector<std::string>& header) const {
             positions.push_back(item.position);
             continue;
         }
-        // The whole name goes before the part up to its first blank.
-        const auto whole = [&item](std::string_view name) { return name == item.name; };
-        const auto part = [&item](std::string_view name) {
-            return name.substr(0, name.find_first_of(" \t")) == item.name;
-        };
-        const auto look = [&header](const auto& matches) {
-            return std::pair{std::ranges::count_if(header, matches), std::ranges::find_if(header, matches)};
-        };
-        auto [count, found] = look(whole);
-        if (count == 0) {
-            std::tie(count, found) = look(part);
-        }
-        (count == 0 ? missing.lacking : missing.present).push_back(item.name);
-        if (count > 1 && !ambiguous) {
-            ambiguous = ColumnError{What::ambiguous, item.name};
+        std::vector<std::size_t> found;
+        const auto look_up = [&](std::string_view end_of_name) {
             for (std::size_t i = 0; i < header.size(); ++i) {
-                if (whole(header[i]) || (!whole(*found) && part(header[i]))) {
-                    ambiguous->indices.push_back(i + 1);
+                const std::string_view name = header[i];
+                if (name.substr(0, name.find_first_of(end_of_name)) == item.name) {
+                    found.push_back(i);
                 }
             }
+        };
+        look_up({});
+        if (found.empty()) {
+            look_up(" \t");
         }
-        positions.push_back(static_cast<std::size_t>(found - header.begin()));
+        (found.empty() ? missing.lacking : missing.present).push_back(item.name);
+        positions.push_back(found.empty() ? 0 : found.front());
+        if (found.size() > 1 && !ambiguous) {
+            ambiguous = ColumnError{What::ambiguous, item.name};
+            std::ranges::transform(found, std::back_inserter(ambiguous->indices), [](auto at) { return at + 1; });
+        }
     }
     if (!missing.lacking.empty()) {
         return missing;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <limits>
 
 #include "number_text.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 /// Twice this, and the length of any text, stay within 64 bits.
 constexpr std::int64_t largest_power = 1'000'000'000'000'000'000;
-/// More digits than any number has that lies halfway between two doubles (767).
+/// More digits than the longest number halfway between two doubles (767).
 constexpr std::int64_t widest_gap = 800;
 
 bool are_digits(std::string_view text) noexcept {
@@ -20,19 +21,16 @@ bool are_digits(std::string_view text) noexcept {
 
 /// The number after the e; nothing where there is none.
 std::optional<std::int64_t> read_power(std::string_view text) noexcept {
-    const bool negative = text.starts_with('-');
-    if (negative || text.starts_with('+')) {
-        text.remove_prefix(1);
-    }
-    if (text.empty() || !are_digits(text)) {
+    text.remove_prefix(text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
+    std::int64_t power = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
+    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
         return std::nullopt;
     }
-    std::int64_t power = 0;
-    if (std::from_chars(text.data(), text.data() + text.size(), power).ec != std::errc{}) {
-        power = largest_power;
+    if (error == std::errc::result_out_of_range) {
+        return text.starts_with('-') ? -largest_power : largest_power;
     }
-    power = std::min(power, largest_power);
-    return negative ? -power : power;
+    return std::clamp(power, -largest_power, largest_power);
 }
 
 } // namespace
@@ -130,6 +128,37 @@ Decimal operator-(const Decimal& a, const Decimal& b) {
     }
     result.strip();
     return result;
+}
+
+int Decimal::sign_of_sum(std::initializer_list<Term> terms) noexcept {
+    constexpr auto none = std::numeric_limits<std::int64_t>::min();
+    std::int64_t place = std::numeric_limits<std::int64_t>::max(); // of the digits not yet added, the first or above it
+    int most = 0; // what follows a place is less than so many units of it: a sum that large is decided
+    for (const auto& [number, times] : terms) {
+        most += std::abs(times);
+    }
+    int sum = 0; // in units of the last place
+    while (std::abs(sum) < most) {
+        if (sum == 0) { // over the places without digits, of which there may be any number
+            std::int64_t first = none;
+            for (const auto& [number, times] : terms) {
+                first = number->end() < place ? std::max(first, std::min(number->point_, place)) : first;
+            }
+            if (first == none) {
+                return 0;
+            }
+            place = first;
+        }
+        sum *= 10;
+        for (const auto& [number, times] : terms) {
+            if (number->end() < place && place <= number->point_) {
+                const int digit = number->digits_[static_cast<std::size_t>(number->point_ - place)] - '0';
+                sum += number->negative_ ? -times * digit : times * digit;
+            }
+        }
+        --place;
+    }
+    return sum;
 }
 
 double Decimal::rounded(int power) const {

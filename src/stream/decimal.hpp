@@ -2,9 +2,11 @@
 
 #include <compare>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace rotconv::stream {
 
@@ -22,9 +24,14 @@ public:
     friend bool operator==(const Decimal& a, const Decimal& b) noexcept = default;
     friend std::strong_ordering operator<=>(const Decimal& a, const Decimal& b) noexcept;
 
-    /// Exact, but where the larger number ends more than 800 digits before the smaller one begins: of that no more than
-    /// its sign is kept, which is all that an order or a double can depend on.
+    /// Exact, except where the larger number ends more than 800 digits before the smaller one begins: only the sign of
+    /// the smaller is kept then, which is all that rounded() can depend on.
     friend Decimal operator-(const Decimal& a, const Decimal& b);
+
+    /// A number, and how often it is added to a sum.
+    using Term = std::pair<const Decimal*, int>;
+    /// A number with the sign of the sum, exact however large or small the terms are.
+    [[nodiscard]] static int sign_of_sum(std::initializer_list<Term> terms) noexcept;
 
     /// The double nearest to this times 10^power; infinite where that is too large.
     [[nodiscard]] double rounded(int power = 0) const;

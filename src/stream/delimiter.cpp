@@ -1,6 +1,8 @@
 #include "delimiter.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "number_text.hpp"
 
@@ -25,17 +27,11 @@ std::size_t after_quotes(std::string_view row, std::size_t start) noexcept {
 } // namespace
 
 std::optional<Delimiter> Delimiter::parse(std::string_view text) noexcept {
-    if (text == "comma") {
-        return character(',');
-    }
-    if (text == "tab" || text == "\\t") {
-        return character('\t');
-    }
-    if (text == "semicolon") {
-        return character(';');
-    }
-    if (text == "blank") {
-        return blanks();
+    using Named = std::pair<std::string_view, char>;
+    static constexpr auto names =
+        std::to_array<Named>({{"comma", ','}, {"tab", '\t'}, {"\\t", '\t'}, {"semicolon", ';'}, {"blank", ' '}});
+    if (const auto* const found = std::ranges::find(names, text, &Named::first); found != names.end()) {
+        return Delimiter(found->second);
     }
     constexpr std::string_view refused = "0123456789+-.\"\r\n#aefintyAEFINTY";
     if (text.size() != 1 || refused.find(text[0]) != std::string_view::npos ||
@@ -92,8 +88,12 @@ bool Delimiter::split(std::string_view row, std::vector<std::string_view>& field
     }
 }
 
+bool Delimiter::is_quoted(std::string_view field) const noexcept {
+    return !is_blanks() && field.size() >= 2 && field.front() == '"' && field.back() == '"';
+}
+
 std::string Delimiter::unquoted(std::string_view field) const {
-    if (is_blanks() || field.size() < 2 || field.front() != '"' || field.back() != '"') {
+    if (!is_quoted(field)) {
         return std::string(field);
     }
     std::string text;
@@ -108,10 +108,7 @@ std::string Delimiter::unquoted(std::string_view field) const {
 
 std::string_view Delimiter::text_of(std::string_view field) const noexcept {
     field = trimmed(field);
-    if (!is_blanks() && field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-        field = trimmed(field.substr(1, field.size() - 2));
-    }
-    return field;
+    return is_quoted(field) ? trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
 } // namespace rotconv::stream

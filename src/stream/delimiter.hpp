@@ -37,6 +37,7 @@ public:
     [[nodiscard]] std::string_view text_of(std::string_view field) const noexcept;
 
 private:
+    [[nodiscard]] bool is_quoted(std::string_view field) const noexcept;
     constexpr explicit Delimiter(char c) noexcept : character_(c) {}
     char character_;
 };

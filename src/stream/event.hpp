@@ -67,6 +67,12 @@ struct Output {
     }
 };
 
+/// Rows of a stream that are in no pair.
+struct Unpaired {
+    std::size_t rows = 0;
+    std::size_t first_line = 0; ///< of the first of them
+};
+
 /// Why a run ended early, other than by a row error.
 struct StreamError {
     enum class What : std::uint8_t {
@@ -77,6 +83,7 @@ struct StreamError {
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
         count,         ///< of the fields in the row at `line`, which is `column.text`; `wrong` says why
         json,          ///< the input begins with JSON
+        far_key,       ///< too much stands between the row at `line` and the next key, on which its partner depends
     };
     What what = What::read;
     std::size_t line = 0;

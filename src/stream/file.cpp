@@ -23,10 +23,6 @@ void wait_for(int descriptor, short events) noexcept {
     ::poll(&waiting, 1, -1);
 }
 
-bool is_same_file(const struct stat& a, const struct stat& b) noexcept {
-    return S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
-}
-
 } // namespace
 
 void guard_standard_descriptors() noexcept {
@@ -72,18 +68,6 @@ int File::why_unreadable(const char* path) noexcept {
         return errno;
     }
     return S_ISDIR(status.st_mode) ? EISDIR : 0;
-}
-
-bool File::is_same(const File& other) const noexcept {
-    struct stat mine {};
-    struct stat theirs {};
-    return ::fstat(descriptor_, &mine) == 0 && ::fstat(other.descriptor_, &theirs) == 0 && is_same_file(mine, theirs);
-}
-
-bool File::is_same(const char* path) const noexcept {
-    struct stat mine {};
-    struct stat theirs {};
-    return ::fstat(descriptor_, &mine) == 0 && ::stat(path, &theirs) == 0 && is_same_file(mine, theirs);
 }
 
 std::size_t File::size() const noexcept {
@@ -150,7 +134,11 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
 }
 
 bool OutputFile::is_same(const File& input) const noexcept {
-    return file_ ? input.is_same(*file_) : input.is_same(path_.c_str());
+    struct stat mine {};
+    struct stat theirs {};
+    const int error = file_ ? ::fstat(file_->descriptor(), &mine) : ::stat(path_.c_str(), &mine);
+    return error == 0 && ::fstat(input.descriptor(), &theirs) == 0 && S_ISREG(mine.st_mode) &&
+           mine.st_dev == theirs.st_dev && mine.st_ino == theirs.st_ino;
 }
 
 int OutputFile::open() {

@@ -37,7 +37,7 @@ public:
     virtual int write(std::string_view bytes) = 0;
 };
 
-/// Where rows go that nobody wants.
+/// A sink that forgets its bytes.
 class NullSink final : public Sink {
 public:
     int write(std::string_view /*bytes*/) override { return 0; }
@@ -70,12 +70,9 @@ public:
     ~File() override;
 
     [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
+    [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
     /// An errno where no file of that name can be read; 0 where one can, and for "-".
     [[nodiscard]] static int why_unreadable(const char* path) noexcept;
-    /// A regular file, and the same as the other.
-    [[nodiscard]] bool is_same(const File& other) const noexcept;
-    /// A regular file, and the one of that name.
-    [[nodiscard]] bool is_same(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.
     [[nodiscard]] std::size_t size() const noexcept;
     /// Lets a pipe hold more, where the system allows it: the two ends then seldom wait for each other.
@@ -101,8 +98,8 @@ public:
     /// The same regular file is behind both.
     [[nodiscard]] bool is_same(const File& input) const noexcept;
     int write(std::string_view bytes) override;
-    /// To be called at the end of a run, of which `is_whole` says that it has an answer: that may be nothing, and is
-    /// then an empty file. Closes the file, which is where some file systems first report a full disk; 0 or an errno.
+    /// To be called at the end of a run, and creates the file if the run `is_whole` and wrote nothing. Closes it, see
+    /// File::close().
     int finish(bool is_whole);
 
 private:

@@ -21,6 +21,14 @@ std::size_t count_newlines(std::string_view text) noexcept {
     return count;
 }
 
+Buffer copy_of(const Buffer& bytes) {
+    Buffer copy;
+    append(copy, {bytes.data(), bytes.size()});
+    return copy;
+}
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 } // namespace
 
 bool IoBlockReader::read(IoBlock& block) {
@@ -29,82 +37,54 @@ bool IoBlockReader::read(IoBlock& block) {
         return false;
     }
     std::swap(block.bytes, rest_);
-    make_room(block.bytes);
-    const auto count = source_->read(std::span(block.bytes.data(), block.bytes.size()).subspan(held_));
+    Buffer& bytes = block.bytes;
+    const std::size_t held = bytes.size();
+    if (held < block_size_ && bytes.capacity() > 2 * block_size_) { // a long line is over
+        bytes = copy_of(bytes);
+    }
+    bytes.resize(held < block_size_ ? block_size_ : std::min(2 * held, longest_line + block_size_));
+    const auto count = source_->read(std::span(bytes.data(), bytes.size()).subspan(held));
     if (count < 0) {
         error_ = StreamError{StreamError::What::read, line_, errno, {}};
         return false;
     }
     finished_ = count == 0;
-    const std::size_t end = held_ + static_cast<std::size_t>(count);
-    return row_size_ > 0 ? cut_rows(block, end) : cut_lines(block, end);
-}
-
-bool IoBlockReader::cut_lines(IoBlock& block, std::size_t end) {
-    const std::size_t searched = started_ ? held_ : 0;
-    end = without_mark(block.bytes, end);
-    const std::string_view unread(block.bytes.data(), end);
-    const std::size_t newline = unread.find('\n', searched);
-    if (std::min(newline, end) > longest_line) {
-        error_ = StreamError{StreamError::What::line_too_long, line_, 0, {}};
+    const std::string_view all(bytes.data(), held + static_cast<std::size_t>(count));
+    const auto size = whole_rows(all, held);
+    if (!size) {
         return false;
     }
-    if (finished_) {
-        cut(block, end, end);
-    } else if (newline == std::string_view::npos) {
-        std::swap(block.bytes, rest_);
-        held_ = end;
-    } else {
-        cut(block, unread.rfind('\n') + 1, end);
+    if (*size == 0) {
+        bytes.resize(all.size());
+        std::swap(bytes, rest_);
+        return true;
     }
-    return true;
-}
-
-bool IoBlockReader::cut_rows(IoBlock& block, std::size_t end) {
-    if (finished_ && end > 0) {
-        error_ = StreamError{.what = StreamError::What::partial_row, .line = line_, .offset = (line_ - 1) * row_size_};
-        return false;
-    }
-    cut(block, end - end % row_size_, end);
-    return true;
-}
-
-void IoBlockReader::make_room(Buffer& bytes) const {
-    if (held_ >= block_size_) {
-        if (held_ == bytes.size()) {
-            bytes.resize(std::min(2 * held_, longest_line + block_size_));
-        }
-        return;
-    }
-    if (bytes.size() > block_size_) { // a long line is over
-        Buffer usual;
-        append(usual, {bytes.data(), held_});
-        bytes = std::move(usual);
-    }
-    bytes.resize(block_size_);
-}
-
-std::size_t IoBlockReader::without_mark(Buffer& bytes, std::size_t end) noexcept {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    const std::string_view text(bytes.data(), end);
-    if (started_ || (end < mark.size() && mark.starts_with(text) && end > 0)) {
-        return end; // past it, or not yet whole
-    }
-    started_ = true;
-    if (!text.starts_with(mark)) {
-        return end;
-    }
-    std::copy(bytes.data() + mark.size(), bytes.data() + end, bytes.data());
-    return end - mark.size();
-}
-
-void IoBlockReader::cut(IoBlock& block, std::size_t size, std::size_t end) {
-    held_ = end - size;
-    rest_.resize(std::max(rest_.size(), held_));
-    std::copy_n(block.bytes.data() + size, held_, rest_.data());
-    block.text = {block.bytes.data(), size};
+    rest_.clear();
+    append(rest_, all.substr(*size));
+    block.text = all.substr(0, *size);
     block.first_line = line_;
-    line_ += row_size_ > 0 ? size / row_size_ : count_newlines(block.text);
+    if (row_size_ == 0 && line_ == 1 && block.text.starts_with(byte_order_mark)) {
+        block.text.remove_prefix(byte_order_mark.size());
+    }
+    line_ += row_size_ > 0 ? *size / row_size_ : count_newlines(block.text);
+    return true;
+}
+
+std::optional<std::size_t> IoBlockReader::whole_rows(std::string_view bytes, std::size_t searched) {
+    if (row_size_ > 0) {
+        if (finished_ && !bytes.empty()) {
+            error_ =
+                StreamError{.what = StreamError::What::partial_row, .line = line_, .offset = (line_ - 1) * row_size_};
+            return std::nullopt;
+        }
+        return bytes.size() - bytes.size() % row_size_;
+    }
+    const std::size_t newline = bytes.find('\n', searched);
+    if (std::min(newline, bytes.size()) > longest_line) {
+        error_ = StreamError{StreamError::What::line_too_long, line_, 0, {}};
+        return std::nullopt;
+    }
+    return finished_ ? bytes.size() : newline == std::string_view::npos ? 0 : bytes.rfind('\n') + 1;
 }
 
 Line next_line(std::string_view& text) noexcept {

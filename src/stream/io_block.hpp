@@ -9,7 +9,35 @@
 
 namespace rotconv::stream {
 
-/// Whole lines as they came in one read, each with its line end but perhaps the last of the stream.
+/// One line and its line end ("\n", "\r\n" or none).
+struct Line {
+    std::string_view text;
+    std::string_view end;
+};
+
+/// Cuts the first line off a text that is not empty.
+[[nodiscard]] Line next_line(std::string_view& text) noexcept;
+
+/// Cuts the first row off: a line, or where `width` is not 0 that many doubles.
+[[nodiscard]] inline Line next_row(std::string_view& text, std::size_t width) noexcept {
+    if (width == 0) {
+        return next_line(text);
+    }
+    const Line row{text.substr(0, width * sizeof(double)), {}};
+    text.remove_prefix(row.text.size());
+    return row;
+}
+
+/// Nothing but blanks.
+[[nodiscard]] bool is_blank(std::string_view line) noexcept;
+
+/// Begins with '#'.
+[[nodiscard]] inline bool is_comment(std::string_view line) noexcept { return line.starts_with('#'); }
+
+/// Neither blank nor a comment.
+[[nodiscard]] inline bool is_row(std::string_view line) noexcept { return !is_comment(line) && !is_blank(line); }
+
+/// Whole lines as they came in one read, each with its line end except perhaps the last of the stream.
 struct IoBlock {
     Buffer bytes;          ///< room, used again
     std::string_view text; ///< the lines in it; empty where none is whole yet
@@ -35,39 +63,16 @@ public:
     [[nodiscard]] const std::optional<StreamError>& error() const noexcept { return error_; }
 
 private:
-    bool cut_lines(IoBlock& block, std::size_t end);
-    bool cut_rows(IoBlock& block, std::size_t end);
-    /// Room for what is held and more, of the usual size unless a long line needs more.
-    void make_room(Buffer& bytes) const;
-    /// The end of the bytes without the mark, past which it is remembered not to look for it.
-    [[nodiscard]] std::size_t without_mark(Buffer& bytes, std::size_t end) noexcept;
-    /// Makes the first `size` of the block's `end` bytes its text and holds the others.
-    void cut(IoBlock& block, std::size_t size, std::size_t end);
+    /// The bytes of whole rows; nothing after an error.
+    std::optional<std::size_t> whole_rows(std::string_view bytes, std::size_t searched);
 
     Source* source_;
     std::size_t row_size_;
     std::size_t block_size_;
-    Buffer rest_;          ///< the beginning of a line...
-    std::size_t held_ = 0; ///< ...of this many bytes
+    Buffer rest_; ///< the beginning of a row
     std::size_t line_ = 1;
-    bool started_ = false;
     bool finished_ = false;
     std::optional<StreamError> error_;
 };
-
-/// One line and its line end ("\n", "\r\n" or none).
-struct Line {
-    std::string_view text;
-    std::string_view end;
-};
-
-/// Cuts the first line off a text that is not empty.
-[[nodiscard]] Line next_line(std::string_view& text) noexcept;
-
-/// Nothing but blanks.
-[[nodiscard]] bool is_blank(std::string_view line) noexcept;
-
-/// Begins with '#'.
-[[nodiscard]] inline bool is_comment(std::string_view line) noexcept { return line.starts_with('#'); }
 
 } // namespace rotconv::stream

@@ -1,34 +1,43 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "event.hpp"
 #include "io_block.hpp"
+#include "layout.hpp"
 
 namespace rotconv::stream {
 
-/// A row of a stream and the one of the reference that it is compared with; or a row that is no part of a pair.
-struct PairedRow {
+/// A row of a stream, perhaps with the row of the reference that it is compared with.
+struct Row {
     static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
 
-    Line row;
-    std::size_t number = 0; ///< of its line; 0 where there is only the reference's
-    Line reference{};
-    std::size_t reference_number = 0;
-    bool passed = false;          ///< blank or comment: goes out as it is
-    std::size_t error = no_error; ///< in PairBlock::errors, of a row whose key is at fault
+    Line line{};
+    std::size_t number = 0; ///< of the line; 0 where there is only the reference's
+    std::string_view reference{};
+    std::size_t reference_number = 0; ///< 0: there is none
+    bool passes = false;              ///< blank or comment: goes out as it is
+    std::size_t error = no_error;     ///< which one, of a row without numbers
+    // Of a row that is read:
+    std::size_t first_field = 0;
+    std::size_t field_count = 0;
+    std::size_t index = 0; ///< among the rows with numbers
+
+    [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == no_error; }
 };
 
 /// Pairs of rows, in the order of the stream.
 struct PairBlock {
-    std::vector<PairedRow> rows;
-    std::vector<RowError> errors;
-    std::vector<std::shared_ptr<const IoBlock>> texts; ///< in which the rows stand
-    std::size_t bytes = 0;                             ///< of the rows
+    std::vector<Row> rows;                                 ///< in pairs or, with an error of the key, alone
+    std::vector<RowError> errors;                          ///< of those rows
+    std::vector<std::shared_ptr<const std::string>> texts; ///< in which the rows stand
+    std::size_t bytes = 0;                                 ///< of the rows
 
     void clear() noexcept {
         rows.clear();
@@ -38,12 +47,6 @@ struct PairBlock {
     }
 };
 
-/// Rows of a stream that are in no pair.
-struct Unpaired {
-    std::size_t rows = 0;
-    std::size_t first_line = 0; ///< of the first of them
-};
-
 /// A block on its way from the input to the output.
 struct Job {
     IoBlock block;
@@ -51,7 +54,7 @@ struct Job {
     std::size_t line = 1;  ///< ...and the line of the first
     PairBlock pairs;       ///< in their place where two streams are read side by side
     Output output;
-    std::size_t turn = 0; ///< how many before it have data rows
+    bool had_its_turn = false; ///< see InTurn
     bool done = false;
 
     /// Bytes of what was read.
@@ -71,9 +74,14 @@ public:
     virtual bool read(Job& job) = 0;
     /// Whether read() would not have to wait.
     [[nodiscard]] virtual bool is_ready() const = 0;
-    /// To be called at the end of a run without a data row.
-    virtual void finish(Output& output) = 0;
+    /// To be called at the end of a run without a data row, `at_end` of the stream: adds what still waits.
+    virtual void finish(Output& output, bool at_end) = 0;
     [[nodiscard]] virtual std::optional<StreamError> error() const = 0;
+    [[nodiscard]] virtual const Layout& layout() const = 0;
+    /// Of the other stream, if there are two.
+    [[nodiscard]] virtual const Layout* reference_layout() const { return nullptr; }
+    /// Of the stream, and of the reference.
+    [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
 };
 
 } // namespace rotconv::stream

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "delimiter.hpp"
-#include "json_keys.hpp"
+#include "json.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
@@ -19,25 +22,40 @@ struct Layout {
     /// Positions of the selected fields, in the order of the operation's numbers; empty where --columns selects none
     /// and a row is its numbers.
     std::vector<std::size_t> positions{};
-    std::vector<std::size_t> in_row_order{}; ///< the same, sorted
     std::vector<std::size_t> replaced{}; ///< those in whose place the result stands, sorted; empty: the whole row is
+    bool appends = false;                ///< nothing is replaced: the result stands at the end
     JsonKeys keys{};                     ///< of the other fields, under Format::json
     std::string line_end = "\n";         ///< for a last row that has none
 
     /// The numbers stand in the chosen fields, or are the whole row where none is chosen; the first `kept` of them are
     /// not replaced.
-    void select(std::vector<std::size_t> chosen, std::size_t number_count, std::size_t kept);
+    void select(std::vector<std::size_t> chosen, std::size_t number_count, std::size_t kept) {
+        count = number_count;
+        positions = std::move(chosen);
+        replaced = positions;
+        if (positions.empty() && kept > 0) {
+            replaced.resize(count);
+            std::iota(replaced.begin(), replaced.end(), std::size_t{0});
+        }
+        if (!replaced.empty()) {
+            replaced.erase(replaced.begin(), replaced.begin() + static_cast<std::ptrdiff_t>(kept));
+        }
+        std::ranges::sort(replaced);
+    }
+    [[nodiscard]] bool replaces(std::size_t field) const noexcept {
+        return !appends && std::ranges::binary_search(replaced, field);
+    }
+    /// The output has fields of the input beside the result.
+    [[nodiscard]] bool has_other_fields() const noexcept { return appends || !replaced.empty(); }
 };
 
 /// Calls `other(i)` for each of `count` fields that is not replaced and `result()` once, in the order of the output:
-/// the result stands where the leftmost replaced field stood, or at the end where that is missing. Where all are
-/// replaced the result is all there is.
+/// the result stands where the leftmost replaced field stood, or at the end where that is missing.
 template <class Other, class Result>
 void for_each_output(const Layout& layout, std::size_t count, const Other& other, const Result& result) {
-    const auto& replaced = layout.replaced;
     std::size_t next = 0; // of the replaced fields
-    for (std::size_t i = 0; i < count && !replaced.empty(); ++i) {
-        if (next == replaced.size() || i != replaced[next]) {
+    for (std::size_t i = 0; i < count && layout.has_other_fields(); ++i) {
+        if (layout.appends || next == layout.replaced.size() || i != layout.replaced[next]) {
             other(i);
         } else if (next++ == 0) {
             result();
@@ -46,36 +64,6 @@ void for_each_output(const Layout& layout, std::size_t count, const Other& other
     if (next == 0) {
         result();
     }
-}
-
-/// The fields that are not replaced, with the result in its place, parted by the delimiter.
-template <class Fields, class WriteResult> void write_fields(Buffer& to, const Layout& layout, const Fields& fields,
-                                                             char delimiter, const WriteResult& write_result) {
-    bool first = true;
-    const auto part = [&] {
-        if (!first) {
-            to.push_back(delimiter);
-        }
-        first = false;
-    };
-    for_each_output(
-        layout, fields.size(),
-        [&](std::size_t i) {
-            part();
-            append(to, fields[i]);
-        },
-        [&] {
-            part();
-            write_result();
-        });
-}
-
-/// The row less trailing blanks, and the result after it.
-template <class WriteResult>
-void write_appended(Buffer& to, std::string_view row, char delimiter, const WriteResult& write_result) {
-    append(to, row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1));
-    to.push_back(delimiter);
-    write_result();
 }
 
 } // namespace rotconv::stream

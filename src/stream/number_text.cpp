@@ -117,94 +117,71 @@ constexpr auto scales = [] {
 }();
 
 /// How many digits a plain number has before the point.
-int point_of(double magnitude, int binary_exponent) noexcept {
+int point_of(double magnitude) noexcept {
     // Below 1 they are a little more than the powers, and no double lies between: it is the powers that are compared.
     static constexpr std::array ends{1e-4, 1e-3, 1e-2, 1e-1, 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
                                      1e6,  1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    const int point = (binary_exponent * 1233 >> 12) + 1; // or one more
+    const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52U) - 1023;
+    const int point = (exponent * 1233 >> 12) + 1; // or one more
     return point + (magnitude >= ends[static_cast<std::size_t>(point - lowest_point + 1)] ? 1 : 0);
 }
 
-/// Significant digits in the form of fmt's {:g}.
+/// The number times 10^decimals (up to 20), rounded to an integer, to even where it is a tie; the result has at most 17
+/// digits.
 ///
-/// The double and the power of ten that makes those digits an integer are significands of 64 bits with exponents, exact
-/// both: their product, in two words, is the exact value, which is rounded to even where it is a tie.
-char* write_rounded(char* to, double value, int precision) {
-    const auto other_form = [&] {
-        return fmt::format_to(to, FMT_COMPILE("{:.{}g}"), without_sign_of_nan(value), precision);
-    };
-    const double magnitude = std::abs(value);
-    if (!is_plain(magnitude) || precision > most_digits) {
-        return other_form();
-    }
+/// The double and the power of ten are significands of 64 bits with exponents, exact both: their product, in two words,
+/// is the exact value.
+std::uint64_t round_to_units(double magnitude, int decimals) noexcept {
     const auto bits = std::bit_cast<std::uint64_t>(magnitude);
     const int exponent = static_cast<int>(bits >> 52U) - 1023;
     const std::uint64_t significand = bits << 11U | std::uint64_t{1} << 63U;
-    int point = point_of(magnitude, exponent);
-    if (point > precision) {
-        return other_form();
+    const PowerOfTen& scale = scales[static_cast<std::size_t>(decimals)];
+    const auto shift = static_cast<unsigned>(-1 - exponent - scale.exponent); // 6 or more: digits take up to 57 bits
+    if (shift > 64) {
+        return 0; // below half a unit
     }
-    const PowerOfTen& scale = scales[static_cast<std::size_t>(precision - point)];
     const Uint128 product = static_cast<Uint128>(significand) * scale.significand;
     const auto high = static_cast<std::uint64_t>(product >> 64U);
     const auto low = static_cast<std::uint64_t>(product);
-    const auto shift = static_cast<unsigned>(-1 - exponent - scale.exponent); // 6 to 63: digits take 1 to 57 bits
-    std::uint64_t digits = high >> shift;
+    const std::uint64_t units = shift < 64 ? high >> shift : 0;
     const bool half = (high >> (shift - 1) & 1U) != 0;
     const bool more = (high << (65 - shift) | low) != 0;
-    digits += half && (more || (digits & 1U) != 0) ? 1 : 0;
-    digits *= powers_of_ten[static_cast<std::size_t>(most_digits - precision)];
-    if (digits == powers_of_ten[most_digits]) { // carried to the front
-        if (++point > precision) {
-            return other_form();
-        }
-        digits /= 10;
-    }
-    return write_digits(to, digits, point, std::signbit(value));
+    return units + (half && (more || (units & 1U) != 0) ? 1 : 0);
 }
 
-bool scan_whole(std::string_view text, double& value) noexcept {
-    const char* const end = text.data() + text.size();
-    return !text.empty() && scan_number(text.data(), end, value) == end;
-}
-
-std::ptrdiff_t digits_of(std::uint64_t number) noexcept {
-    return std::ranges::upper_bound(powers_of_ten, number) - powers_of_ten.begin();
-}
-
-/// With so many digits after the point, up to 15 in all; null where the number takes the exact value to round, or more.
-///
-/// The shortest digits, rounded, are those of the value rounded: half of a digit would be a number between the two that
-/// is shorter, or nearer, than the shortest digits; only where they end in that 5 they do not tell. Up to 15 digits a
-/// number that has no more is its own rounding.
-char* write_fixed(char* to, double value, int decimals) noexcept {
+/// Significant digits in the form of fmt's {:g}.
+char* write_rounded(char* to, double value, int precision) {
     const double magnitude = std::abs(value);
-    if (!(magnitude < 1e15) || decimals > 15) {
-        return nullptr;
-    }
-    std::uint64_t units = 0; // of the last digit
-    if (magnitude > 0.0) {
-        const auto [digits, exponent] = jkj::dragonbox::to_decimal(magnitude, jkj::dragonbox::policy::sign::ignore);
-        const std::ptrdiff_t count = digits_of(digits);
-        const std::ptrdiff_t more = -exponent - decimals; // digits to round away
-        if (count - more > 15) {
-            return nullptr;
+    if (is_plain(magnitude) && precision <= most_digits) {
+        int point = point_of(magnitude);
+        std::uint64_t digits = point <= precision ? round_to_units(magnitude, precision - point) : 0;
+        digits *= powers_of_ten[static_cast<std::size_t>(most_digits - precision)];
+        if (digits == powers_of_ten[most_digits]) { // carried to the front
+            ++point;
+            digits /= 10;
         }
-        if (more <= 0) {
-            units = digits * powers_of_ten[static_cast<std::size_t>(-more)];
-        } else if (more <= count) {
-            const std::uint64_t unit = powers_of_ten[static_cast<std::size_t>(more)];
-            const std::uint64_t rest = digits % unit;
-            if (2 * rest == unit) {
-                return nullptr;
-            }
-            units = digits / unit + (2 * rest > unit ? 1 : 0);
+        if (point <= precision) {
+            return write_digits(to, digits, point, std::signbit(value));
         }
     }
+    return fmt::format_to(to, FMT_COMPILE("{:.{}g}"), without_sign_of_nan(value), precision);
+}
+
+/// With so many digits after the point. What rounds to 0 has no sign.
+char* write_fixed(char* to, double value, int decimals) {
+    const double magnitude = std::abs(value);
+    constexpr auto end_of_digits = static_cast<double>(powers_of_ten[most_digits]);
+    if (decimals > most_digits ||
+        !(magnitude * static_cast<double>(powers_of_ten[static_cast<std::size_t>(decimals)]) < end_of_digits)) {
+        char* const end = fmt::format_to(to, FMT_COMPILE("{:.{}f}"), without_sign_of_nan(value), decimals);
+        const bool is_zero = std::string_view(to, end).find_first_not_of("-0.") == std::string_view::npos;
+        return is_zero && *to == '-' ? std::copy(to + 1, end, to) : end;
+    }
+    std::uint64_t units = round_to_units(magnitude, decimals);
     *to = '-';
     to += value < 0.0 && units > 0 ? 1 : 0;
-    const std::ptrdiff_t count = std::max<std::ptrdiff_t>(digits_of(units), decimals + 1);
-    char* const end = to + count;
+    const auto digits = std::ranges::upper_bound(powers_of_ten, units) - powers_of_ten.begin();
+    char* const end = to + std::max<std::ptrdiff_t>(digits, decimals + 1);
     for (char* at = end; at > to; units /= 10) {
         *--at = static_cast<char>('0' + units % 10);
     }
@@ -216,22 +193,9 @@ char* write_fixed(char* to, double value, int decimals) noexcept {
     return end + 1;
 }
 
-/// The same of any number; what rounds to 0 has no sign.
-void append_fixed(Buffer& to, double value, int decimals) {
-    constexpr std::size_t longest = 32; // of 15 digits, and as many zeros before them
-    const std::size_t size = to.size();
-    to.reserve(size + longest);
-    if (const char* const end = write_fixed(to.data() + size, value, decimals)) {
-        to.resize(static_cast<std::size_t>(end - to.data()));
-        return;
-    }
-    fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.{}f}"), without_sign_of_nan(value), decimals);
-    const std::string_view text(to.data() + size, to.size() - size);
-    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string_view::npos) {
-        std::copy(to.begin() + static_cast<std::ptrdiff_t>(size) + 1, to.end(),
-                  to.begin() + static_cast<std::ptrdiff_t>(size));
-        to.resize(to.size() - 1);
-    }
+bool scan_whole(std::string_view text, double& value) noexcept {
+    const char* const end = text.data() + text.size();
+    return !text.empty() && scan_number(text.data(), end, value) == end;
 }
 
 } // namespace
@@ -268,24 +232,17 @@ bool is_number(std::string_view text) noexcept {
 }
 
 void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits) {
-    if (digits.decimals >= 0) {
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            if (i > 0) {
-                to.push_back(delimiter);
-            }
-            append_fixed(to, numbers[i], digits.decimals);
-        }
-        return;
-    }
-    constexpr std::size_t longest =
-        128; // with the 100 digits that may be asked for, and what is written beyond the end
+    // With the 100 digits that may be asked for, those before the point, and what is written beyond the end.
+    const std::size_t longest = digits.decimals >= 0 ? 448 : 128;
     to.reserve(to.size() + longest * numbers.size());
     char* end = to.data() + to.size();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i > 0) {
             *end++ = delimiter;
         }
-        end = digits.shortest() ? write_shortest(end, numbers[i]) : write_rounded(end, numbers[i], digits.significant);
+        end = digits.decimals >= 0 ? write_fixed(end, numbers[i], digits.decimals)
+              : digits.shortest()  ? write_shortest(end, numbers[i])
+                                   : write_rounded(end, numbers[i], digits.significant);
     }
     to.resize(static_cast<std::size_t>(end - to.data()));
 }

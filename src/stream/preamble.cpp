@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "row_writer.hpp"
+
 namespace rotconv::stream {
 namespace {
 
@@ -49,19 +51,15 @@ public:
         const HeaderLine fields(row, delimiter_of(row.text));
         const bool must_be = options_.header == HeaderMode::yes;
         const bool may_be = is_header(fields);
-        const bool are_numbers = has_selected(fields) && std::ranges::all_of(selected(fields), is_number);
-        if (must_be ? are_numbers : !may_be) {
+        if (must_be ? are_numbers(fields) : !may_be) {
             if (auto comment = comment_of(fields)) {
-                return {.state = Beginning::State::decided,
-                        .header = std::move(comment->second),
-                        .header_line = comment->first,
-                        .is_data = true};
+                return {.is_decided = true, .header = std::move(comment), .is_data = true};
             }
         }
         if (must_be || may_be) {
-            return {.state = Beginning::State::decided, .header = fields, .header_line = lines_.size() - 1};
+            return {.is_decided = true, .header = fields};
         }
-        return {.state = Beginning::State::decided, .is_data = true};
+        return {.is_decided = true, .is_data = true};
     }
 
     /// The header is the last line that has all names; at the end of the stream, or of what is held, the last line is
@@ -70,11 +68,11 @@ public:
         const Line& row = lines_.back();
         std::optional<Delimiter> delimiter;
         if (!is_end) {
-            if (is_json(row) && !has_all(find_names(row, {}).second)) {
-                return error({.what = StreamError::What::json}, lines_.size() - 1);
-            }
             if (has_all(find_names(row, {}).second)) {
                 return {};
+            }
+            if (is_json(row)) {
+                return error({.what = StreamError::What::json}, lines_.size() - 1);
             }
             const Delimiter own = delimiter_of(row.text);
             if (HeaderLine(row, own).fields.size() > 1) { // else it does not tell what delimits
@@ -104,9 +102,8 @@ public:
         if (delimiter && header.fields.size() == 1 && HeaderLine(header.line, *delimiter).fields.size() == 1) {
             header.delimiter = *delimiter; // a name alone does not tell what delimits
         }
-        return {.state = Beginning::State::decided,
+        return {.is_decided = true,
                 .header = std::move(header),
-                .header_line = at,
                 .is_data = !is_end,
                 .positions = std::get<std::vector<std::size_t>>(std::move(found))};
     }
@@ -114,7 +111,7 @@ public:
 private:
     static Beginning error(StreamError error, std::size_t line, bool is_end = false) {
         error.line = line;
-        return {.state = Beginning::State::error, .is_data = !is_end, .error = std::move(error)};
+        return {.is_data = !is_end, .error = std::move(error)};
     }
 
     [[nodiscard]] Delimiter delimiter_of(std::string_view row) const noexcept {
@@ -129,30 +126,30 @@ private:
 
     [[nodiscard]] std::size_t count() const noexcept { return options_.numbers.names.size(); }
 
-    /// All selected fields are there.
-    [[nodiscard]] bool has_selected(const HeaderLine& header) const noexcept {
+    /// The texts of the selected fields; nothing if one is not there.
+    [[nodiscard]] std::optional<std::vector<std::string>> selected(const HeaderLine& header) const {
         if (options_.columns.empty()) {
-            return count() == 0 || header.fields.size() == count();
-        }
-        const auto positions = options_.columns.positions();
-        return *std::ranges::max_element(positions) < header.fields.size();
-    }
-
-    [[nodiscard]] std::vector<std::string> selected(const HeaderLine& header) const {
-        if (options_.columns.empty()) {
-            return header.names();
+            return count() == 0 || header.fields.size() == count() ? std::optional(header.names()) : std::nullopt;
         }
         std::vector<std::string> texts;
         for (const std::size_t position : options_.columns.positions()) {
+            if (position >= header.fields.size()) {
+                return std::nullopt;
+            }
             texts.push_back(header.name(position));
         }
         return texts;
     }
 
+    [[nodiscard]] bool are_numbers(const HeaderLine& row) const {
+        const auto texts = selected(row);
+        return texts && std::ranges::all_of(*texts, is_number);
+    }
+
     /// None of the selected fields is a number or a word for a missing one.
     [[nodiscard]] bool is_header(const HeaderLine& header) const {
-        return header.is_closed && has_selected(header) && !is_remark(header) &&
-               std::ranges::none_of(selected(header), [](const auto& text) {
+        const auto texts = selected(header);
+        return header.is_closed && texts && !is_remark(header) && std::ranges::none_of(*texts, [](const auto& text) {
                    return is_number(text) || is_missing(text) || has_decimal_comma(text);
                });
     }
@@ -163,44 +160,36 @@ private:
         if ((first != '{' && first != '[') || !options_.refuses_json || options_.header != HeaderMode::automatic) {
             return false;
         }
-        const HeaderLine fields(row, delimiter_of(row.text));
-        return options_.columns.has_names() || !has_selected(fields) ||
-               !std::ranges::all_of(selected(fields), is_number);
+        return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
     }
 
-    [[nodiscard]] std::optional<std::size_t> last_comment() const {
-        for (std::size_t i = lines_.size(); i-- > 0;) {
-            if (is_comment(lines_[i].text)) {
-                return i;
-            }
-        }
-        return std::nullopt;
+    /// The last comment; an empty line where there is none.
+    [[nodiscard]] Line last_comment() const {
+        const auto found =
+            std::find_if(lines_.rbegin(), lines_.rend(), [](const Line& line) { return is_comment(line.text); });
+        return found == lines_.rend() ? Line{} : *found;
     }
 
-    /// The last comment and its index, if it is the header of a row.
-    [[nodiscard]] std::optional<std::pair<std::size_t, HeaderLine>> comment_of(const HeaderLine& row) const {
-        const auto comment = last_comment();
-        if (!comment) {
-            return std::nullopt;
-        }
-        HeaderLine header(lines_[*comment], row.delimiter);
-        if (!header.is_closed || header.fields.size() != row.fields.size() || !has_selected(header) ||
+    /// The last comment, if it is the header of a row.
+    [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
+        HeaderLine header(last_comment(), row.delimiter);
+        auto names = selected(header);
+        if (header.line.text.empty() || !header.is_closed || header.fields.size() != row.fields.size() || !names ||
             std::ranges::any_of(header.names(), is_number)) {
             return std::nullopt;
         }
         if (row.delimiter.is_blanks() && count() > 0) { // then a remark may well have as many words
             const auto kept = static_cast<std::ptrdiff_t>(options_.numbers.kept);
-            auto names = selected(header);
-            std::ranges::for_each(names, [](std::string& name) {
+            for (std::string& name : *names) {
                 constexpr std::string_view unit = "_deg_s";
                 name.resize(name.size() - (name.ends_with(unit) ? unit.size() : 0));
-            });
+            }
             const auto& own = options_.numbers.names;
-            if (!std::is_permutation(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {
+            if (!std::is_permutation(names->begin() + kept, names->end(), own.begin() + kept, own.end())) {
                 return std::nullopt;
             }
         }
-        return std::pair(*comment, std::move(header));
+        return header;
     }
 
     /// Looks the names up under each delimiter, or the one given, until they are all there.
@@ -208,21 +197,19 @@ private:
         if (!delimiter) {
             delimiter = options_.delimiter;
         }
-        const auto look_up = [this](const HeaderLine& header) {
-            return options_.columns.positions(is_remark(header) ? std::vector<std::string>() : header.names());
-        };
-        for (const char c : {',', '\t', ';'}) {
+        std::vector<Delimiter> tried{delimiter.value_or(Delimiter::blanks())};
+        for (const char c : {';', '\t', ','}) {
             if (!delimiter && line.text.find(c) != std::string_view::npos) {
-                HeaderLine header(line, Delimiter::character(c));
-                auto found = look_up(header);
-                if (has_all(found)) {
-                    return {std::move(header), std::move(found)};
-                }
+                tried.push_back(Delimiter::character(c));
             }
         }
-        HeaderLine header(line, delimiter.value_or(Delimiter::blanks()));
-        auto found = look_up(header);
-        return {std::move(header), std::move(found)};
+        for (;; tried.pop_back()) {
+            HeaderLine header(line, tried.back());
+            auto found = options_.columns.positions(is_remark(header) ? std::vector<std::string>() : header.names());
+            if (has_all(found) || tried.size() == 1) {
+                return {std::move(header), std::move(found)};
+            }
+        }
     }
 
     /// Which names a row has and lacks, with what the columns are called.
@@ -230,8 +217,7 @@ private:
         const HeaderLine row(line, delimiter_of(line.text));
         ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);
         column.text = line.text;
-        const auto comment = last_comment();
-        const HeaderLine above(comment ? lines_[*comment] : Line{}, row.delimiter);
+        const HeaderLine above(last_comment(), row.delimiter);
         for (const HeaderLine* header : {&row, &above}) {
             if (header->is_closed && header->fields.size() == row.fields.size() && !is_remark(*header) &&
                 std::ranges::none_of(header->names(), is_number)) {
@@ -276,58 +262,69 @@ Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bo
     return is_end ? Beginning{} : decision.by_index();
 }
 
-Preamble::Preamble(const InputOptions& options)
-    : options_(&options), header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
+Preamble::Preamble(const InputOptions& options, const Options* written)
+    : options_(&options), written_(written),
+      header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
+    layout_.appends = written != nullptr && written->append;
     if (!options.columns.has_names()) {
         layout_.select(options.columns.positions(), options.numbers.names.size(), options.numbers.kept);
     }
 }
 
-bool Preamble::read(std::string_view& rest, std::size_t& line) {
-    if (options_->width > 0) {
+bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
+    if (!has_row_ && options_->width > 0 && !rest.empty()) {
         layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
         layout_.field_count = options_->width;
-        return true;
+        begin_rows(output);
     }
-    while (!rest.empty() && !error_) {
+    while (!has_row_ && !rest.empty()) {
         std::string_view after = rest;
         const Line current = next_line(after);
-        const bool is_row = !is_blank(current.text) && !is_comment(current.text);
-        if (header_done_) {
-            if (is_row) {
-                settle(current, line);
-                return !error_;
-            }
-            passed().append(current.text).append(current.end);
-        } else {
-            hold(current);
-            if (is_row && follow(decide(lines(), *options_, false))) {
-                settle(current, line);
-                return !error_;
-            }
-            limit();
+        const std::string_view whole = rest.substr(0, rest.size() - after.size());
+        bool is_data = is_row(current.text);
+        if (!header_done_) {
+            hold(whole);
+            is_data = is_data && follow(decide(lines(), *options_, false), output);
+            limit(output);
+        } else if (!is_data) {
+            pass(whole, output);
         }
-        rest = after;
-        ++line;
+        if (is_data) {
+            take_layout(current, line);
+        }
+        if (error_) {
+            rest = {};
+        } else if (is_data) {
+            begin_rows(output);
+        } else {
+            rest = after;
+            ++line;
+        }
     }
-    return false;
+    return has_row_;
 }
 
-void Preamble::finish(bool at_end) {
+void Preamble::finish(Output& output, bool at_end) {
+    if (has_row_) {
+        return;
+    }
     if (at_end && !header_done_ && !held_.empty()) {
-        follow(decide(lines(), *options_, true));
+        follow(decide(lines(), *options_, true), output);
     }
-    release(held_.size());
+    release(held_.size(), output);
+    if (at_end && !error_) {
+        layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
+        layout_.field_count = options_->width > 0 ? options_->width : options_->columns.empty() ? layout_.count : 0;
+        if (written_ != nullptr && layout_.field_count > 0) {
+            write_added_header(output.bytes, *written_, layout_);
+        }
+    }
 }
 
-std::vector<std::string> Preamble::names() const {
-    return has_header_ ? HeaderLine({header_text_, {}}, header_delimiter_).names() : std::vector<std::string>();
-}
-
-void Preamble::hold(const Line& line) {
+void Preamble::hold(std::string_view line) {
     const std::size_t begin = held_.size();
-    held_.append(line.text).append(line.end);
-    if (is_comment(line.text)) {
+    held_.append(line);
+    if (is_comment(line)) {
         comment_begin_ = begin;
         comment_end_ = held_.size();
     }
@@ -341,75 +338,94 @@ std::vector<Line> Preamble::lines() const {
     return lines;
 }
 
-bool Preamble::follow(const Beginning& beginning) {
-    using State = Beginning::State;
-    if (beginning.state == State::undecided) {
+bool Preamble::follow(const Beginning& beginning, Output& output) {
+    if (!beginning.is_decided && !beginning.error) {
         return false;
     }
-    if (beginning.state == State::error) {
+    if (beginning.error) {
         error_ = beginning.error;
         error_->line += held_line_;
     }
-    if (beginning.header) {
-        has_header_ = true;
-        header_text_ = beginning.header->line.text;
-        header_end_ = beginning.header->line.end;
-        header_delimiter_ = beginning.header->delimiter;
-        const auto begin = static_cast<std::size_t>(beginning.header->line.text.data() - held_.data());
-        const std::size_t end = begin + header_text_.size() + header_end_.size();
-        before_.append(held_, 0, begin);
-        held_.erase(0, end);
+    if (!beginning.positions.empty()) {
+        layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
     }
     if (beginning.is_data) { // its row does not go out
         const auto last = lines().back();
         held_.resize(held_.size() - last.text.size() - last.end.size());
     }
-    if (beginning.state == State::decided) {
-        header_done_ = true;
-        release(held_.size());
+    if (beginning.header) {
+        const HeaderLine& header = *beginning.header;
+        const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
+        pass(std::string_view(held_).substr(0, begin), output);
+        if (is_written()) {
+            write_header(output.bytes, *written_, layout_, header);
+        }
+        names_ = header.names();
+        held_.erase(0, begin + header.line.text.size() + header.line.end.size());
     }
-    if (!beginning.positions.empty()) {
-        layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
+    if (beginning.is_decided) {
+        header_done_ = true;
+        release(held_.size(), output);
     }
     return beginning.is_data && !error_;
 }
 
-void Preamble::release(std::size_t bytes) {
+void Preamble::pass(std::string_view text, Output& output) const {
+    if (is_written()) {
+        append(output.bytes, text);
+    }
+}
+
+void Preamble::release(std::size_t bytes, Output& output) {
     const std::string_view released = std::string_view(held_).substr(0, bytes);
-    passed().append(released);
+    pass(released, output);
     held_line_ += static_cast<std::size_t>(std::ranges::count(released, '\n'));
     held_.erase(0, bytes);
     comment_begin_ -= std::min(comment_begin_, bytes);
     comment_end_ -= std::min(comment_end_, bytes);
 }
 
-void Preamble::limit() {
+void Preamble::limit(Output& output) {
     constexpr std::size_t most_held = std::size_t{64} << 10U;
     if (header_done_ || error_ || held_.size() - (comment_end_ - comment_begin_) <= most_held) {
         return;
     }
     if (options_->columns.has_names()) {
-        follow(decide(lines(), *options_, true));
+        follow(decide(lines(), *options_, true), output);
     }
     if (!header_done_ && !error_) {
-        release(held_.size() - comment_end_ > most_held ? held_.size() : comment_begin_);
+        release(held_.size() - comment_end_ > most_held ? held_.size() : comment_begin_, output);
     }
 }
 
-void Preamble::settle(const Line& row, std::size_t number) {
+void Preamble::take_layout(const Line& row, std::size_t number) {
     layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(row.text));
     layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
     layout_.field_count = HeaderLine(row, layout_.delimiter).fields.size();
     if (options_->take_count) {
         const auto taken = options_->take_count(layout_.field_count);
         if (const auto* wrong = std::get_if<std::string>(&taken)) {
-            error_ = StreamError{
-                .what = StreamError::What::count, .line = number, .column = {.text = std::string(row.text)}};
-            error_->wrong = *wrong;
+            error_ = StreamError{.what = StreamError::What::count,
+                                 .line = number,
+                                 .column = {.text = std::string(row.text)},
+                                 .wrong = *wrong};
         } else {
             layout_.select({}, std::get<std::size_t>(taken), options_->numbers.kept);
         }
     }
+}
+
+void Preamble::begin_rows(Output& output) {
+    has_row_ = true;
+    if (written_ == nullptr) {
+        return;
+    }
+    write_added_header(output.bytes, *written_, layout_);
+    if (written_->format == Format::json) {
+        layout_.keys =
+            JsonKeys(names_, result_columns(*written_), [this](std::size_t at) { return !layout_.replaces(at); });
+    }
+    written_->operation->take_positions(layout_.positions);
 }
 
 } // namespace rotconv::stream

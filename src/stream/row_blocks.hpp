@@ -2,63 +2,46 @@
 
 #include <cstddef>
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "io_block.hpp"
 #include "job.hpp"
-#include "layout.hpp"
 #include "options.hpp"
 #include "preamble.hpp"
 
 namespace rotconv::stream {
 
-/// The blocks of a stream without what stands before its first data row.
-class RowBlocks {
+/// The blocks of one stream, without what stands before its first data row.
+class RowBlocks final : public JobReader {
 public:
-    /// `written`: how that is written; null: not at all.
-    RowBlocks(Source& source, const InputOptions& options, const Options* written, std::size_t block_size);
+    /// `written`: how what stands before the first row is written; null: not at all.
+    RowBlocks(Source& source, const InputOptions& options, const Options* written, std::size_t block_size)
+        : is_told_(written != nullptr && options.width == 0),
+          blocks_(source, options.width * sizeof(double), block_size), preamble_(options, written) {}
 
-    /// Reads a block; `rest` becomes its data rows, of which the first is line `line`. What stands before them is added
-    /// to the output.
-    /// @return false where nothing comes after it
-    bool read(IoBlock& block, std::string_view& rest, std::size_t& line, Output& output);
-    /// To be called at the end of a run, of the stream if `at_end`. Adds what still waits where no data row came.
-    void finish(Output& output, bool at_end);
-
-    [[nodiscard]] bool is_ready() const { return blocks_.is_ready(); }
-    [[nodiscard]] bool has_layout() const noexcept { return has_layout_; }
-    [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
-    [[nodiscard]] std::optional<StreamError> error() const {
+    bool read(Job& job) override {
+        const bool goes_on = blocks_.read(job.block);
+        job.rest = job.block.text;
+        job.line = job.block.first_line;
+        if (is_told_ && job.line == 1 && !job.rest.empty()) {
+            job.output.events.emplace_back(FirstBytes{std::string(job.rest.substr(0, most_first_bytes))});
+        }
+        preamble_.read(job.rest, job.line, job.output);
+        return goes_on && !preamble_.error();
+    }
+    [[nodiscard]] bool is_ready() const override { return blocks_.is_ready(); }
+    void finish(Output& output, bool at_end) override { preamble_.finish(output, at_end); }
+    [[nodiscard]] std::optional<StreamError> error() const override {
         return preamble_.error() ? preamble_.error() : blocks_.error();
     }
+    [[nodiscard]] const Layout& layout() const override { return preamble_.layout(); }
 
 private:
-    void hand_out(Output& output);
-    void settle(Output& output);
+    static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
 
-    const InputOptions* options_;
-    const Options* written_;
+    bool is_told_; ///< what the stream begins with
     IoBlockReader blocks_;
     Preamble preamble_;
-    Layout layout_;
-    bool has_begun_ = false;
-    bool has_layout_ = false;
-};
-
-/// The jobs of one stream.
-class BlockReader final : public JobReader {
-public:
-    BlockReader(Source& source, const Options& options, std::size_t block_size)
-        : blocks_(source, options.input, &options, block_size) {}
-
-    bool read(Job& job) override { return blocks_.read(job.block, job.rest, job.line, job.output); }
-    [[nodiscard]] bool is_ready() const override { return blocks_.is_ready(); }
-    void finish(Output& output) override { blocks_.finish(output, !error()); }
-    [[nodiscard]] std::optional<StreamError> error() const override { return blocks_.error(); }
-    [[nodiscard]] const Layout& layout() const noexcept { return blocks_.layout(); }
-
-private:
-    RowBlocks blocks_;
 };
 
 } // namespace rotconv::stream

@@ -46,8 +46,8 @@ public:
         run(rows, out, reports);
         return rows.lines.size();
     }
-    /// What is done to the results, of all rows in the order of the stream, after run() of the same rows.
-    virtual void choose(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
+    /// Makes each result follow from the one before: called after run() of the same rows, for all rows in their order.
+    virtual void make_continuous(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
     /// Called once, before the first row, with the fields that hold the numbers, from 0; none where a row is its
     /// numbers.
     virtual void take_positions(const std::vector<std::size_t>& /*positions*/) {}
@@ -59,9 +59,9 @@ public:
     /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
     /// RowReport::row is then the index of the answer among those of all rows.
     std::vector<std::string> answers{};
-    bool in_order = false;    ///< all rows must come to it in their order; else each copy may answer any of them
-    bool looks_ahead = false; ///< by run_ahead()
-    bool chooses = false;     ///< by choose()
+    bool in_order = false;      ///< all rows must come to it in their order; else each copy may answer any of them
+    bool looks_ahead = false;   ///< by run_ahead()
+    bool is_continuous = false; ///< by make_continuous()
 
 protected:
     RowOperation(const RowOperation&) = default;

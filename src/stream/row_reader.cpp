@@ -3,43 +3,33 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "delimiter.hpp"
 #include "scan_number.hpp"
 
 namespace rotconv::stream {
 
-bool RowReader::read(std::string_view row, RowParts& to, bool needs_fields) const {
-    if (options_->width == 0) {
-        return read_text(row, to, needs_fields || has_other_fields());
-    }
-    read_binary(row, to);
-    return true;
-}
-
-bool RowReader::read_text(std::string_view text, RowParts& to, bool needs_fields) const {
+bool RowReader::read(std::string_view row, RowParts& to) const {
     using What = RowError::What;
-    if (!needs_fields && read_plain(text, to.numbers)) {
+    if (options_->width > 0) {
+        read_doubles(row, to.numbers);
         return true;
     }
-    const std::size_t needed = layout_->count;
+    if (!layout_->has_other_fields() && read_plain(row, to.numbers)) {
+        return true;
+    }
     const std::size_t first_field = to.fields.size();
-    if (!layout_->delimiter.split(text, to.fields)) {
-        to.error = {.what = What::open_quote, .text = std::string(text)};
+    if (!split(row, layout_->positions, to)) {
         return false;
     }
     const std::size_t count = to.fields.size() - first_field;
-    if (layout_->positions.empty() && count != needed) {
-        to.error = {.what = What::wrong_count, .text = std::string(text), .found = count, .expected = needed};
-        return false;
-    }
-    if (!layout_->positions.empty() && layout_->in_row_order.back() >= count) {
-        const auto missing = std::ranges::lower_bound(layout_->in_row_order, count);
-        to.error = {.what = What::missing_column, .text = std::string(text), .found = count, .expected = *missing + 1};
+    if (layout_->positions.empty() && count != layout_->count) {
+        to.error = {.what = What::wrong_count, .text = std::string(row), .found = count, .expected = layout_->count};
         return false;
     }
     const std::size_t first_number = to.numbers.size();
-    for (std::size_t i = 0; i < needed; ++i) {
+    for (std::size_t i = 0; i < layout_->count; ++i) {
         const std::string_view field = to.fields[first_field + position(i)];
         double& number = to.numbers.emplace_back();
         NumberError error = read_number(field, number);
@@ -59,11 +49,44 @@ bool RowReader::read_text(std::string_view text, RowParts& to, bool needs_fields
     return true;
 }
 
-bool RowReader::read_plain(std::string_view text, std::vector<double>& numbers) const {
+std::optional<std::string> RowReader::key(std::string_view row, RowParts& to) const {
+    const std::size_t first = position(0);
+    if (options_->width > 0) {
+        double number = 0.0;
+        std::memcpy(&number, row.data() + first * sizeof(double), sizeof(double));
+        return fmt::format("{}", number);
+    }
+    const std::size_t first_field = to.fields.size();
+    if (!split(row, {&first, 1}, to)) {
+        return std::nullopt;
+    }
+    return std::string(layout_->delimiter.text_of(to.fields[first_field + first]));
+}
+
+bool RowReader::split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const {
+    const std::size_t first_field = to.fields.size();
+    if (!layout_->delimiter.split(row, to.fields)) {
+        to.error = {.what = RowError::What::open_quote, .text = std::string(row)};
+        return false;
+    }
+    const std::size_t count = to.fields.size() - first_field;
+    auto missing = std::numeric_limits<std::size_t>::max(); // the first
+    for (const std::size_t at : needed) {
+        missing = at >= count ? std::min(missing, at) : missing;
+    }
+    if (missing < std::numeric_limits<std::size_t>::max()) {
+        to.error = {
+            .what = RowError::What::missing_column, .text = std::string(row), .found = count, .expected = missing + 1};
+        return false;
+    }
+    return true;
+}
+
+bool RowReader::read_plain(std::string_view row, std::vector<double>& numbers) const {
     const std::size_t first = numbers.size();
     numbers.resize(first + layout_->count);
-    const char* at = text.data();
-    const char* const end = at + text.size();
+    const char* at = row.data();
+    const char* const end = at + row.size();
     for (std::size_t i = first; i < numbers.size(); ++i) {
         const char* const stop = scan_number(at, end, numbers[i]);
         const bool is_last = i + 1 == numbers.size();
@@ -77,9 +100,9 @@ bool RowReader::read_plain(std::string_view text, std::vector<double>& numbers) 
     return true;
 }
 
-void RowReader::read_binary(std::string_view row, RowParts& to) const {
+void RowReader::read_doubles(std::string_view row, std::vector<double>& numbers) const {
     for (std::size_t i = 0; i < layout_->count; ++i) {
-        std::memcpy(&to.numbers.emplace_back(), row.data() + position(i) * sizeof(double), sizeof(double));
+        std::memcpy(&numbers.emplace_back(), row.data() + position(i) * sizeof(double), sizeof(double));
     }
 }
 
@@ -91,15 +114,14 @@ std::string RowReader::selected_text(std::string_view row) const {
     const std::string_view delimiter(&character, 1);
     RowParts parts;
     if (options_->width > 0) {
-        read_binary(row, parts);
+        read_doubles(row, parts.numbers);
         return fmt::format("{}", fmt::join(parts.numbers, delimiter));
     }
     static_cast<void>(layout_->delimiter.split(row, parts.fields));
-    std::vector<std::string_view> selected;
     for (const std::size_t at : layout_->positions) {
-        selected.push_back(parts.fields[at]);
+        parts.kept.push_back(parts.fields[at]);
     }
-    return fmt::format("{}", fmt::join(selected, delimiter));
+    return fmt::format("{}", fmt::join(parts.kept, delimiter));
 }
 
 } // namespace rotconv::stream

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,20 +32,20 @@ class RowReader {
 public:
     RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
 
-    /// Not all of the row's fields are numbers that the result replaces.
-    [[nodiscard]] bool has_other_fields() const noexcept { return !layout_->replaced.empty(); }
-
-    /// Adds what is read of a row, of text or of doubles. `needs_fields`: its fields too.
-    /// @return false where `to.error` says why there is nothing; fields may be there
-    [[nodiscard]] bool read(std::string_view row, RowParts& to, bool needs_fields) const;
-    /// The fields that hold the numbers, parted by the delimiter.
+    /// Adds what is read of a row, of text or of doubles; of text its fields too, where the output has some of them.
+    /// @return false where `to.error` says why there are no numbers; fields may be there
+    [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
+    /// The text of the first number, which is a key; nothing where `to.error` says why.
+    [[nodiscard]] std::optional<std::string> key(std::string_view row, RowParts& to) const;
+    /// The fields that hold the numbers, with the delimiter between them.
     [[nodiscard]] std::string selected_text(std::string_view row) const;
 
 private:
-    [[nodiscard]] bool read_text(std::string_view text, RowParts& to, bool needs_fields) const;
-    void read_binary(std::string_view row, RowParts& to) const;
+    /// Adds the row's fields; false, with an error, where not all of those needed are there.
+    [[nodiscard]] bool split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const;
+    void read_doubles(std::string_view row, std::vector<double>& numbers) const;
     /// A row of nothing but plain numbers, as most are, which needs no fields; false for any other.
-    [[nodiscard]] bool read_plain(std::string_view text, std::vector<double>& numbers) const;
+    [[nodiscard]] bool read_plain(std::string_view row, std::vector<double>& numbers) const;
     [[nodiscard]] std::size_t position(std::size_t number) const noexcept {
         return layout_->positions.empty() ? number : layout_->positions[number];
     }

@@ -1,10 +1,11 @@
 #include "row_transformer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <limits>
+#include <numeric>
 #include <utility>
-
-#include <Eigen/Core>
 
 namespace rotconv::stream {
 
@@ -21,50 +22,118 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
     if (is_doubles_alone()) {
         transform_doubles(text, line, output, in_turn);
-        return;
-    }
-    if (operation_->looks_ahead) {
-        transform_ahead(text, line, false, output);
-        return;
-    }
-    while (!text.empty() && !output.stopped) {
-        gather(text, line, rows_at_once());
-        answer(output, in_turn);
+    } else {
+        transform_all(text, line, false, output, in_turn);
     }
 }
 
 void RowTransformer::transform(const PairBlock& pairs, Output& output) {
-    std::span<const PairedRow> rest = pairs.rows;
-    while (!rest.empty() && !output.stopped) {
-        gather_pairs(rest, pairs.errors);
-        answer(output);
-    }
-}
-
-void RowTransformer::answer(Output& output, const InTurn& in_turn) {
-    results_.resize(lines_.size() * operation_->answers_of_row() * operation_->names.size());
-    operation_->run({parts_.numbers, lines_, parts_.kept}, results_, reports_);
-    choose(output, in_turn);
-    if (!output.stopped) {
+    for (auto next = pairs.rows.begin(); next != pairs.rows.end() && !output.stopped;) {
+        clear();
+        for (; next != pairs.rows.end() && rows_.size() < batch_rows; ++next) {
+            Row& row = rows_.emplace_back(*next);
+            if (row.error != Row::no_error) {
+                errors_.push_back(pairs.errors[row.error]);
+                row.error = errors_.size() - 1;
+            } else if (!row.passes) {
+                read(row);
+            }
+        }
+        answer();
         write(output);
     }
 }
 
-void RowTransformer::choose(Output& output, const InTurn& in_turn) {
-    if (!operation_->chooses) {
-        return;
+void RowTransformer::finish(Output& output) { transform_all({}, waiting_line_, true, output, {}); }
+
+void RowTransformer::transform_all(std::string_view text, std::size_t line, bool is_end, Output& output,
+                                   const InTurn& in_turn) {
+    std::string joined;
+    if (!waiting_.empty()) {
+        joined = std::exchange(waiting_, {}).append(text);
+        text = joined;
+        line = waiting_line_;
     }
-    const auto what = [this] { operation_->choose(results_, reports_); };
-    if (in_turn) {
-        output.stopped = !in_turn(what);
-    } else {
-        what();
+    for (std::size_t limit = rows_at_once(); !text.empty() && !output.stopped;) {
+        const std::string_view all = text;
+        gather(text, line, limit);
+        const bool is_whole = text.empty();
+        const bool at_error = options_->on_error == OnError::stop && !errors_.empty();
+        std::size_t answered = answer(at_error || (is_end && is_whole));
+        if (answered == 0 && all.size() - text.size() >= most_waiting) {
+            answered = answer(true);
+        }
+        make_continuous(answered, output, in_turn);
+        if (answered < lines_.size()) {
+            const auto held = std::ranges::find_if(
+                rows_, [answered](const Row& row) { return row.has_numbers() && row.index == answered; });
+            line = held->number;
+            text = all.substr(static_cast<std::size_t>(held->line.text.data() - all.data()));
+            rows_.erase(held, rows_.end());
+        }
+        write(output);
+        if (is_whole) {
+            waiting_ = text;
+            waiting_line_ = line;
+            return;
+        }
+        limit = rows_.empty() ? 2 * limit : rows_at_once();
     }
 }
 
-void RowTransformer::finish(Output& output) {
-    if (operation_->looks_ahead) {
-        transform_ahead({}, 0, true, output);
+bool RowTransformer::is_doubles_alone() const noexcept {
+    return options_->input.width > 0 && options_->format == Format::f64 && !layout_->has_other_fields() &&
+           !options_->diagnostic_columns;
+}
+
+void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
+    const std::size_t row_size = options_->input.width * sizeof(double);
+    const std::size_t width = operation_->names.size();
+    while (!text.empty() && !output.stopped) {
+        const std::size_t rows = std::min(rows_at_once(), text.size() / row_size);
+        parts_.numbers.resize(rows * layout_->count);
+        std::memcpy(parts_.numbers.data(), text.data(), rows * row_size);
+        lines_.resize(rows);
+        std::iota(lines_.begin(), lines_.end(), line);
+        answer();
+        make_continuous(rows, output, in_turn);
+        next_report_ = 0;
+        std::size_t next = 0;
+        const auto write_clean = [&](std::size_t end) {
+            append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
+            output.answered += end - next;
+            next = end;
+        };
+        while (next_report_ < reports_.size() && !output.stopped) {
+            write_clean(reports_[next_report_].row);
+            Row row{.line = {text.substr(next * row_size, row_size), {}}, .number = line + next, .index = next};
+            write_row(row, output);
+            ++next;
+        }
+        if (!output.stopped) {
+            write_clean(rows);
+        }
+        text.remove_prefix(rows * row_size);
+        line += rows;
+    }
+}
+
+void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t limit) {
+    clear();
+    const std::size_t width = options_->input.width;
+    const std::size_t size = text.size();
+    const auto most_bytes = limit == every_row ? size : most_waiting;
+    while (!text.empty() && rows_.size() < limit && size - text.size() < most_bytes) {
+        Row& row = rows_.emplace_back();
+        row.line = next_row(text, width);
+        row.number = line++;
+        row.passes = width == 0 && !is_row(row.line.text);
+        if (!row.passes) {
+            read(row);
+        }
+        if (row.error != Row::no_error && options_->on_error == OnError::stop) {
+            return;
+        }
     }
 }
 
@@ -75,82 +144,47 @@ void RowTransformer::clear() noexcept {
     lines_.clear();
 }
 
-void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t limit) {
-    clear();
-    if (options_->input.width > 0) {
-        gather_binary(text, line, limit);
-        return;
-    }
-    const char* const begin = text.data();
-    const auto most_bytes = limit == every_row ? text.size() : most_waiting;
-    while (!text.empty() && rows_.size() < limit && static_cast<std::size_t>(text.data() - begin) < most_bytes) {
-        const Line current = next_line(text);
-        Row row{.line = current,
-                .number = line++,
-                .passed = is_blank(current.text) || is_comment(current.text),
-                .first_field = parts_.fields.size()};
-        if (!row.passed) {
-            read_row(row);
-        }
-        rows_.push_back(row);
-        if (row.error != no_error && options_->on_error == OnError::stop) {
-            return;
-        }
-    }
-}
-
-void RowTransformer::read_row(Row& row) {
+void RowTransformer::read(Row& row) {
+    const std::size_t first_number = parts_.numbers.size();
     row.index = lines_.size();
-    if (reader_.read(row.line.text, parts_, options_->append)) {
+    row.first_field = parts_.fields.size();
+    bool is_read = reader_.read(row.line.text, parts_);
+    row.field_count = parts_.fields.size() - row.first_field;
+    parts_.error.line = row.number;
+    if (is_read && row.reference_number > 0 && !reference_reader_->read(row.reference, parts_)) {
+        is_read = false;
+        parts_.numbers.resize(first_number);
+        parts_.error.line = row.reference_number;
+        parts_.error.of_reference = true;
+    }
+    if (is_read) {
         lines_.push_back(row.number);
     } else {
-        note_error(row, std::move(parts_.error));
-    }
-    row.field_count = parts_.fields.size() - row.first_field;
-}
-
-void RowTransformer::gather_pairs(std::span<const PairedRow>& pairs, const std::vector<RowError>& errors) {
-    clear();
-    for (; !pairs.empty() && rows_.size() < batch_rows; pairs = pairs.subspan(1)) {
-        const PairedRow& pair = pairs.front();
-        Row row{.line = pair.row,
-                .number = pair.number,
-                .passed = pair.passed,
-                .first_field = parts_.fields.size(),
-                .pair = &pair};
-        if (pair.error != PairedRow::no_error) {
-            row.error = errors_.size();
-            errors_.push_back(errors[pair.error]);
-        } else if (!row.passed) {
-            read_pair(row);
-        }
-        rows_.push_back(row);
+        row.error = errors_.size();
+        errors_.push_back(std::move(parts_.error));
     }
 }
 
-void RowTransformer::read_pair(Row& row) {
-    read_row(row);
-    if (!row.has_numbers()) {
+std::size_t RowTransformer::answer(bool flush) {
+    results_.resize(lines_.size() * operation_->answers_of_row() * operation_->names.size());
+    return operation_->run_ahead({parts_.numbers, lines_, parts_.kept}, flush, results_, reports_);
+}
+
+void RowTransformer::make_continuous(std::size_t answered, Output& output, const InTurn& in_turn) {
+    if (!operation_->is_continuous) {
         return;
     }
-    const PairedRow& pair = *row.pair;
-    if (!reference_reader_->read(pair.reference.text, parts_, false)) {
-        parts_.numbers.resize(parts_.numbers.size() - layout_->count);
-        lines_.pop_back();
-        note_error(row, std::move(parts_.error));
-        errors_.back().line = pair.reference_number;
-        errors_.back().of_reference = true;
+    const auto results = std::span(results_).first(answered * operation_->answers_of_row() * operation_->names.size());
+    const auto what = [&] { operation_->make_continuous(results, reports_); };
+    if (in_turn && !operation_->looks_ahead) { // such rows are for one thread
+        output.stopped = !in_turn(what);
+    } else {
+        what();
     }
-}
-
-void RowTransformer::note_error(Row& row, RowError error) {
-    error.line = row.number;
-    row.error = errors_.size();
-    errors_.push_back(std::move(error));
 }
 
 double RowTransformer::norm_of(const Row& row, bool of_reference) const {
-    if (of_reference && row.pair == nullptr) {
+    if (of_reference && row.reference_number == 0) {
         return 0.0; // the second attitude of a row
     }
     const RowNumbers& read = of_reference ? options_->pairing->reference.numbers : options_->input.numbers;
@@ -158,23 +192,23 @@ double RowTransformer::norm_of(const Row& row, bool of_reference) const {
         return 0.0;
     }
     const std::size_t size = parts_.numbers.size() / lines_.size();
-    const double* const q = parts_.numbers.data() + row.index * size + (of_reference ? layout_->count : 0) + read.kept;
-    return Eigen::Map<const Eigen::Vector4d>(q).stableNorm();
+    const std::span q(parts_.numbers.data() + row.index * size + (of_reference ? layout_->count : 0) + read.kept, 4);
+    const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
+    double squares = 0.0; // of numbers that neither overflow nor underflow
+    for (const double number : q) {
+        squares += (number / largest) * (number / largest);
+    }
+    return largest * std::sqrt(squares);
 }
 
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
-    for (Row& row : rows_) {
-        if (row.passed) {
-            if (options_->format == Format::csv) {
-                append(output.bytes, row.line.text);
-                append(output.bytes, row.line.end);
-            }
-            continue;
-        }
-        write_row(row, output);
-        if (output.stopped) {
-            return;
+    for (auto row = rows_.begin(); row != rows_.end() && !output.stopped; ++row) {
+        if (!row->passes) {
+            write_row(*row, output);
+        } else if (options_->format == Format::csv) {
+            append(output.bytes, row->line.text);
+            append(output.bytes, row->line.end);
         }
     }
 }
@@ -182,7 +216,7 @@ void RowTransformer::write(Output& output) {
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
     const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
-    if (is_ours && options_->input.width > 0 && needs_fields() && options_->format != Format::result) {
+    if (is_ours && options_->input.width > 0 && layout_->has_other_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }
     const std::size_t size = operation_->names.size();
@@ -214,21 +248,49 @@ void RowTransformer::write_row(Row& row, Output& output) {
     }
 }
 
+void RowTransformer::make_fields(Row& row) {
+    const std::string_view bytes = row.line.text;
+    constexpr std::size_t room = 40; // of a number and the delimiter, so that nothing moves
+    const std::size_t width = options_->input.width;
+    parts_.fields.clear();
+    row.first_field = 0;
+    row.field_count = width;
+    made_.clear();
+    made_.reserve(room * (width + 1));
+    for (std::size_t i = 0; i < width; ++i) {
+        const std::string_view field = bytes.substr(i * sizeof(double), sizeof(double));
+        if (options_->format == Format::f64) {
+            parts_.fields.push_back(field);
+            continue;
+        }
+        if (i > 0) {
+            made_.push_back(layout_->delimiter.text());
+        }
+        double number = 0.0;
+        std::memcpy(&number, field.data(), sizeof(double));
+        const std::size_t begin = made_.size();
+        append_number(made_, number, {});
+        parts_.fields.emplace_back(made_.data() + begin, made_.size() - begin);
+    }
+    if (options_->format != Format::f64) {
+        row.line.text = {made_.data(), made_.size()};
+    }
+}
+
 void RowTransformer::tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output) {
     if (!row.has_numbers()) {
         output.events.emplace_back(errors_[row.error]);
         return;
     }
-    const bool of_reference = report.of_reference && row.pair != nullptr;
-    output.events.emplace_back(RowError{.line = of_reference ? row.pair->reference_number : row.number,
-                                        .what = RowError::What::attitude,
-                                        .text = of_reference
-                                                    ? reference_reader_->selected_text(row.pair->reference.text)
-                                                    : reader_.selected_text(given),
-                                        .error = report.error,
-                                        .defect = report.defect,
-                                        .norm = report.error == Error::defect ? norm_of(row, report.of_reference) : 0.0,
-                                        .of_reference = of_reference});
+    const bool of_reference = report.of_reference && row.reference_number > 0;
+    output.events.emplace_back(
+        RowError{.line = of_reference ? row.reference_number : row.number,
+                 .what = RowError::What::attitude,
+                 .text = of_reference ? reference_reader_->selected_text(row.reference) : reader_.selected_text(given),
+                 .error = report.error,
+                 .defect = report.defect,
+                 .norm = report.error == Error::defect ? norm_of(row, report.of_reference) : 0.0,
+                 .of_reference = of_reference});
 }
 
 void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output) {
@@ -238,9 +300,9 @@ void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, s
         } else if (answer > 0) {
             return; // that is the row's, and told
         }
-        if (diagnostic.kind == DiagnosticKind::normalized && row.pair != nullptr) { // of either, or of both
+        if (diagnostic.kind == DiagnosticKind::normalized && row.reference_number > 0) { // of either, or of both
             if (report.reference_defect > reported_defect) {
-                output.events.emplace_back(Diagnostic{.line = row.pair->reference_number,
+                output.events.emplace_back(Diagnostic{.line = row.reference_number,
                                                       .kind = diagnostic.kind,
                                                       .figure = report.reference_defect,
                                                       .of_reference = true});

@@ -11,7 +11,6 @@
 
 #include "../core/numerics/row_batch.hpp"
 #include "event.hpp"
-#include "io_block.hpp"
 #include "job.hpp"
 #include "layout.hpp"
 #include "options.hpp"
@@ -30,8 +29,8 @@ class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
-    /// Adds what the rows of `text`, whole lines of which the first is line `line`, become. An operation that chooses
-    /// does so once, in turn, with all rows of the text; at once without turns.
+    /// Adds what the rows of `text`, whole lines of which the first is line `line`, become. An operation that is
+    /// continuous has its turn once, with all rows of the text; at once without turns.
     void transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn = {});
     /// The same of pairs of rows.
     void transform(const PairBlock& pairs, Output& output);
@@ -41,58 +40,36 @@ public:
 private:
     static constexpr std::size_t most_waiting = std::size_t{1} << 16U;
     static constexpr std::size_t every_row = static_cast<std::size_t>(-1);
-    static constexpr std::size_t no_error = PairedRow::no_error;
 
-    struct Row {
-        Line line;
-        std::size_t number = 0;      ///< of the line; 0 where only a partner has one
-        bool passed = false;         ///< blank or comment: goes out as it is
-        std::size_t first_field = 0; ///< in parts_
-        std::size_t field_count = 0;
-        std::size_t index = 0;           ///< among the rows with numbers, of a row without error
-        std::size_t error = no_error;    ///< in errors_
-        const PairedRow* pair = nullptr; ///< whose first row it is
-
-        [[nodiscard]] bool has_numbers() const noexcept { return !passed && error == no_error; }
-    };
-
-    /// The output has fields of the input beside the result, or not all of the input's are numbers.
-    [[nodiscard]] bool needs_fields() const noexcept { return options_->append || reader_.has_other_fields(); }
-    /// Doubles in and nothing but the result out.
+    /// Rows that are answered together. Where answers depend on the rows after them, a row that has none yet, and what
+    /// follows it, wait for the next call, up to `most_waiting` bytes.
+    [[nodiscard]] std::size_t rows_at_once() const noexcept {
+        return operation_->is_continuous && !operation_->looks_ahead ? every_row : batch_rows;
+    }
+    void transform_all(std::string_view text, std::size_t line, bool is_end, Output& output, const InTurn& in_turn);
+    /// Doubles in and nothing but the result out: as many rows are written at once as there is nothing to tell of.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
-    /// Of those rows as many are written at once as there is nothing to tell of.
     void transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn);
-    /// Where answers depend on the rows after them: a row that has none yet, and what follows it, wait for the next
-    /// call, up to `most_waiting` bytes.
-    void transform_ahead(std::string_view next, std::size_t next_line, bool is_end, Output& output);
-    /// Forgets the batch.
-    void clear() noexcept;
-    /// Rows that are answered together.
-    [[nodiscard]] std::size_t rows_at_once() const noexcept { return operation_->chooses ? every_row : batch_rows; }
-    /// Lets the operation choose, where it does.
-    void choose(Output& output, const InTurn& in_turn);
     /// Reads a batch of rows off the text, under `stop` none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
-    void read_row(Row& row);
-    /// Likewise a batch of pairs.
-    void gather_pairs(std::span<const PairedRow>& pairs, const std::vector<RowError>& errors);
-    void read_pair(Row& row);
-    /// Likewise a batch of binary rows.
-    void gather_binary(std::string_view& text, std::size_t& line, std::size_t limit);
+    void clear() noexcept;
+    /// Reads the numbers of a row, and of its partner.
+    void read(Row& row);
+    /// Answers the rows that have numbers, or only the first of them, see RowOperation::run_ahead().
+    std::size_t answer(bool flush = false);
+    /// Makes the first answers continuous, in turn.
+    void make_continuous(std::size_t answered, Output& output, const InTurn& in_turn);
+    void write(Output& output);
+    void write_row(Row& row, Output& output);
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
     [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer) noexcept;
-    /// Answers the rows and writes them.
-    void answer(Output& output, const InTurn& in_turn = {});
-    void write(Output& output);
-    void write_row(Row& row, Output& output);
     /// `given`: the row as it was read.
     void tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output);
     /// Of the row's answer of that number.
     void tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output);
-    void note_error(Row& row, RowError error);
-    /// Of the quaternion of a row, or of its partner; 0 where that is none.
+    /// Of the quaternion of a row, or of its partner; 0 if it is not a quaternion.
     [[nodiscard]] double norm_of(const Row& row, bool of_reference) const;
 
     const Options* options_;

@@ -6,14 +6,13 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "decimal.hpp"
-#include "json_string.hpp"
+#include "json.hpp"
 
 namespace rotconv::stream {
 namespace {
-
-constexpr std::string_view separator = ", "; // of JSON's members
 
 constexpr std::string_view answer_column = "method";
 
@@ -25,12 +24,9 @@ void append_notes(Buffer& to, const ConvertedRow& row) {
         append(to, "error");
         return;
     }
-    bool first = true;
+    const std::size_t begin = to.size();
     for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
-        if (!first) {
-            to.push_back('+');
-        }
-        first = false;
+        append(to, to.size() > begin ? "+" : "");
         append(to, name_of(diagnostic.kind));
     });
 }
@@ -42,6 +38,33 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
     }
     return {row.report->sensitivity.margin, row.report->sensitivity.condition,
             figure_of(*row.report, DiagnosticKind::normalized)};
+}
+
+/// The fields that are not replaced, with the result in its place, or at the end of the row less trailing blanks.
+template <class WriteResult> void write_fields(Buffer& to, const Layout& layout, std::string_view row,
+                                               std::span<const std::string_view> fields, char delimiter,
+                                               const WriteResult& write_result) {
+    if (layout.appends) {
+        append(to, row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1));
+        to.push_back(delimiter);
+        write_result();
+        return;
+    }
+    bool first = true;
+    const auto part = [&] {
+        if (!std::exchange(first, false)) {
+            to.push_back(delimiter);
+        }
+    };
+    const auto other = [&](std::size_t i) {
+        part();
+        append(to, fields[i]);
+    };
+    const auto result = [&] {
+        part();
+        write_result();
+    };
+    for_each_output(layout, fields.size(), other, result);
 }
 
 } // namespace
@@ -64,12 +87,8 @@ void write_header(Buffer& to, const Options& options, const Layout& layout, cons
         fmt::format_to(std::back_inserter(to), "{}",
                        fmt::join(result_columns(options), std::string_view(&delimiter, 1)));
     };
-    if (options.append) {
-        write_appended(to, header.line.text, delimiter, write_names);
-    } else {
-        append(to, header.prefix);
-        write_fields(to, layout, header.fields, delimiter, write_names);
-    }
+    append(to, layout.appends ? "" : header.prefix);
+    write_fields(to, layout, header.line.text, header.fields, delimiter, write_names);
     append(to, header.line.end.empty() ? std::string_view("\n") : header.line.end);
 }
 
@@ -90,7 +109,7 @@ void write_added_header(Buffer& to, const Options& options, const Layout& layout
 RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
     const auto& spec = options.operation->attitude;
     const Digits digits = options.digits;
-    const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation->chooses;
+    const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation->is_continuous;
     if (!digits.shortest() && has_range) {
         const bool degrees = spec->unit == AngleUnit::degrees;
         const int whole_digits = degrees ? 3 : 1; // of a half-turn
@@ -103,14 +122,12 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
         append_number(text, -half_turn_, digits);
         lower_end_ = fmt::to_string(text);
     }
-    const auto add_key = [this](std::string_view name) {
+    for (const std::string_view name : result_columns(options)) {
         Buffer key;
-        append(key, separator);
         append_json_string(key, name);
         append(key, ": ");
         json_keys_.push_back(fmt::to_string(key));
-    };
-    std::ranges::for_each(result_columns(options), add_key);
+    }
 }
 
 void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
@@ -167,27 +184,24 @@ void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
 }
 
 void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
-    const char delimiter = layout_->delimiter.text();
-    const auto result = [&] { write_result(to, row); };
-    if (options_->append) {
-        write_appended(to, row.line.text, delimiter, result);
-    } else {
-        write_fields(to, *layout_, row.fields, delimiter, result);
-    }
+    write_fields(to, *layout_, row.line.text, row.fields, layout_->delimiter.text(), [&] { write_result(to, row); });
     append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
 }
 
 void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
-    std::size_t passed = separator.size(); // before the first key
     auto next_key = json_keys_.begin();
+    const auto begin_member = [&to] {
+        if (to[to.size() - 1] != '{') {
+            append(to, ", ");
+        }
+    };
     const auto key = [&] {
-        append(to, std::string_view(*next_key++).substr(passed));
-        passed = 0;
+        begin_member();
+        append(to, *next_key++);
     };
     const auto other = [&](std::size_t i) {
-        append(to, separator.substr(passed));
-        passed = 0;
+        begin_member();
         layout_->keys.append_to(to, i, row.fields.size());
         append(to, ": ");
         const std::string_view text = trimmed(row.fields[i]);
@@ -197,13 +211,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
             append_json_string(to, layout_->delimiter.unquoted(row.fields[i]));
         }
     };
-    if (options_->append) {
-        for (std::size_t i = 0; i < row.fields.size(); ++i) {
-            other(i);
-        }
-    } else {
-        for_each_output(*layout_, row.fields.size(), other, [] {});
-    }
+    for_each_output(*layout_, row.fields.size(), other, [] {});
     const auto number = [&](double value, std::size_t column) {
         if (std::isfinite(value)) {
             write_number(to, value, column);
@@ -220,8 +228,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
         number(row.result[i], i);
     }
     if (options_->diagnostic_columns) {
-        const auto figures = figures_of(row);
-        for (const double figure : figures) {
+        for (const double figure : figures_of(row)) {
             key();
             number(figure, middle_angle_); // a figure is no outer angle
         }
@@ -240,28 +247,27 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (!row.answer.empty()) {
         fmt::format_to(out, "  {:<9}  {}\n", answer_column, row.answer);
     }
-    const auto text_of = [&](std::size_t i) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < row.result.size(); ++i) {
         Buffer text;
         write_number(text, row.result[i], i);
-        return fmt::to_string(text);
-    };
+        texts.push_back(fmt::to_string(text));
+    }
     std::size_t labelled = 0; // the first number that is not part of a matrix
     if (spec && spec->name == RepresentationId::dcm) {
-        const auto order = spec->order();
-        std::array<std::string, 9> texts;
-        std::size_t width = 0;
-        for (std::size_t i = 0; i < texts.size(); ++i) {
-            texts[order[i]] = text_of(i);
-            width = std::max(width, texts[order[i]].size());
+        labelled = 9;
+        const std::span matrix(texts.data(), labelled);
+        const std::size_t width = std::ranges::max(matrix, {}, &std::string::size).size();
+        std::array<std::string_view, 9> in_rows;
+        for (std::size_t i = 0; i < in_rows.size(); ++i) {
+            in_rows.at(spec->order()[i]) = matrix[i];
         }
-        for (std::size_t i = 0; i < texts.size(); i += 3) {
-            fmt::format_to(out, "  {:>{}}  {:>{}}  {:>{}}\n", texts[i], width, texts[i + 1], width, texts[i + 2],
-                           width);
+        for (std::size_t i = 0; i < in_rows.size(); ++i) {
+            fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width, i % 3 == 2 ? "\n" : "");
         }
-        labelled = texts.size();
     }
     for (std::size_t i = labelled; i < row.result.size(); ++i) {
-        fmt::format_to(out, "  {:<9}  {}\n", options_->operation->names[i], text_of(i));
+        fmt::format_to(out, "  {:<9}  {}\n", options_->operation->names[i], texts[i]);
     }
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);
@@ -289,9 +295,6 @@ void RowWriter::write_f64(Buffer& to, const ConvertedRow& row) const {
         }
     };
     if (options_->input.width == 0) { // the other fields are text
-        result();
-    } else if (options_->append) {
-        append(to, row.line.text);
         result();
     } else {
         for_each_output(

@@ -47,11 +47,9 @@ std::size_t block_size(const Options& options) {
 /// they came. Nobody waits for input while blocks are under way, so that their end is the end of the run at once.
 class Run {
 public:
-    /// `make_transformer`: asked by each thread once there is a data row.
-    Run(JobReader& reader, Sink& sink, const Options& options, const std::function<void(const Event&)>& report,
-        std::function<RowTransformer()> make_transformer)
-        : reader_(&reader), sink_(&sink), report_(&report), make_transformer_(std::move(make_transformer)),
-          large_(block_size(options) / 2), most_(thread_limit(options)) {}
+    Run(JobReader& reader, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
+        : reader_(&reader), sink_(&sink), options_(&options), report_(&report), large_(block_size(options) / 2),
+          most_(thread_limit(options)) {}
 
     RunResult operator()();
 
@@ -59,10 +57,8 @@ private:
     using Lock = std::unique_lock<std::mutex>;
     using Transformer = std::optional<RowTransformer>; ///< nothing before a thread's first data row
 
-    /// What each thread does, until the end of the stream or of the run.
+    /// What each thread does, until the end of the stream or of the run; what is thrown ends the run.
     void work(Transformer& transformer, bool is_first);
-    /// The same, for a thread that was added.
-    void help();
     void add_thread();
     [[nodiscard]] bool can_write() const { return !writing_ && !jobs_.empty() && jobs_.front()->done; }
     [[nodiscard]] bool can_read() const;
@@ -71,17 +67,15 @@ private:
     void convert(Job& job, Transformer& transformer);
     /// See InTurn: jobs are read in their order and converted by the threads that have read them, so that the one whose
     /// turn it is never waits for another.
-    bool in_turn(const Job& job, const std::function<void()>& what);
-    void end_run(std::exception_ptr exception);
+    bool in_turn(Job& job, const std::function<void()>& what);
     [[nodiscard]] std::unique_ptr<Job> idle_job();
     /// Writes the bytes and then reports the events; false where the run is over.
     bool hand_on(const Output& output);
-    void finish(Transformer& transformer);
 
     JobReader* reader_; ///< of the thread that reads
     Sink* sink_;
+    const Options* options_;
     const std::function<void(const Event&)>* report_;
-    std::function<RowTransformer()> make_transformer_;
     std::size_t large_; ///< bytes of a block that is worth another thread
     RunResult ending_;  ///< of the thread that writes
 
@@ -93,8 +87,6 @@ private:
     std::vector<std::unique_ptr<Job>> idle_;
     std::vector<std::thread> helpers_; ///< of the first thread
     std::size_t most_;                 ///< threads, the first among them
-    std::size_t turns_ = 0;            ///< given to jobs
-    std::size_t turn_ = 0;             ///< whose it is
     bool reading_ = false;
     bool writing_ = false;
     bool all_read_ = false;
@@ -104,22 +96,26 @@ private:
 
 RunResult Run::operator()() {
     Transformer transformer;
-    try {
-        work(transformer, true);
-    } catch (...) {
-        end_run(std::current_exception());
-    }
+    work(transformer, true);
     std::ranges::for_each(helpers_, &std::thread::join);
     if (exception_) {
         std::rethrow_exception(exception_);
     }
     if (!over_) {
-        finish(transformer);
+        Output output;
+        if (transformer) {
+            transformer->finish(output);
+        } else {
+            reader_->finish(output, !reader_->error());
+        }
+        if (hand_on(output)) {
+            ending_.error = reader_->error();
+        }
     }
     return ending_;
 }
 
-void Run::work(Transformer& transformer, bool is_first) {
+void Run::work(Transformer& transformer, bool is_first) try {
     Lock lock(mutex_);
     while (!over_ && !(all_read_ && jobs_.empty())) {
         if (can_write()) {
@@ -131,21 +127,21 @@ void Run::work(Transformer& transformer, bool is_first) {
         }
     }
     changed_.notify_all();
-}
-
-void Run::help() {
-    try {
-        Transformer transformer;
-        work(transformer, false);
-    } catch (...) {
-        end_run(std::current_exception());
-    }
+} catch (...) {
+    const Lock lock(mutex_);
+    exception_ = std::current_exception();
+    over_ = true;
+    changed_.notify_all();
+    turn_changed_.notify_all();
 }
 
 void Run::add_thread() {
     if (helpers_.size() + 1 < most_) {
         try {
-            helpers_.emplace_back(&Run::help, this);
+            helpers_.emplace_back([this] {
+                Transformer transformer;
+                work(transformer, false);
+            });
         } catch (const std::system_error&) { // the system gives no more
             most_ = helpers_.size() + 1;
         }
@@ -182,13 +178,12 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     const bool goes_on = reader_->read(job);
     lock.lock();
     all_read_ = !goes_on;
-    job.turn = turns_;
-    turns_ += job.rest.empty() ? 0 : 1;
-    if (job.size() == 0 && job.output.bytes.size() == 0) {
+    if (job.size() == 0 && job.output.bytes.size() == 0 && job.output.events.empty()) {
         idle_.push_back(std::move(made));
         reading_ = false;
         return;
     }
+    job.had_its_turn = job.rest.empty();
     jobs_.push_back(std::move(made));
     under_way_ += job.size();
     const bool shared = job.size() >= large_;
@@ -213,7 +208,7 @@ void Run::convert(Job& job, Transformer& transformer) {
         return;
     }
     if (!transformer) {
-        transformer.emplace(make_transformer_());
+        transformer.emplace(*options_, reader_->layout(), reader_->reference_layout());
     }
     if (job.pairs.rows.empty()) {
         transformer->transform(job.rest, job.line, job.output,
@@ -223,26 +218,21 @@ void Run::convert(Job& job, Transformer& transformer) {
     }
 }
 
-bool Run::in_turn(const Job& job, const std::function<void()>& what) {
+bool Run::in_turn(Job& job, const std::function<void()>& what) {
     Lock lock(mutex_);
-    turn_changed_.wait(lock, [this, &job] { return over_ || turn_ == job.turn; });
+    turn_changed_.wait(lock, [this, &job] {
+        const auto first = std::ranges::find(jobs_, false, [](const auto& each) { return each->had_its_turn; });
+        return over_ || (first != jobs_.end() && first->get() == &job);
+    });
     if (over_) {
         return false;
     }
     lock.unlock();
     what();
     lock.lock();
-    ++turn_;
+    job.had_its_turn = true;
     turn_changed_.notify_all();
     return true;
-}
-
-void Run::end_run(std::exception_ptr exception) {
-    const Lock lock(mutex_);
-    exception_ = std::move(exception);
-    over_ = true;
-    changed_.notify_all();
-    turn_changed_.notify_all();
 }
 
 std::unique_ptr<Job> Run::idle_job() {
@@ -272,31 +262,18 @@ bool Run::hand_on(const Output& output) {
     return !output.stopped;
 }
 
-void Run::finish(Transformer& transformer) {
-    Output output;
-    if (transformer) {
-        transformer->finish(output);
-    } else {
-        reader_->finish(output);
-    }
-    if (hand_on(output)) {
-        ending_.error = reader_->error();
-    }
-}
-
 } // namespace
 
-RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report) {
-    BlockReader reader(source, options, block_size(options));
-    return Run(reader, sink, options, report, [&] { return RowTransformer(options, reader.layout()); })();
-}
-
-RunResult run(Source& source, Source& reference, Sink& sink, const Options& options,
-              const std::function<void(const Event&)>& report) {
-    PairReader reader(source, reference, options, block_size(options));
-    RunResult result = Run(reader, sink, options, report,
-                           [&] { return RowTransformer(options, reader.layout(), &reader.reference_layout()); })();
-    result.unpaired = reader.unpaired();
+RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report,
+              Source* reference) {
+    std::unique_ptr<JobReader> reader;
+    if (reference != nullptr) {
+        reader = std::make_unique<PairReader>(source, *reference, options, block_size(options));
+    } else {
+        reader = std::make_unique<RowBlocks>(source, options.input, &options, block_size(options));
+    }
+    RunResult result = Run(*reader, sink, options, report)();
+    result.unpaired = reader->unpaired();
     return result;
 }
 

@@ -7,7 +7,6 @@
 
 #include "event.hpp"
 #include "file.hpp"
-#include "job.hpp"
 #include "options.hpp"
 
 namespace rotconv::stream {
@@ -22,11 +21,8 @@ struct RunResult {
 };
 
 /// Converts a stream. Every row is written before anything is reported of it, and as soon as it has been read.
-RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report);
-
-/// The same of a stream whose rows are paired with those of a reference.
-/// @pre options.pairing
-RunResult run(Source& source, Source& reference, Sink& sink, const Options& options,
-              const std::function<void(const Event&)>& report);
+/// @param reference with whose rows those of the stream are paired, if the options have a pairing
+RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report,
+              Source* reference = nullptr);
 
 } // namespace rotconv::stream

@@ -2,35 +2,44 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
 namespace rotconv::stream {
+namespace {
 
-std::size_t utf8_length(std::string_view text) noexcept {
+struct Character {
+    std::size_t length = 0;
+    std::uint32_t code = 0;
+};
+
+/// The character that the text begins with; of length 0 if that is not UTF-8.
+Character first_of(std::string_view text) noexcept {
     const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byte(0);
-    if (first < 0x80U) {
-        return 1;
+    const auto length = static_cast<std::size_t>(std::countl_one(byte(0))); // of a character of several bytes
+    if (length == 0) {
+        return {1, byte(0)};
     }
-    const std::size_t length = first >= 0xC2U && first <= 0xDFU   ? 2
-                               : first >= 0xE0U && first <= 0xEFU ? 3
-                               : first >= 0xF0U && first <= 0xF4U ? 4
-                                                                  : 0;
-    if (length == 0 || text.size() < length) {
-        return 0;
+    // No longer forms than are needed, surrogates, or code points past U+10FFFF.
+    static constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+    if (length == 1 || length >= least.size() || text.size() < length) {
+        return {};
     }
+    std::uint32_t code = byte(0) & (0x7FU >> length);
     for (std::size_t i = 1; i < length; ++i) {
         if ((byte(i) & 0xC0U) != 0x80U) {
-            return 0;
+            return {};
         }
+        code = (code << 6U) | (byte(i) & 0x3FU);
     }
-    // no overlong forms, surrogates or code points past U+10FFFF
-    const unsigned char second = byte(1);
-    const bool legal = !(first == 0xE0U && second < 0xA0U) && !(first == 0xEDU && second > 0x9FU) &&
-                       !(first == 0xF0U && second < 0x90U) && !(first == 0xF4U && second > 0x8FU);
-    return legal ? length : 0;
+    const bool is_legal = code >= least.at(length) && (code < 0xD800 || code > 0xDFFF) && code <= 0x10FFFF;
+    return is_legal ? Character{length, code} : Character{};
 }
+
+} // namespace
+
+std::size_t utf8_length(std::string_view text) noexcept { return first_of(text).length; }
 
 std::size_t printable_length(std::string_view text) noexcept {
     // Controls, and what Unicode has for formatting: marks, line ends, directions, joiners, annotations, tags.
@@ -46,15 +55,10 @@ std::size_t printable_length(std::string_view text) noexcept {
                                                               {0xFEFF, 0xFEFF},
                                                               {0xFFF9, 0xFFFB},
                                                               {0xE0000, 0xE0FFF}});
-    const std::size_t length = utf8_length(text);
-    std::uint32_t code =
-        length > 1 ? static_cast<unsigned char>(text[0]) & (0x7FU >> length) : static_cast<unsigned char>(text[0]);
-    for (std::size_t i = 1; i < length; ++i) {
-        code = (code << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
-    }
+    const Character first = first_of(text);
     const bool shows_nothing = std::ranges::any_of(
-        unprintable, [code](const Range& range) { return range.first <= code && code <= range.second; });
-    return shows_nothing ? 0 : length;
+        unprintable, [&first](const Range& range) { return range.first <= first.code && first.code <= range.second; });
+    return shows_nothing ? 0 : first.length;
 }
 
 } // namespace rotconv::stream

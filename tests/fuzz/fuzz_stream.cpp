@@ -126,7 +126,7 @@ struct Program {
     }
     /// It serves one run.
     [[nodiscard]] bool remembers() const {
-        return operation().in_order || operation().chooses || options().input.take_count != nullptr;
+        return operation().in_order || operation().is_continuous || options().input.take_count != nullptr;
     }
 };
 
@@ -172,8 +172,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         }
     };
     Pieces reference(input.reference, input.piece);
-    const RunResult ending =
-        own.is_paired() ? run(source, reference, sink, options, report) : run(source, sink, options, report);
+    const RunResult ending = run(source, sink, options, report, own.is_paired() ? &reference : nullptr);
     result.bytes = own.has_text_alone() ? std::string() : std::move(sink.text);
     result.to_the_end = !ending.stopped && !ending.error;
     if (ending.error) {
@@ -301,7 +300,7 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         const std::size_t line = 1;
         std::vector<RowReport> reports;
         operation->run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
-        if (operation->chooses) {
+        if (operation->is_continuous) {
             operation->choose(answer.numbers, reports);
         }
         const RowReport report = reports.empty() ? RowReport{} : reports.front();

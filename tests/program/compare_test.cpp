@@ -320,22 +320,20 @@ TEST_CASE("the memory of compare does not grow with the streams") {
         CHECK(missing(process.finish().out, {"rows      10\n"}) == "");
         CHECK((is_sanitized || peak < 9'000)); // of 5 MB of rows
     }
-    // rows that are no partners, and what is no row, behind one whose next must be seen
-    files.add("old", "1.1 1 0 0 0\n3 1 0 0 0\n");
-    for (const std::string between : {"# remark\n", "0 1 0 0 0\n"}) {
-        Process process(
-            words_of("compare -f quat --key 1 --columns 2-5 --key-within 0.5 --on-error skip --threads 1 - " +
-                     files.path("old")),
-            {.errors_file = "/dev/null"});
-        process.write("1 1 0 0 0\n" + repeated(between, 5'000));
-        process.wait_until_read();
-        const long before = process.peak_memory_kib();
-        process.write(repeated(between, 200'000));
-        process.write("3 1 0 0 0\n");
-        process.wait_until_read();
-        CHECK((is_sanitized || process.peak_memory_kib() <= before + 4096));
-        CHECK(missing(process.finish().out, {"rows      2\n"}) == "");
-    }
+}
+
+TEST_CASE("a row whose partner cannot be told ends the comparison") {
+    // Catches a wrong pair, and memory that grows with what stands between two keys.
+    Files files;
+    const std::string options = "compare -f quat --key 1 --columns 2-5 --key-within 0.5 --format csv @new @old";
+    files.add("old", "1.1 1 0 0 0\n");
+    files.add("new", "1 1 0 0 0\n" + repeated("# remark\n", 4'000) + "1.1 1 0 0 0\n");
+    CHECK(files(options) == failing(1, repeated("# remark\n", 4'000) + "1.1 1 0 0 0 0\n",
+                                    "rotconv: new: unpaired: 1 row, first at line 1\n"));
+    files.add("new", "1 1 0 0 0\n" + repeated("# remark\n", 200'000) + "1.1 1 0 0 0\n");
+    CHECK(files(options) == failing(2, "",
+                                    "rotconv: new:1: the row cannot be paired: too many comments and failed rows stand "
+                                    "before the next key\n"));
 }
 
 TEST_CASE("a pair that has arrived is answered") {

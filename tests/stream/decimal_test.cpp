@@ -112,6 +112,11 @@ TEST_CASE("differences and order are those of rational arithmetic") {
         CHECK((found == Decimal()) == (exact == 0));
         CHECK(is_nearest(found.rounded(), exact));
         CHECK(is_nearest(found.rounded(3), exact * 1000));
+        const Decimal left = decimal(a.text);
+        const Decimal right = decimal(b.text);
+        const Rational sum = 2 * a.value - b.value * (i % 3);
+        const int sign = Decimal::sign_of_sum({{&left, 2}, {&right, -(i % 3)}});
+        CHECK((sign > 0 ? 1 : sign < 0 ? -1 : 0) == sum.sign());
         // what was taken away can be added again
         CHECK(found - (Decimal() - decimal(b.text)) == decimal(a.text));
     }
@@ -127,6 +132,18 @@ TEST_CASE("a difference of numbers far apart is that of the larger, rounded the 
     CHECK(difference("-1e308", "1e308") == -std::numeric_limits<double>::infinity());
     CHECK(difference("1e308", "-1e308", -9) == 2e299);
     CHECK(difference("1e-999999999999", "0") == 0.0);
+}
+
+TEST_CASE("the sign of a sum is exact however far its terms are apart") {
+    // Catches a term that is cut off, and time or memory that grows with an exponent.
+    const Decimal large = decimal("1e1000000000000");
+    const Decimal tiny = decimal("-1e-1000000000000");
+    const Decimal one = decimal("1");
+    CHECK(Decimal::sign_of_sum({{&large, 1}, {&large, -1}}) == 0);
+    CHECK(Decimal::sign_of_sum({{&large, 1}, {&tiny, 1}, {&large, -1}}) < 0);
+    CHECK(Decimal::sign_of_sum({{&tiny, 3}, {&one, 1}}) > 0);
+    CHECK(Decimal::sign_of_sum({{&one, -1}, {&tiny, -1}, {&one, 1}}) > 0);
+    CHECK(Decimal::sign_of_sum({}) == 0);
 }
 
 TEST_CASE("decimals are the numbers that are read as such") {

@@ -1,8 +1,10 @@
 // The seam on which threads will work: what a block of rows becomes depends on nothing but the block.
 
 #include <algorithm>
+#include <deque>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <rotconv/spec.hpp>
 
@@ -20,21 +22,6 @@ Options options_of(const char* from, const char* to, double tolerance = 1e-3) {
     const Conversion conversion(spec, std::get<Spec>(parse_spec(to)), {.tolerance = tolerance});
     return {.input = {.numbers = operations::attitude_numbers(spec)},
             .operation = operations::convert(conversion, false)};
-}
-
-/// Hands the text on in pieces of so many lines as `piece` says each time: take(text, first line).
-template <class Piece, class Take> void in_pieces(std::string_view text, Piece piece, Take take) {
-    std::size_t line = 1;
-    while (!text.empty()) {
-        std::size_t end = 0;
-        std::size_t count = 0;
-        for (const std::size_t lines = piece(); count < lines && end < text.size(); ++count) {
-            end = text.find('\n', end) + 1;
-        }
-        take(text.substr(0, end), line);
-        text.remove_prefix(end);
-        line += count;
-    }
 }
 
 /// A stream with comments, blank rows, errors and diagnostics in it.
@@ -57,14 +44,6 @@ std::string rows(int count) {
     return text;
 }
 
-std::string repeated(std::string_view text, int times) {
-    std::string result;
-    for (int i = 0; i < times; ++i) {
-        result += text;
-    }
-    return result;
-}
-
 std::string all_of(const Output& output) {
     std::string text = fmt::to_string(output.bytes);
     for (const Event& event : output.events) {
@@ -78,6 +57,36 @@ std::string all_of(const Output& output) {
     return text;
 }
 
+/// What the text becomes in pieces of up to so many lines, each by one of the transformers.
+std::string transformed(const Options& options, const Layout& layout, std::string_view text, std::size_t most_lines,
+                        std::size_t transformers = 1) {
+    std::deque<RowTransformer> all;
+    for (std::size_t i = 0; i < transformers; ++i) {
+        all.emplace_back(options, layout);
+    }
+    std::mt19937_64 engine(most_lines);
+    Output output;
+    for (std::size_t line = 1; !text.empty();) {
+        std::size_t end = 0;
+        std::size_t lines = 0;
+        for (const std::size_t wanted = 1 + engine() % most_lines; lines < wanted && end < text.size(); ++lines) {
+            end = text.find('\n', end) + 1;
+        }
+        all[engine() % transformers].transform(text.substr(0, end), line, output);
+        text.remove_prefix(end);
+        line += lines;
+    }
+    all.front().finish(output);
+    return all_of(output);
+}
+
+Layout layout_of(const std::vector<std::size_t>& positions, std::size_t kept) {
+    Layout layout;
+    layout.delimiter = Delimiter::character(',');
+    layout.select(positions, 4, kept);
+    return layout;
+}
+
 } // namespace
 
 // Would catch: state that leaks from one block into the next.
@@ -87,24 +96,10 @@ TEST_CASE("a stream cut at any line becomes the same") {
     options.input.columns = std::get<ColumnList>(ColumnList::parse("2-5", 4));
     options.diagnostic_columns = true;
     const std::string text = rows(1500);
-    Layout layout;
-    layout.delimiter = Delimiter::character(',');
-    layout.select(options.input.columns.positions(), 4, 0);
-    RowTransformer whole(options, layout);
-    Output expected;
-    whole.transform(text, 1, expected);
-    std::mt19937_64 engine(92);
-    for (int round = 0; round < 5; ++round) {
-        RowTransformer first(options, layout);
-        RowTransformer second(options, layout);
-        Output output;
-        in_pieces(
-            text, [&engine] { return 1 + engine() % 300; },
-            [&](std::string_view piece, std::size_t line) {
-                (engine() % 2 == 0 ? first : second).transform(piece, line, output);
-            });
-        CHECK(fmt::to_string(output.bytes) == fmt::to_string(expected.bytes));
-        CHECK(all_of(output) == all_of(expected));
+    const Layout layout = layout_of(options.input.columns.positions(), 0);
+    const std::string whole = transformed(options, layout, text, 1);
+    for (const std::size_t lines : {3, 40, 300, 2000}) {
+        CHECK(transformed(options, layout, text, lines, 2) == whole);
     }
 }
 
@@ -123,32 +118,27 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
         default: text += fmt::format("{},{},0,1\n", i, engine() % 10);
         }
     }
-    text += repeated("# many comments\n", 400) + "2000,0,0,1\n";
-    const auto transformed = [&text, &propagation](const auto& piece) {
-        Options options{.input = {.numbers = operations::propagation_numbers()},
-                        .operation = operations::propagate(propagation)};
-        options.on_error = OnError::nan;
-        Layout layout;
-        layout.delimiter = Delimiter::character(',');
-        layout.select({}, 4, 1);
-        RowTransformer transformer(options, layout);
-        Output output;
-        in_pieces(text, piece,
-                  [&](std::string_view some, std::size_t line) { transformer.transform(some, line, output); });
-        transformer.finish(output);
-        return all_of(output);
+    for (int i = 0; i < 400; ++i) {
+        text += "# many comments\n";
+    }
+    text += "2000,0,0,1\n";
+    const auto all = [&](std::size_t most_lines) {
+        return transformed({.input = {.numbers = operations::propagation_numbers()},
+                            .operation = operations::propagate(propagation), // which remembers rows
+                            .on_error = OnError::nan},
+                           layout_of({}, 1), text, most_lines);
     };
-    const std::string whole = transformed([] { return std::size_t{100000}; });
-    CHECK(std::ranges::count(whole, '\n') > 1901);
-    CHECK(transformed([] { return std::size_t{1}; }) == whole);
-    CHECK(transformed([&engine] { return static_cast<std::size_t>(1 + engine() % 300); }) == whole);
+    const std::string by_row = all(1);
+    CHECK(std::ranges::count(by_row, '\n') > 1901);
+    CHECK(all(300) == by_row);
+    CHECK(all(100000) == by_row);
 }
 
 // Would catch: rows after an error that are written all the same.
 TEST_CASE("an error under stop ends the block") {
-    const Options options = options_of("quat", "quat");
     Layout layout;
     layout.select({}, 4, 0);
+    const Options options = options_of("quat", "quat");
     RowTransformer transformer(options, layout);
     Output output;
     transformer.transform("1 0 0 0\n1 0 0\n0 1 0 0\n", 10, output);

@@ -10,6 +10,12 @@
 
 namespace rotconv::stream {
 
+/// Appends the text as a JSON string; bytes that are not UTF-8 become U+FFFD.
+void append_json_string(Buffer& to, std::string_view text);
+
+/// A number of JSON (RFC 8259), but not an integer beyond 2^53, which readers would round.
+[[nodiscard]] bool is_json_number(std::string_view text) noexcept;
+
 /// The keys of a row's fields in a JSON object, none of them twice: the header's names, else 1-based indices.
 class JsonKeys {
 public:
@@ -25,9 +31,6 @@ public:
     void append_to(Buffer& to, std::size_t at, std::size_t count) const;
 
 private:
-    /// The key can be that of field `at` in a row of `count` fields: it is not the index of another one.
-    [[nodiscard]] static bool may_stand(std::string_view key, std::size_t at, std::size_t count) noexcept;
-
     std::vector<std::string> keys_; ///< with their quotes; empty: the index
 };
 
