@@ -1,5 +1,3 @@
-#include "advice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -16,9 +14,9 @@
 #include "../stream/number_text.hpp"
 #include "../stream/preamble.hpp"
 #include "../stream/run.hpp"
-#include "words.hpp"
+#include "messages.hpp"
 
-namespace rotconv::cli {
+namespace rotconv::cli::messages {
 namespace {
 
 constexpr std::size_t most_kept = std::size_t{64} << 10U;
@@ -37,62 +35,29 @@ std::size_t count_numbers(const Fields& fields) {
 
 bool is_row(const Fields& fields) { return 2 * count_numbers(fields) > fields.size(); }
 
-/// The first line from `line` on most of whose fields are numbers; 0 where there is none.
-std::size_t first_row(std::string_view text, const stream::InputOptions& input) {
-    std::size_t number = 0;
+std::vector<stream::Line> lines_of(std::string_view text) {
+    std::vector<stream::Line> lines;
     while (!text.empty()) {
-        const std::string_view line = stream::next_line(text).text;
-        ++number;
-        if (!stream::is_blank(line) && !stream::is_comment(line) && is_row(split(line, input))) {
-            return number;
-        }
+        lines.push_back(stream::next_line(text));
     }
-    return 0;
+    return lines;
 }
 
-std::string_view from_line(std::string_view text, std::size_t line) {
-    for (; line > 1 && !text.empty(); --line) {
-        static_cast<void>(stream::next_line(text));
+/// The lines, each as `edit` returns it; a line is left out if that is nothing.
+template <class Edit> std::string edited(const std::vector<stream::Line>& lines, const Edit& edit) {
+    std::string text;
+    for (const stream::Line& line : lines) {
+        if (const std::optional<std::string_view> kept = edit(line.text)) {
+            text.append(*kept).append(line.end);
+        }
     }
     return text;
 }
 
-/// Those lines that pass.
-template <class Passes> std::string lines_of(std::string_view text, const Passes& passes) {
-    std::string kept;
-    while (!text.empty()) {
-        const stream::Line line = stream::next_line(text);
-        if (passes(line.text)) {
-            kept.append(line.text).append(line.end);
-        }
-    }
-    return kept;
-}
+/// A line that is neither blank nor a comment.
+bool counts(std::string_view line) { return !stream::is_blank(line) && !stream::is_comment(line); }
 
-/// The text without the mark, and the blanks after it, at the beginning of lines.
-std::string without(std::string_view mark, std::string_view text) {
-    std::string kept;
-    while (!text.empty()) {
-        const stream::Line line = stream::next_line(text);
-        const bool is_marked = line.text.starts_with(mark);
-        const auto begin = is_marked ? line.text.find_first_not_of(' ', mark.size()) : 0;
-        kept.append(line.text.substr(std::min(begin, line.text.size()))).append(line.end);
-    }
-    return kept;
-}
-
-/// What is between two marks.
-std::string block_of(std::string_view text) {
-    bool is_inside = false;
-    return lines_of(text, [&is_inside](std::string_view line) {
-        const bool is_start = line.find("DATA_START") != std::string_view::npos;
-        const bool is_stop = line.find("DATA_STOP") != std::string_view::npos;
-        is_inside = (is_inside || is_start) && !is_stop;
-        return is_inside && !is_start;
-    });
-}
-
-/// Takes the rows' numbers and makes nothing of them.
+/// Reads the rows' numbers, for reads().
 class Nothing final : public stream::RowOperation {
 public:
     Nothing() { names = {"nothing"}; }
@@ -103,7 +68,7 @@ public:
     }
 };
 
-/// Numbers are read from all rows of the text, and there are some.
+/// Whether the text has rows, and the numbers of all of them can be read.
 bool reads(std::string_view text, stream::InputOptions input) {
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
@@ -116,23 +81,20 @@ bool reads(std::string_view text, stream::InputOptions input) {
     return !result.error && !result.stopped && result.answered > 0;
 }
 
-/// A header of another width than the rows after it; empty where it is not so.
-std::string advice_on_width(std::string_view text, std::size_t line, std::size_t row,
-                            const stream::InputOptions& input) {
-    std::string_view above; // the line, or that above the row at which reading stopped
-    std::size_t number = 0;
-    for (std::string_view rest = text; !rest.empty() && number < line;) {
-        const std::string_view current = stream::next_line(rest).text;
-        ++number;
-        const bool counts = !stream::is_blank(current) && !stream::is_comment(current);
-        if (counts && (number < line || row > line)) {
-            above = current;
-        }
+/// Advice on a header that has another width than the rows after it; otherwise empty. Reading stopped at the line with
+/// index `at`, and the first row has the index `row`.
+std::string advice_on_width(std::string_view text, const std::vector<stream::Line>& lines, std::size_t at,
+                            std::size_t row, const stream::InputOptions& input) {
+    if (row >= lines.size() || row > at + 1) {
+        return {};
     }
-    const Fields names = split(above, input);
-    std::string_view rest = from_line(text, row);
-    const Fields fields = split(stream::next_line(rest).text, input);
-    if (above.empty() || row == 0 || row > line + 1 || count_numbers(names) > 0 || names.size() == fields.size()) {
+    std::size_t header = row > at ? at + 1 : at; // after the header, so far
+    while (header > 0 && !counts(lines[header - 1].text)) {
+        --header;
+    }
+    const Fields names = header > 0 ? split(lines[header - 1].text, input) : Fields();
+    const Fields fields = split(lines[row].text, input);
+    if (header == 0 || count_numbers(names) > 0 || names.size() == fields.size()) {
         return {};
     }
     const std::string told = fmt::format("the header has {} and the rows {}", counted(names.size(), "name"),
@@ -148,9 +110,8 @@ std::string advice_on_width(std::string_view text, std::size_t line, std::size_t
 
 /// A key as jq names it.
 std::string jq_path(const std::string& key) {
-    const bool is_plain = !key.empty() && (key[0] < '0' || key[0] > '9') && std::ranges::all_of(key, [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    });
+    const bool is_plain = !key.empty() && (key[0] < '0' || key[0] > '9') &&
+                          std::ranges::all_of(key, [](char c) { return is_alphanumeric(c) || c == '_'; });
     return is_plain ? "." + key : fmt::format(".[\"{}\"]", key);
 }
 
@@ -188,85 +149,104 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::I
     if (beginning.size() >= most_kept) { // its last line is cut
         beginning = beginning.substr(0, beginning.rfind('\n') + 1);
     }
-    const std::size_t row = first_row(beginning, input);
-    const std::string_view rest = from_line(beginning, line);
-    if (rest.empty() || (row > 0 && line > row)) {
+    const auto lines = lines_of(beginning);
+    const auto is_first_row = [&input](const stream::Line& each) {
+        return counts(each.text) && is_row(split(each.text, input));
+    };
+    const auto row = static_cast<std::size_t>(std::ranges::find_if(lines, is_first_row) - lines.begin());
+    const std::size_t at = line - 1;
+    if (at >= lines.size() || at > row) {
         return {};
     }
-    std::string_view after = rest;
-    const std::string_view text = stream::next_line(after).text;
-    const std::string name = file == "-" ? "" : " " + in_shell((file.starts_with('-') ? "./" : "") + file);
-    for (const std::string_view mark : {"//", "%"}) {
-        const auto passes = [mark](std::string_view each) { return !each.starts_with(mark); };
-        if (text.starts_with(mark) && reads(lines_of(beginning, passes), input)) {
-            return fmt::format("lines that begin with {} are left out by grep -v '^{}'{} | rotconv ...", mark, mark,
-                               name);
+
+    std::string found;
+    const auto offer = [&](const std::string& text, const std::string& command) {
+        if (found.empty() && reads(text, input)) {
+            found = command + " | rotconv ...";
         }
-        if (text.starts_with(mark) && reads(without(mark, beginning), input)) {
-            return fmt::format("the {} before the names is left out by sed 's|^{} *||'{} | rotconv ...", mark, mark,
-                               name);
+    };
+    const auto offer_lines = [&](const auto& edit, const std::string& command) { offer(edited(lines, edit), command); };
+    const std::string_view text = lines[at].text;
+    const std::string name = file == "-" ? "" : " " + file_in_shell(file);
+    for (const std::string_view mark : {"//", "%"}) {
+        if (text.starts_with(mark)) {
+            offer_lines([mark](auto each) { return each.starts_with(mark) ? std::nullopt : std::optional(each); },
+                        fmt::format("to leave out lines that begin with {}: grep -v '^{}'{}", mark, mark, name));
+            offer_lines(
+                [mark](auto each) {
+                    return std::optional(each.starts_with(mark) ? after_blanks(each.substr(mark.size())) : each);
+                },
+                fmt::format("to leave out the {} before the names: sed 's|^{} *||'{}", mark, mark, name));
         }
     }
     if (text.starts_with("FMT,")) {
-        const auto passes = [](std::string_view each) { return each.starts_with("ATT,"); };
-        const bool by_name = input.columns.has_names();
-        if (by_name || reads(lines_of(beginning, passes), input)) {
-            return fmt::format("of a log keep one kind of rows, as grep '^ATT,'{} | rotconv ... does{}", name,
-                               by_name ? ", and select its columns by index" : "");
+        const std::string grep = fmt::format("for example: grep '^ATT,'{}", name);
+        if (input.columns.has_names()) {
+            return "keep only one kind of row of the log, and select its columns by index, " + grep + " | rotconv ...";
         }
+        offer_lines([](auto each) { return each.starts_with("ATT,") ? std::optional(each) : std::nullopt; },
+                    "keep only one kind of row of the log, " + grep);
     }
-    std::string with_points(beginning);
-    std::ranges::replace(with_points, ',', '.');
-    if (text.find(',') != std::string_view::npos && reads(with_points, input)) {
-        return fmt::format("the numbers have decimal commas: tr , .{} | rotconv ... makes them points",
-                           name.empty() ? "" : " <" + name);
+    if (text.find(',') != std::string_view::npos) {
+        std::string with_points(beginning);
+        std::ranges::replace(with_points, ',', '.');
+        offer(with_points, "to turn decimal commas into points: tr , ." + (name.empty() ? "" : " <" + name));
     }
-    if (reads(block_of(beginning), input)) {
-        return fmt::format(
-            "the rows stand between two lines: sed -n '/DATA_START/,/DATA_STOP/{{//!p}}'{} | rotconv ...", name);
+    bool is_inside = false;
+    offer_lines(
+        [&is_inside](auto each) {
+            const bool is_start = each.find("DATA_START") != std::string_view::npos;
+            is_inside = (is_inside || is_start) && each.find("DATA_STOP") == std::string_view::npos;
+            return is_inside && !is_start ? std::optional(each) : std::nullopt;
+        },
+        "to read only the rows between two lines: sed -n '/DATA_START/,/DATA_STOP/{//!p}'" + name);
+    if (found.empty()) {
+        found = advice_on_width(beginning, lines, at, row, input);
     }
-    if (std::string told = advice_on_width(beginning, line, row, input); !told.empty()) {
-        return told;
+    if (row > at && row < lines.size()) {
+        const auto begin = static_cast<std::size_t>(lines[row].text.data() - beginning.data());
+        offer(std::string(beginning.substr(begin)),
+              fmt::format("the first row of numbers is line {}: tail -n +{}{}", row + 1, row + 1, name));
     }
-    if (row > line && reads(from_line(beginning, row), input)) {
-        return fmt::format("the first row of numbers is line {}: tail -n +{}{} | rotconv ...", row, row, name);
-    }
-    return {};
+    return found;
 }
 
 std::string json_advice(std::string_view beginning, const stream::InputOptions& input) {
-    const std::string_view text = after_blanks(from_line(
-        beginning,
-        1 + static_cast<std::size_t>(std::ranges::count(beginning.substr(0, beginning.find_first_of("{[")), '\n'))));
+    // to the beginning of the line with the first bracket
+    const std::size_t bracket = beginning.find_first_of("{[");
+    const std::size_t line_end = beginning.rfind('\n', bracket);
+    std::string_view text = after_blanks(beginning.substr(line_end == std::string_view::npos ? 0 : line_end + 1));
     const auto selected = input.columns.names();
-    std::vector<std::string> wanted(selected.begin(), selected.end());
-    if (!input.columns.has_names()) {
-        wanted = input.numbers.names;
+    const std::vector<std::string> wanted =
+        input.columns.has_names() ? std::vector<std::string>(selected.begin(), selected.end()) : input.numbers.names;
+    std::string path; // to the rows
+    std::string values = "[.KEY, ...]";
+    std::string keys_told;
+    const bool is_array = text.starts_with('[');
+    if (is_array) {
+        text = after_blanks(text.substr(1));
+        path = ".[] | ";
     }
-    std::string each; // what leads to the rows
-    std::string_view object = text;
-    if (text.starts_with('[')) {
-        const std::string_view inner = after_blanks(text.substr(1));
-        if (!inner.starts_with('{')) {
-            const auto numbers = std::ranges::count(inner.substr(0, inner.find(']')), ',') + 1;
-            const bool has_rows = inner.starts_with('[') && numbers == static_cast<std::ptrdiff_t>(wanted.size());
-            return fmt::format("; jq -r '{}@csv' writes rows of numbers", has_rows                 ? ".[] | "
-                                                                          : inner.starts_with('[') ? "flatten | "
-                                                                                                   : "");
+    if (is_array && !text.starts_with('{')) {
+        const auto numbers = std::ranges::count(text.substr(0, text.find(']')), ',') + 1;
+        const bool has_rows = text.starts_with('[') && numbers == static_cast<std::ptrdiff_t>(wanted.size());
+        path = has_rows ? ".[] | " : text.starts_with('[') ? "flatten | " : "";
+        values = "";
+    } else {
+        const auto keys = keys_of(text);
+        const auto has = [&keys](const std::string& name) { return std::ranges::count(keys, name) > 0; };
+        if (!wanted.empty() && std::ranges::all_of(wanted, has)) {
+            std::vector<std::string> paths(wanted.size());
+            std::ranges::transform(wanted, paths.begin(), jq_path);
+            values = fmt::format("[{}]", fmt::join(paths, ", "));
+        } else {
+            keys_told = fmt::format(", with the keys for {}; the input has the keys {}", fmt::join(wanted, " "),
+                                    quoted_list(keys));
         }
-        each = ".[] | ";
-        object = inner;
     }
-    const auto keys = keys_of(object);
-    const auto has = [&keys](const std::string& name) { return std::ranges::count(keys, name) > 0; };
-    if (!wanted.empty() && std::ranges::all_of(wanted, has)) {
-        std::vector<std::string> paths;
-        std::ranges::transform(wanted, std::back_inserter(paths), jq_path);
-        return fmt::format("; jq -r {} writes rows of numbers",
-                           in_shell(fmt::format("{}[{}] | @csv", each, fmt::join(paths, ", "))));
-    }
-    return fmt::format("; of its keys {} those of {} go into jq -r '{}[.KEY, ...] | @csv'", quoted_list(keys),
-                       fmt::join(wanted, " "), each);
+    const std::string filter = values.empty() ? path + "@csv" : path + values + " | @csv";
+    return fmt::format("; rotconv reads rows of numbers, such as those written by jq -r {}{}", in_shell(filter),
+                       keys_told);
 }
 
 std::string contents_advice(const std::string& path) {
@@ -285,7 +265,7 @@ std::string contents_advice(const std::string& path) {
     const bool has_row = preamble.read(rest, line, nowhere);
     const Fields fields = has_row ? split(stream::next_line(rest).text, input) : Fields();
     if (!is_row(fields)) {
-        return fmt::format("; {} begins with no row of numbers", quoted(path));
+        return fmt::format("; {} does not begin with a row of numbers", quoted(path));
     }
     auto names = preamble.names();
     if (names.empty()) {
@@ -302,4 +282,4 @@ std::string contents_advice(const std::string& path) {
     return told;
 }
 
-} // namespace rotconv::cli
+} // namespace rotconv::cli::messages

@@ -13,14 +13,13 @@
 #include "../stream/options.hpp"
 #include "messages.hpp"
 #include "option_set.hpp"
-#include "usage.hpp"
 
 namespace rotconv::cli {
 
 enum class ExitCode : std::uint8_t {
     done = 0,
-    completed_with_failures = 1, ///< to the end, but rows failed, --strict met a diagnostic, or a check did not hold
-    incomplete = 2,              ///< did not run to the end
+    completed_with_failures = 1, ///< finished, but rows failed, --strict met a diagnostic, or a check did not hold
+    incomplete = 2,              ///< stopped
 };
 
 enum class ShowDiagnostics : std::uint8_t { off, summary, rows, columns };
@@ -28,7 +27,6 @@ enum class ShowDiagnostics : std::uint8_t { off, summary, rows, columns };
 /// What came of a run.
 struct RowsResult {
     ExitCode code = ExitCode::done;
-    bool reader_left = false; ///< closed the pipe: nothing more is known, and nothing to be said
     std::size_t answered = 0; ///< rows with a result
     std::size_t failed = 0;
     std::size_t beyond = 0;                     ///< rows with that diagnostic...
@@ -46,10 +44,13 @@ public:
 
     /// Where the rows go; null: to the output.
     [[nodiscard]] virtual stream::Sink* rows() { return nullptr; }
-    /// What is printed at the end of a run that was not stopped.
-    [[nodiscard]] virtual std::string text(const RowsResult& result) = 0;
-    /// Whether what was to be found or checked is so. Asked after text().
-    [[nodiscard]] virtual bool holds(const RowsResult& result) const = 0;
+
+    struct Answer {
+        std::string text;   ///< printed at the end
+        bool holds = false; ///< what was to be found or checked
+    };
+    /// Called at the end of a run that was not stopped.
+    [[nodiscard]] virtual Answer answer(const RowsResult& result) = 0;
 };
 
 /// A command that makes something of each row, checked.
@@ -62,10 +63,13 @@ struct RowsCommand {
     std::string output = "-";
     bool has_values = false;
     std::string values{};                     ///< the VALUEs as one row
-    std::string reference{};                  ///< the stream that the rows are paired with; see stream::Pairing
-    messages::Subject reference_subject{};    ///< likewise of its rows
+    std::string reference{};                  ///< the stream with which the rows are paired; see stream::Pairing
+    messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::shared_ptr<Conclusion> conclusion{}; ///< null: the rows are all there is
 };
+
+/// Runs the rows, and prints on stderr what there is to report.
+[[nodiscard]] ExitCode run_rows(const RowsCommand& command);
 
 /// A text to print on stdout: a list, help or version.
 struct PrintCommand {
@@ -79,13 +83,13 @@ struct UsageError {
 
 using Command = std::variant<RowsCommand, PrintCommand, UsageError>;
 
-/// What stands on the command line beside the options.
+/// The words of the command line that are not options.
 struct Operands {
     std::vector<std::string> values{};
     std::vector<std::string> files{};
 };
 
-/// A command's options, and what they ask for. They are read into it, so that it stays where it is.
+/// A command's options, and what they ask for. Reading writes into the object, so that it must stay in its place.
 class CommandOptions {
 public:
     CommandOptions() = default;
@@ -94,12 +98,35 @@ public:
     virtual ~CommandOptions() = default;
 
     [[nodiscard]] virtual Command command(const Operands& operands) const = 0;
-    /// The argument of --input; empty where it is not given.
-    [[nodiscard]] virtual std::string input() const { return {}; }
 
     OptionSet set{};
+    std::string input{}; ///< the argument of --input; empty if it is not given
     bool wants_help = false;
     bool wants_version = false;
 };
+
+/// Each command stands in a source of its name.
+[[nodiscard]] std::unique_ptr<CommandOptions> convert_options();
+[[nodiscard]] std::unique_ptr<CommandOptions> rates_options();
+[[nodiscard]] std::unique_ptr<CommandOptions> propagate_options();
+[[nodiscard]] std::unique_ptr<CommandOptions> survey_options();
+[[nodiscard]] std::unique_ptr<CommandOptions> compare_options();
+[[nodiscard]] std::unique_ptr<CommandOptions> identify_options();
+[[nodiscard]] std::unique_ptr<CommandOptions> list_options();
+
+/// What follows the options in the help: the words of SPECs, the exit status and examples.
+[[nodiscard]] std::string help_footer();
+
+[[nodiscard]] Command read_command_line(int argc, const char* const* argv);
+
+/// The conversion, whose name is empty, or a command.
+struct CommandText {
+    std::string name;
+    std::string about;
+    std::unique_ptr<CommandOptions> options;
+};
+
+/// All of them, for completion.
+[[nodiscard]] std::vector<CommandText> command_table();
 
 } // namespace rotconv::cli

@@ -1,9 +1,7 @@
-#include "command_line.hpp"
-
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -11,9 +9,7 @@
 
 #include "../stream/file.hpp"
 #include "../stream/fmt.hpp"
-#include "advice.hpp"
-#include "arguments.hpp"
-#include "commands.hpp"
+#include "command.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -65,147 +61,130 @@ std::unique_ptr<CommandOptions> options_of(const Entry& entry) {
     return options;
 }
 
-std::vector<std::string_view> command_names() {
-    std::vector<std::string_view> names;
-    std::transform(entries.begin() + 1, entries.end(), std::back_inserter(names),
-                   [](const Entry& e) { return e.name; });
-    return names;
-}
+/// The commands without the conversion.
+constexpr std::span commands(entries.begin() + 1, entries.end());
 
 std::string help(const Entry& entry, const OptionSet& options) {
-    HelpText text{.about = entry.about, .usage = entry.usage, .commands = {}, .footer = {}};
+    std::string text = fmt::format("{}\n{}{}", entry.about, entry.usage, options.help());
     if (entry.name.empty()) {
-        std::for_each(entries.begin() + 1, entries.end(),
-                      [&](const Entry& each) { text.commands.emplace_back(each.name, each.about); });
-        text.footer = help_footer();
+        text += "\nCommands:\n";
+        for (const Entry& each : commands) {
+            text += fmt::format("  {:<28}{}\n", each.name, each.about);
+        }
+        text += "\n" + help_footer();
     }
-    return help_of(options, text);
+    return text;
 }
 
-/// A word that is no option of the command, with the nearest that is.
+/// A word that is not an option of the command, with the nearest option.
 std::string unexpected(const OptionSet& options, const std::string& word) {
-    if (!word.starts_with('-')) {
-        return "unexpected argument " + quoted(word);
-    }
-    std::vector<std::string> names;
-    for (const Option& option : options.all()) {
-        if (!option.is_operand()) {
-            names.push_back(option.name());
-        }
-    }
+    std::vector<std::string> names(options.all().size());
+    std::ranges::transform(options.all(), names.begin(), &Option::name);
     return messages::no_such_option(word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
-/// Refuses operands that exclude each other, and FILEs that are none.
+/// Refuses operands that cannot be combined, and FILEs that cannot be read.
 void check(const Arguments& operands, bool has_input, std::size_t most_files) {
     for (const std::string& file : operands.files) {
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
-            throw Usage(messages::no_operand(file, error, command_names()));
+            std::vector<std::string_view> names(commands.size());
+            std::ranges::transform(commands, names.begin(), &Entry::name);
+            throw Usage(messages::no_operand(file, error, names));
         }
     }
-    const std::string file = operands.files.empty() ? std::string() : quoted(operands.files[0]);
+    const std::string file = operands.files.empty() ? "" : "the FILE " + quoted(operands.files[0]);
     if (operands.files.size() > 1 && most_files == 1) {
-        throw Usage(fmt::format("{} and {} are two FILEs, and one is read; cat joins them: cat A B | rotconv ...", file,
-                                quoted(operands.files[1])));
+        throw Usage(fmt::format("{} and {} are two FILEs, but one is read; cat joins them: cat A B | rotconv ...",
+                                quoted(operands.files[0]), quoted(operands.files[1])));
     }
     if (operands.files.size() > most_files) {
         throw Usage(fmt::format("{} is one FILE too many", quoted(operands.files[most_files])));
     }
-    if (!operands.values.empty() && !operands.files.empty()) {
-        throw Usage(fmt::format("VALUEs and the FILE {} exclude each other", file));
+    if (!operands.values.empty() && (has_input || !file.empty())) {
+        throw Usage(fmt::format("VALUEs cannot be combined with {}", file.empty() ? "--input" : file));
     }
-    if (has_input && !operands.files.empty()) {
-        throw Usage(fmt::format("the FILE {} and --input exclude each other", file));
-    }
-    if (has_input && !operands.values.empty()) {
-        throw Usage("VALUEs and --input exclude each other");
+    if (has_input && !file.empty()) {
+        throw Usage(file + " cannot be combined with --input");
     }
 }
 
-/// What prints a compressed file, by the file's name; empty for others.
-std::string unpacked(std::string_view file) {
+/// The command that prints a file whose name says that it is compressed; empty for other files.
+std::string unpacked(const std::string& file) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unpackers{
         {{".gz", "zcat"}, {".zst", "zstdcat"}, {".xz", "xzcat"}}};
     for (const auto& [ending, program] : unpackers) {
         if (file.ends_with(ending)) {
-            return fmt::format("{} {}{}", program, file.starts_with('-') ? "./" : "", in_shell(file));
+            return fmt::format("{} {}", program, file_in_shell(file));
         }
     }
     return {};
 }
 
-/// Refuses files that their names call compressed, with the same command line behind what unpacks the first.
+/// Refuses files whose names say that they are compressed; the message has the command line that unpacks them.
 void refuse_compressed(const std::vector<std::string>& words, const std::vector<FileWord>& files) {
+    std::vector<std::string> command(words.size());
+    std::ranges::transform(words, command.begin(), in_shell);
     std::string first;
     std::string unpack;
-    std::string command = "rotconv";
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto file = std::ranges::find(files, i, &FileWord::word);
-        const std::string name = file == files.end() ? "" : words[i].substr(file->begin);
-        const std::string before = file == files.end() ? words[i] : words[i].substr(0, file->begin);
-        const std::string by = unpacked(name);
-        if (by.empty()) {
-            command += " " + in_shell(words[i]);
-        } else if (first.empty()) {
-            first = name;
-            unpack = by;
-            command += " " + before + "-";
-        } else {
-            command += fmt::format(" {}<({})", before, by);
+    for (const FileWord& file : files) {
+        const std::string name = words[file.word].substr(file.begin);
+        if (const std::string by = unpacked(name); !by.empty()) {
+            command[file.word] =
+                words[file.word].substr(0, file.begin) + (first.empty() ? "-" : fmt::format("<({})", by));
+            unpack = first.empty() ? by : unpack;
+            first = first.empty() ? name : first;
         }
     }
     if (!first.empty()) {
-        throw Usage(fmt::format("{} is compressed: {}", quoted(first), shown(fmt::format("{} | {}", unpack, command))));
+        throw Usage(fmt::format("{} is compressed: {}", quoted(first),
+                                shown(fmt::format("{} | rotconv {}", unpack, fmt::join(command, " ")))));
     }
 }
 
 Command read(const std::vector<std::string>& words) {
     const Entry* entry = entries.data();
-    auto chosen = options_of(*entry);
-    Arguments arguments = sort_arguments(chosen->set, words, 0, [](std::string_view word) {
-        return !word.empty() && std::ranges::count(entries, word, &Entry::name) > 0;
-    });
+    auto options = options_of(*entry);
+    Arguments arguments = options->set.read(
+        words, 0, [](std::string_view word) { return std::ranges::count(commands, word, &Entry::name) > 0; });
     std::string misplaced; // an option of the conversion before a command
     if (arguments.end < words.size()) {
-        const Arguments before = std::move(arguments);
-        const auto unknown = chosen->set.read(before.options);
-        if (!unknown.empty()) {
-            throw Usage(unexpected(chosen->set, unknown.front()));
+        if (!arguments.unknown.empty()) {
+            throw Usage(unexpected(options->set, arguments.unknown));
         }
-        const bool wants_help = chosen->wants_help;
-        const bool wants_version = chosen->wants_version;
-        misplaced = before.options.empty() ? "" : before.options.front();
-        entry = std::ranges::find(entries, words[before.end], &Entry::name);
-        chosen = options_of(*entry);
-        arguments = sort_arguments(chosen->set, words, before.end + 1, [](auto) { return false; });
-        arguments.error = before.error.empty() ? arguments.error : before.error;
-        chosen->wants_help = wants_help;
-        chosen->wants_version = wants_version;
+        const auto conversion = std::move(options);
+        const std::string error = arguments.error;
+        misplaced = arguments.first_option;
+        entry = std::ranges::find(entries, words[arguments.end], &Entry::name);
+        options = options_of(*entry);
+        arguments = options->set.read(words, arguments.end + 1, [](auto) { return false; });
+        arguments.error = error.empty() ? arguments.error : error;
+        options->wants_help |= conversion->wants_help;
+        options->wants_version = conversion->wants_version;
     }
     if (!arguments.error.empty()) {
         throw Usage(arguments.error);
     }
-    const auto unknown = chosen->set.read(arguments.options);
-    if (chosen->wants_help) {
-        return PrintCommand{help(*entry, chosen->set)};
+    if (options->wants_help) {
+        return PrintCommand{help(*entry, options->set)};
     }
-    if (chosen->wants_version) {
+    if (options->wants_version) {
         return PrintCommand{"rotconv " ROTCONV_VERSION "\n"};
     }
-    if (!unknown.empty()) {
-        throw Usage(unexpected(chosen->set, unknown.front()));
+    if (!arguments.unknown.empty()) {
+        throw Usage(unexpected(options->set, arguments.unknown));
     }
     if (!misplaced.empty()) {
-        throw Usage(fmt::format("{} stands before {}; options come after the command",
-                                misplaced.substr(0, misplaced.find('=')), entry->name));
+        throw Usage(fmt::format("{} stands before {}; options come after the command", misplaced, entry->name));
     }
-    const std::string input = chosen->input();
-    check(arguments, !input.empty(), entry->most_files);
-    refuse_compressed(words, arguments.file_words);
+    if (!options->set.takes_names()) {
+        check(arguments, !options->input.empty(), entry->most_files);
+        refuse_compressed(words, arguments.file_words);
+    }
     try {
-        return chosen->command({arguments.values, arguments.files});
+        return options->command({arguments.values, arguments.files});
     } catch (const MissingSpec& error) {
-        throw Usage(error.what() + contents_advice(arguments.files.empty() ? input : arguments.files.front()));
+        throw Usage(error.what() +
+                    messages::contents_advice(arguments.files.empty() ? options->input : arguments.files.front()));
     }
 }
 

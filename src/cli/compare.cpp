@@ -8,15 +8,12 @@
 
 #include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
-#include "commands.hpp"
-#include "options.hpp"
-#include "print_error.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-/// What all angles come to. Takes rows of an angle and its line, as doubles, in their order.
+/// The largest of all angles, and their means. Takes rows of an angle and its line, as doubles, in their order.
 class AngleSums final : public stream::Sink {
 public:
     int write(std::string_view bytes) override {
@@ -67,43 +64,41 @@ private:
     double squares_ = 0.0; ///< of the angles over the scale
 };
 
+enum class Format : std::uint8_t { pretty, json, csv };
+
 class ComparisonConclusion final : public Conclusion {
 public:
-    enum class Format : std::uint8_t { pretty, json, csv };
-
     ComparisonConclusion(Format format, std::optional<double> within, stream::Digits digits, bool by_key)
         : format_(format), within_(within), digits_(digits), by_key_(by_key) {}
 
     [[nodiscard]] stream::Sink* rows() override { return format_ == Format::csv ? nullptr : &angles_; }
 
-    [[nodiscard]] std::string text(const RowsResult& result) override {
+    [[nodiscard]] Answer answer(const RowsResult& result) override {
+        const std::size_t unpaired = result.unpaired[0].rows + result.unpaired[1].rows;
         if (result.answered == 0 && result.code == ExitCode::done) {
-            const bool no_key = by_key_ && unpaired(result) > 0;
-            print_error(no_key ? "no key of FILE is one of REFERENCE (--key-within says how much they may differ)"
-                               : messages::nothing_read);
+            print_error(by_key_ && unpaired > 0
+                            ? "no key of FILE is one of REFERENCE (--key-within sets how much they may differ)"
+                            : messages::nothing_read);
         }
-        return format_ == Format::csv ? "" : format_ == Format::json ? in_json(result) : in_lines(result);
-    }
-
-    [[nodiscard]] bool holds(const RowsResult& result) const override {
-        return result.answered > 0 && result.beyond == 0 && unpaired(result) == 0;
+        return {.text = format_ == Format::csv    ? ""
+                        : format_ == Format::json ? in_json(result, unpaired)
+                                                  : in_lines(result, unpaired),
+                .holds = result.answered > 0 && result.beyond == 0 && unpaired == 0};
     }
 
 private:
-    static std::size_t unpaired(const RowsResult& result) { return result.unpaired[0].rows + result.unpaired[1].rows; }
-
     [[nodiscard]] std::string number(double value) const {
         stream::Buffer text;
         stream::append_number(text, value, digits_);
         return fmt::to_string(text);
     }
 
-    [[nodiscard]] std::string in_lines(const RowsResult& result) const {
+    [[nodiscard]] std::string in_lines(const RowsResult& result, std::size_t unpaired) const {
         std::string text = fmt::format("rows      {}\n", result.answered);
         if (within_) {
             text += fmt::format("beyond    {}\n", result.beyond);
         }
-        text += fmt::format("unpaired  {}\nfailed    {}\n", unpaired(result), result.failed);
+        text += fmt::format("unpaired  {}\nfailed    {}\n", unpaired, result.failed);
         if (!angles_.empty()) {
             text += fmt::format("max       {} at {}\nrms       {}\nmean      {}\n", number(angles_.largest()),
                                 angles_.line_of_largest(), number(angles_.root_mean_square()), number(angles_.mean()));
@@ -111,17 +106,21 @@ private:
         return text;
     }
 
-    [[nodiscard]] std::string in_json(const RowsResult& result) const {
-        const auto angle = [this](double value) { return angles_.empty() ? "null" : number(value); };
-        const auto count = [](bool is_there, std::size_t value) { return is_there ? std::to_string(value) : "null"; };
-        return fmt::format(R"({{"rows": {}, "within": {}, "beyond": {}, "first_beyond": {}, "unpaired": {}, )"
-                           R"("failed": {}, "max": {}, "max_line": {}, "rms": {}, "mean": {}}})"
-                           "\n",
-                           result.answered, within_ ? json_number(*within_) : "null",
-                           count(within_.has_value(), result.beyond), count(result.beyond > 0, result.first_beyond),
-                           unpaired(result), result.failed, angle(angles_.largest()),
-                           count(!angles_.empty(), angles_.line_of_largest()), angle(angles_.root_mean_square()),
-                           angle(angles_.mean()));
+    [[nodiscard]] std::string in_json(const RowsResult& result, std::size_t unpaired) const {
+        const auto value_if = [](bool is_there, JsonValue value) { return is_there ? value : JsonValue(); };
+        const auto angle = [this](double value) {
+            return angles_.empty() ? JsonValue() : JsonValue::as_written(number(value));
+        };
+        return json_line({{"rows", result.answered},
+                          {"within", value_if(within_.has_value(), within_.value_or(0.0))},
+                          {"beyond", value_if(within_.has_value(), result.beyond)},
+                          {"first_beyond", value_if(result.beyond > 0, result.first_beyond)},
+                          {"unpaired", unpaired},
+                          {"failed", result.failed},
+                          {"max", angle(angles_.largest())},
+                          {"max_line", value_if(!angles_.empty(), angles_.line_of_largest())},
+                          {"rms", angle(angles_.root_mean_square())},
+                          {"mean", angle(angles_.mean())}});
     }
 
     Format format_;
@@ -131,7 +130,7 @@ private:
     AngleSums angles_;
 };
 
-class CompareOptions final : public CommandOptions {
+class CompareOptions final : public RowOptions {
 public:
     CompareOptions() {
         set.begin_group("What");
@@ -141,54 +140,47 @@ public:
         set.add("--as", relative_, "SPEC", "With --format csv: print the relative attitude too, in SPEC");
         set.add("--frame", frame_, "FRAME", "Axes of the relative attitude: body (default) or reference");
         pairing_.add_to(set);
-        reading_.add_to(set);
-        writing_.add_to(set);
+        add_reading();
+        add_writing();
         set.describe("--format", "pretty (default), json, or csv: every pair with its angle");
         attitudes_.add_lock_margin_to(set);
     }
 
-    [[nodiscard]] std::string input() const override { return reading_.input; }
-
     [[nodiscard]] Command command(const Operands& operands) const override {
-        using Format = ComparisonConclusion::Format;
-        const bool degrees = reading_.degrees;
         const Spec from = spec_of("--from", from_, degrees);
         const Spec reference = to_.empty() ? from : spec_of("--to", to_, degrees);
-        const auto format = choose<Format>("format of compare", writing_.format.empty() ? "pretty" : writing_.format,
-                                           {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}});
-        ComparisonSettings settings{.reading = attitudes_.settings(reading_, writing_),
-                                    .within =
-                                        amount_of("--within", within_, std::numeric_limits<double>::infinity(), true),
-                                    .unit = degrees ? AngleUnit::degrees : AngleUnit::radians,
-                                    .frame = frame_of(frame_)};
+        const auto shown = one_of<Format>("format of compare", format.empty() ? "pretty" : format,
+                                          {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}});
+        ComparisonSettings comparing{.reading = attitudes_.added_to(settings(), degrees),
+                                     .within =
+                                         amount_of("--within", within_, std::numeric_limits<double>::infinity(), true),
+                                     .unit = degrees ? AngleUnit::degrees : AngleUnit::radians,
+                                     .frame = frame_of(frame_)};
         if (!relative_.empty()) {
             const Spec relative = spec_of("--as", relative_, degrees);
-            settings.relative = format == Format::csv ? std::optional(relative) : std::nullopt;
+            comparing.relative = shown == Format::csv ? std::optional(relative) : std::nullopt;
         }
-        const Comparison comparison(from, reference, settings);
+        const Comparison comparison(from, reference, comparing);
 
         const operations::ComparisonRows rows{.paired = PairingOptions::is_paired(operands),
                                               .by_key = pairing_.by_key(operands),
-                                              .with_line = format != Format::csv};
-        const double tolerance = settings.reading.tolerance;
-        messages::Subject subject = messages::subject_of(from, tolerance);
+                                              .with_line = shown != Format::csv};
+        messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
         if (!rows.paired) {
             subject.text += to_.empty() ? " twice" : fmt::format(" with {}", representation(reference.name).text);
             subject.count = comparison.inputs();
         }
-        WritingOptions writing = writing_;
-        writing.format = "csv";
-        RowsCommand command = rows_command(reading_, writing, file_columns(reading_, pairing_, operands),
-                                           operations::comparison_numbers(comparison, rows),
-                                           operations::compare(comparison, rows), std::move(subject), operands);
-        command.options.append = format == Format::csv;
-        command.options.format = format == Format::csv ? stream::Format::csv : stream::Format::result;
+        RowsCommand command =
+            rows_command(columns_of_file(pairing_, operands), operations::comparison_numbers(comparison, rows),
+                         operations::compare(comparison, rows), std::move(subject), operands);
+        command.options.append = shown == Format::csv;
+        command.options.format = shown == Format::csv ? stream::Format::csv : stream::Format::result;
         command.conclusion = std::make_shared<ComparisonConclusion>(
-            format, within_.empty() ? std::nullopt : std::optional(settings.within), command.options.digits,
+            shown, within_.empty() ? std::nullopt : std::optional(comparing.within), command.options.digits,
             rows.by_key);
         if (rows.paired) {
-            pair(command, reading_, pairing_, operations::attitude_numbers(reference, rows.by_key),
-                 messages::subject_of(reference, tolerance), operands);
+            pair(command, pairing_, operations::attitude_numbers(reference, rows.by_key),
+                 messages::subject_of(reference, comparing.reading.tolerance), operands);
         }
         return command;
     }
@@ -201,8 +193,6 @@ private:
     std::string frame_ = "body";
     PairingOptions pairing_;
     AttitudeOptions attitudes_;
-    ReadingOptions reading_;
-    WritingOptions writing_;
 };
 
 } // namespace

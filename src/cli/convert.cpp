@@ -1,53 +1,47 @@
 #include <utility>
 
 #include "../methods/method_conversion.hpp"
-#include "../stream/fmt.hpp"
-#include "commands.hpp"
-#include "options.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-class ConvertOptions final : public CommandOptions {
+class ConvertOptions final : public RowOptions {
 public:
     ConvertOptions() {
         set.begin_group("What");
         set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
         set.add("-t,--to", to_, "SPEC", "The representation to write: NAME[:MODIFIER]...");
         attitudes_.add_to(set);
-        reading_.add_to(set);
-        writing_.add_to(set);
+        add_reading();
+        add_writing();
         attitudes_.add_lock_margin_to(set);
         set.begin_group("More");
         set.add("--method", method_, "METHOD", "A published formula (see rotconv list methods), fast, or all of them");
     }
 
-    [[nodiscard]] std::string input() const override { return reading_.input; }
-
     [[nodiscard]] Command command(const Operands& operands) const override {
         if (from_.empty() && to_.empty()) {
             throw MissingSpec("--from SPEC and --to SPEC are missing; see rotconv --help");
         }
-        const Spec from = spec_of("--from", from_, reading_.degrees);
-        const Spec to = spec_of("--to", to_, reading_.degrees);
-        ConversionSettings settings = attitudes_.settings(reading_, writing_);
-        settings.fast = method_ == fast_method;
-        operations::Operation operation = by_method(Conversion(from, to, settings));
+        const Spec from = spec_of("--from", from_, degrees);
+        const Spec to = spec_of("--to", to_, degrees);
+        ConversionSettings conversion = attitudes_.added_to(settings(), degrees);
+        conversion.fast = method_ == fast_method;
+        operations::Operation operation = by_method(Conversion(from, to, conversion));
         if (operation->is_continuous && !operation->answers.empty()) {
-            throw Usage("--continuous follows one answer, and --method all writes several to a row");
+            throw Usage("--continuous cannot be combined with --method all, which writes several answers to a row");
         }
-        RowsCommand command =
-            rows_command(reading_, writing_, {.list = reading_.columns}, operations::attitude_numbers(from),
-                         std::move(operation), messages::subject_of(from, settings.tolerance), operands);
+        RowsCommand command = rows_command({.list = columns}, operations::attitude_numbers(from), std::move(operation),
+                                           messages::subject_of(from, conversion.tolerance), operands);
         if (method_ == all_methods && command.options.format == stream::Format::f64) {
-            throw Usage("--format f64 has no place for the names that --method all writes");
+            throw Usage("--format f64 cannot be combined with --method all, which writes names");
         }
         return command;
     }
 
 private:
-    /// One of rotconv's own, a published one, or all.
+    /// A method of rotconv's own, a published one, or all.
     [[nodiscard]] operations::Operation by_method(const Conversion& conversion) const {
         if (method_ == all_methods) {
             return operations::method(MethodConversion::all(conversion), true, attitudes_.continuous);
@@ -66,8 +60,6 @@ private:
     std::string to_;
     std::string method_ = std::string(default_method);
     AttitudeOptions attitudes_;
-    ReadingOptions reading_;
-    WritingOptions writing_;
 };
 
 } // namespace

@@ -1,5 +1,3 @@
-#include "guesses.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -7,90 +5,50 @@
 #include <span>
 
 #include "../stream/fmt.hpp"
+#include "messages.hpp"
 
-namespace rotconv::cli {
+namespace rotconv::cli::messages {
 namespace {
 
-/// What a word is called here.
+/// What words of other programs are called here.
 struct Meaning {
-    std::string_view word; ///< letters and digits alone, in lower case
-    std::string_view text; ///< empty: what is meant needs no word
+    std::string_view text;  ///< empty: it needs no modifier
+    std::string_view words; ///< each between blanks, in lower case, without marks
 };
 
 constexpr auto names = std::to_array<Meaning>({
-    {"aa", "axis-angle"},
-    {"angleaxis", "axis-angle"},
-    {"rotmat", "dcm"},
-    {"rotationmatrix", "dcm"},
-    {"rotation", "dcm"},
-    {"rot", "dcm"},
-    {"mat", "dcm"},
-    {"r", "dcm"},
-    {"so3", "dcm"},
-    {"q", "quat"},
-    {"ep", "quat"},
-    {"eulerparameters", "quat"},
-    {"ypr", "euler:ZYX"},
-    {"yawpitchroll", "euler:ZYX"},
-    {"taitbryan", "euler:ZYX"},
-    {"cardan", "euler:XYZ"},
-    {"rollpitchyaw", "rpy"},
-    {"rotationvector", "rotvec"},
-    {"rvec", "rotvec"},
-    {"rv", "rotvec"},
-    {"prv", "rotvec"},
-    {"expmap", "rotvec"},
-    {"crp", "cayley"},
-    {"rot6d", "6d"},
+    {"axis-angle", " aa angleaxis "},
+    {"dcm", " rotmat rotationmatrix rotation rot mat r so3 "},
+    {"quat", " q ep eulerparameters "},
+    {"euler:ZYX", " ypr yawpitchroll taitbryan "},
+    {"euler:XYZ", " cardan "},
+    {"rpy", " rollpitchyaw "},
+    {"rotvec", " rotationvector rvec rv prv expmap "},
+    {"cayley", " crp "},
+    {"6d", " rot6d "},
 });
 
 constexpr auto modifiers = std::to_array<Meaning>({
-    {"scalarlast", "xyzw"},
-    {"last", "xyzw"},
-    {"scalarfirst", "wxyz"},
-    {"first", "wxyz"},
-    {"hamilton", "wxyz"},
-    {"inverse", "passive"},
-    {"inv", "passive"},
-    {"transpose", "passive"},
-    {"transposed", "passive"},
-    {"t", "passive"},
-    {"conjugate", "passive"},
-    {"conj", "passive"},
-    {"columnmajor", "col"},
-    {"colmajor", "col"},
-    {"columns", "col"},
-    {"bn", "basilisk"},
-    {"schaub", "basilisk"},
-    {"ros2", "ros"},
-    {"tf", "ros"},
-    {"tf2", "ros"},
-    {"naif", "spice"},
-    {"nb", ""},
-    {"active", ""},
-    {"rad", ""},
-    {"radians", ""},
-    {"rowmajor", ""},
-    {"row", ""},
-    {"euroc", ""},
-    {"kitti", ""},
-    {"px4", ""},
-    {"gtsam", ""},
+    {"xyzw", " scalarlast last "},
+    {"wxyz", " scalarfirst first hamilton "},
+    {"passive", " inverse inv transpose transposed t conjugate conj "},
+    {"col", " columnmajor colmajor columns "},
+    {"basilisk", " bn schaub "},
+    {"ros", " ros2 tf tf2 "},
+    {"spice", " naif "},
+    {"", " nb active rad radians rowmajor row euroc kitti px4 gtsam "},
 });
 
 constexpr auto options = std::to_array<Meaning>({
-    {"json", "--format json"},
-    {"pretty", "--format pretty"},
-    {"quiet", "--diagnostics off"},
-    {"q", "--diagnostics off"},
-    {"digits", "--precision"},
-    {"round", "--decimals"},
-    {"places", "--decimals"},
-    {"sep", "--delimiter"},
-    {"separator", "--delimiter"},
-    {"noheader", "--header no"},
-    {"skiperrors", "--on-error skip"},
-    {"fields", "--columns"},
+    {"--format json", " json "},
+    {"--format pretty", " pretty "},
+    {"--diagnostics off", " quiet q "},
+    {"--precision", " digits "},
+    {"--decimals", " round places "},
+    {"--delimiter", " sep separator "},
+    {"--header no", " noheader "},
+    {"--on-error skip", " skiperrors "},
+    {"--columns", " fields "},
 });
 
 /// Edits (insert, delete, replace) that lead from one text to the other.
@@ -116,16 +74,17 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-/// Letters and digits alone.
+/// Only the letters and digits.
 std::string without_marks(std::string_view text) {
     std::string result(text);
-    std::erase_if(result,
-                  [](char c) { return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')); });
+    std::erase_if(result, [](char c) { return !is_alphanumeric(c); });
     return result;
 }
 
 const Meaning* find(std::span<const Meaning> table, std::string_view text) {
-    const auto found = std::ranges::find(table, lower(without_marks(text)), &Meaning::word);
+    const std::string word = fmt::format(" {} ", lower(without_marks(text)));
+    const auto found = std::ranges::find_if(
+        table, [&word](const Meaning& meaning) { return meaning.words.find(word) != std::string_view::npos; });
     return found == table.end() ? nullptr : &*found;
 }
 
@@ -148,18 +107,18 @@ std::optional<Guess> guess_sequence(std::string_view text) {
     if (!EulerSequence::parse(letters)) {
         return std::nullopt;
     }
-    return Guess{"euler:" + letters, {}, {}};
+    return Guess{"euler:" + letters};
 }
 
-/// The word as a kind of thing that some representations have, and one of them with it.
-template <class Has, class With>
-std::optional<Guess> guess_kind(std::string_view kind, const Has& has, const With& with) {
-    Guess guess{{}, kind, {}};
+/// A word that some representations have, as their `kind`: which they are, and the SPEC of the first.
+template <class Has>
+std::optional<Guess> guess_kind(std::string_view kind, const Has& has, const std::string& ending = {}) {
+    Guess guess{.text = {}, .kind = kind};
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
         if (has(entry)) {
             const std::string name = entry.takes_sequence ? "euler:ZYX" : std::string(entry.text);
-            guess.text = guess.text.empty() ? with(name) : guess.text;
+            guess.text = guess.text.empty() ? name + ending : guess.text;
             guess.of += (guess.of.empty() ? "" : ", ") + std::string(entry.text);
         }
     }
@@ -172,85 +131,75 @@ bool is_modifier(std::string_view word) {
     return std::ranges::any_of(all_modifiers, [word](Modifier modifier) { return name_of(modifier) == word; });
 }
 
-bool is_changed_by(const Representation& entry, std::string_view preset) {
-    const ModifierSet set = modifiers_of(preset, entry);
-    return std::ranges::any_of(all_modifiers, [&set](Modifier modifier) { return set.has(modifier); });
-}
-
 bool has_modifier(const Representation& entry, std::string_view word) {
     return std::ranges::any_of(
         all_modifiers, [&](Modifier modifier) { return name_of(modifier) == word && entry.modifiers.has(modifier); });
 }
 
-bool has_column(const Representation& entry, std::string_view word) {
-    const auto* const end = entry.columns.begin() + static_cast<std::ptrdiff_t>(entry.size);
-    return std::find(entry.columns.begin(), end, word) != end;
-}
-
 std::optional<Guess> guess_name(std::string_view word, const std::vector<std::string_view>& legal) {
-    const auto with_word = [word](const std::string& name) { return fmt::format("{}:{}", name, word); };
+    const std::string ending = fmt::format(":{}", word);
     if (is_preset(word)) {
-        return guess_kind(
-            "preset", [word](const auto& entry) { return is_changed_by(entry, word); }, with_word);
+        const auto is_changed = [word](const Representation& entry) {
+            return !words_of(modifiers_of(word, entry), "").empty();
+        };
+        return guess_kind("preset", is_changed, ending);
     }
     if (is_modifier(word)) {
         return guess_kind(
-            "modifier", [word](const auto& entry) { return has_modifier(entry, word); }, with_word);
+            "modifier", [word](const auto& entry) { return has_modifier(entry, word); }, ending);
     }
     for (const std::string_view name : legal) {
         if (without_marks(lower(name)) == without_marks(lower(word))) {
-            return Guess{std::string(name), {}, {}};
+            return Guess{std::string(name)};
         }
     }
-    if (auto guess = guess_kind(
-            "column", [word](const auto& entry) { return has_column(entry, word); },
-            [](const std::string& name) { return name; })) {
+    const auto has_column = [word](const Representation& entry) {
+        return std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
+    };
+    if (auto guess = guess_kind("column", has_column)) {
         return guess;
     }
-    if (const Meaning* meaning = find(names, word)) {
-        return Guess{std::string(meaning->text), {}, {}};
-    }
-    return guess_sequence(word);
+    const Meaning* meaning = find(names, word);
+    return meaning != nullptr ? Guess{std::string(meaning->text)} : guess_sequence(word);
 }
 
 std::optional<Guess> guess_modifier(std::string_view word, const Representation& entry) {
-    if (const Meaning* meaning = find(modifiers, word)) {
-        if (meaning->text.empty() || is_preset(meaning->text) || has_modifier(entry, meaning->text)) {
-            return Guess{std::string(meaning->text), {}, {}};
-        }
+    const Meaning* meaning = find(modifiers, word);
+    if (meaning != nullptr &&
+        (meaning->text.empty() || is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
+        return Guess{std::string(meaning->text)};
     }
     return entry.has_gimbal_lock ? guess_sequence(word) : std::nullopt;
 }
 
+/// A word in the place of the letters of an Euler sequence.
 std::optional<Guess> guess_letters(std::string_view word) {
     if (is_preset(word) || is_modifier(word)) {
-        return Guess{fmt::format("euler:ZYX:{}", word), {}, {}};
+        return Guess{fmt::format("euler:ZYX:{}", word)};
     }
     if (word == representation(RepresentationId::rpy).text) {
-        return Guess{std::string(word), {}, {}};
+        return Guess{std::string(word)};
     }
     const Meaning* meaning = find(names, word);
-    if (meaning != nullptr && meaning->text.starts_with("euler:")) {
-        return Guess{std::string(meaning->text), {}, {}};
-    }
-    return guess_sequence(word);
+    const bool is_sequence = meaning != nullptr && meaning->text.starts_with("euler:");
+    return is_sequence ? Guess{std::string(meaning->text)} : guess_sequence(word);
 }
 
 } // namespace
 
 std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<std::string_view>& legal) {
-    constexpr std::size_t begun = 4; // such as --pr
-    std::string_view best;
+    constexpr std::size_t shortest_beginning = 4; // such as --pr
+    std::optional<Guess> best;
     std::size_t least = std::max<std::size_t>(2, text.size() / 2) + 1;
     for (const std::string_view word : legal) {
-        const bool is_begun = text.size() >= begun && word.starts_with(text);
+        const bool is_begun = text.size() >= shortest_beginning && word.starts_with(text);
         const std::size_t distance = is_begun ? 0 : edit_distance(lower(text), lower(word));
         if (distance < least) {
             least = distance;
-            best = word;
+            best = Guess{std::string(word)};
         }
     }
-    return best.empty() ? std::nullopt : std::optional(Guess{std::string(best), {}, {}});
+    return best;
 }
 
 std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal) {
@@ -263,8 +212,7 @@ std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::s
 
 std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal) {
     const Meaning* meaning = find(options, text);
-    return meaning != nullptr ? std::optional(Guess{std::string(meaning->text), {}, {}})
-                              : guess_by_spelling(text, legal);
+    return meaning != nullptr ? Guess{std::string(meaning->text)} : guess_by_spelling(text, legal);
 }
 
-} // namespace rotconv::cli
+} // namespace rotconv::cli::messages

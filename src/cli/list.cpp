@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -8,50 +9,42 @@
 
 #include "../methods/method.hpp"
 #include "../stream/fmt.hpp"
-#include "commands.hpp"
+#include "command.hpp"
 
 namespace rotconv::cli {
 namespace {
 
 std::string aliases_of(const Representation& entry) {
-    std::string text;
-    for (const std::string_view alias : entry.aliases) {
-        text += text.empty() || alias.empty() ? "" : " ";
-        text += alias;
-    }
-    return text;
+    const auto names = messages::names_of(entry);
+    return fmt::format("{}", fmt::join(names.begin() + 1, names.end(), " "));
 }
 
-std::string columns_of(const Representation& entry) {
-    return fmt::format("{}",
-                       fmt::join(entry.columns.begin(), entry.columns.begin() + static_cast<int>(entry.size), " "));
+std::string columns_of(const Spec& spec) {
+    const auto columns = spec.columns();
+    return fmt::format("{}", fmt::join(columns.begin(), columns.begin() + static_cast<int>(spec.size()), " "));
 }
 
-/// What a preset makes of a representation.
+/// The modifiers that a preset means for a representation.
 std::string effect_of(const Preset& preset, const Representation& entry) {
-    const std::string effect = messages::words_of(modifiers_of(preset.text, entry), ", ");
-    return effect.empty() ? "as it is" : effect;
+    return messages::words_of(modifiers_of(preset.text, entry), ", ");
 }
 
-/// What a preset makes of all of them, such as "passive on dcm, 6d, 5d; xyzw on quat".
+/// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat".
 std::string effects_of(const Preset& preset) {
     std::vector<std::pair<std::string, std::string>> effects;
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
-        const std::string effect = messages::words_of(modifiers_of(preset.text, entry), ", ");
+        const std::string effect = effect_of(preset, entry);
         const auto found = std::ranges::find(effects, effect, &std::pair<std::string, std::string>::first);
-        if (effect.empty()) {
-            continue;
-        }
         if (found != effects.end()) {
             found->second += fmt::format(", {}", entry.text);
-        } else {
-            effects.emplace_back(effect, entry.text);
+        } else if (!effect.empty()) {
+            effects.emplace_back(effect, fmt::format("{} on {}", effect, entry.text));
         }
     }
     std::string text;
-    for (const auto& [effect, names] : effects) {
-        text += fmt::format("{}{} on {}", text.empty() ? "" : "; ", effect, names);
+    for (const auto& [effect, words] : effects) {
+        text += (text.empty() ? "" : "; ") + words;
     }
     return text;
 }
@@ -64,7 +57,7 @@ std::string list_all() {
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
         text += fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", name_of(entry), aliases_of(entry),
-                            entry.size, columns_of(entry), entry.range, entry.singular);
+                            entry.size, columns_of({.name = entry.name}), entry.range, entry.singular);
     }
     text += "\nrotconv list NAME explains one: its formula, modifiers and presets.\n";
     return text;
@@ -77,7 +70,7 @@ std::string list_one(const Representation& entry) {
         text += fmt::format("  {:<10} {}\n", label, what);
     };
     line("formula", entry.formula);
-    line("numbers", columns_of(entry));
+    line("numbers", columns_of({.name = entry.name}));
     line("range", entry.range);
     line("singular", entry.singular);
     if (entry.takes_sequence) {
@@ -86,23 +79,11 @@ std::string list_one(const Representation& entry) {
     }
     line("modifiers", messages::words_of(entry.modifiers, " "));
     for (const Preset& preset : presets()) {
+        const std::string effect = effect_of(preset, entry);
         line(&preset == presets().data() ? "presets" : "",
-             fmt::format("{:<12} {:<14} {}", preset.text, effect_of(preset, entry), preset.about));
+             fmt::format("{:<12} {:<14} {}", preset.text, effect.empty() ? "unchanged" : effect, preset.about));
     }
     return text;
-}
-
-/// A SPEC's numbers, and its representation.
-std::string list_spec(const Spec& spec) {
-    const auto columns = spec.columns();
-    const auto end = columns.begin() + static_cast<std::ptrdiff_t>(spec.size());
-    return fmt::format("{}: {}\n\n{}", spec.text(), fmt::join(columns.begin(), end, " "),
-                       list_one(representation(spec.name)));
-}
-
-std::string list_preset(const Preset& preset) {
-    return fmt::format("{}: {}\n  sets       {}\n  leaves     all else as it is\n", preset.text, preset.about,
-                       effects_of(preset));
 }
 
 std::string list_presets() {
@@ -110,19 +91,19 @@ std::string list_presets() {
     for (const Preset& preset : presets()) {
         text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.about, effects_of(preset));
     }
-    return text + "\nA preset goes behind a name, as in quat:tum; it leaves all else as it is.\n";
+    return text + "\nA preset follows a name, as in quat:tum; it leaves all else unchanged.\n";
 }
 
-/// Of a SPEC, so that those of a command line can be copied, or euler without its sequence.
-RepresentationId named(const std::string& text) {
+/// The representation of a SPEC, such as one copied from a command line; euler may lack its sequence.
+Spec named(const std::string& text) {
     if (const Representation* entry = find_representation(text)) {
-        return entry->name;
+        return {.name = entry->name};
     }
     const auto spec = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&spec)) {
         throw Usage(messages::explain(*error));
     }
-    return std::get<Spec>(spec).name;
+    return std::get<Spec>(spec);
 }
 
 /// A heading, rotconv's own two methods, and those published.
@@ -141,23 +122,22 @@ std::string list_pair(std::string_view from, std::string_view to, std::span<cons
     return text;
 }
 
-/// All pairs with published methods, those from the one name, or the pair of two.
+/// All pairs with published methods, the pairs from one name, or the pair of two names.
 std::string list_methods(const std::vector<std::string>& pair) {
+    const auto from = pair.empty() ? std::nullopt : std::optional(named(pair[0]).name);
     if (pair.size() == 2) {
-        const RepresentationId from = named(pair[0]);
-        const RepresentationId to = named(pair[1]);
-        return list_pair(representation(from).text, representation(to).text, methods_of(from, to));
+        const RepresentationId to = named(pair[1]).name;
+        return list_pair(representation(*from).text, representation(to).text, methods_of(*from, to));
     }
     std::string text;
     for (const Method& method : methods()) {
-        if (method.run == nullptr && (pair.empty() || named(pair[0]) == method.from)) {
+        if (method.run == nullptr && from.value_or(method.from) == method.from) {
             text += list_pair(representation(method.from).text, representation(method.to).text,
                               methods_of(method.from, method.to)) +
                     "\n";
         }
     }
-    return text + list_pair(pair.empty() ? "any" : representation(named(pair[0])).text,
-                            text.empty() ? "any" : "any other", {});
+    return text + list_pair(from ? representation(*from).text : "any", text.empty() ? "any" : "any other", {});
 }
 
 std::string list(const std::vector<std::string>& words) {
@@ -178,25 +158,21 @@ std::string list(const std::vector<std::string>& words) {
     const auto all = presets();
     const auto preset = std::ranges::find(all, first, &Preset::text);
     if (preset != all.end()) {
-        return list_preset(*preset);
+        return fmt::format("{}: {}\n  sets       {}\n  leaves     all else unchanged\n", preset->text, preset->about,
+                           effects_of(*preset));
     }
-    if (const Representation* entry = find_representation(first)) {
-        return list_one(*entry);
-    }
-    const auto spec = parse_spec(first);
-    if (const auto* error = std::get_if<SpecError>(&spec)) {
-        throw Usage(messages::explain(*error));
-    }
-    return list_spec(std::get<Spec>(spec));
+    const Spec spec = named(first);
+    const std::string about = list_one(representation(spec.name));
+    return find_representation(first) != nullptr ? about
+                                                 : fmt::format("{}: {}\n\n{}", spec.text(), columns_of(spec), about);
 }
 
 class ListOptions final : public CommandOptions {
 public:
-    ListOptions() { set.add_operands("NAME", words_, "A representation, a preset, presets, or methods [FROM [TO]]"); }
-    [[nodiscard]] Command command(const Operands& /*operands*/) const override { return PrintCommand{list(words_)}; }
-
-private:
-    std::vector<std::string> words_;
+    ListOptions() { set.take_names("A representation, a preset, presets, or methods [FROM [TO]]"); }
+    [[nodiscard]] Command command(const Operands& operands) const override {
+        return PrintCommand{list(operands.files)};
+    }
 };
 
 } // namespace
@@ -204,30 +180,27 @@ private:
 std::unique_ptr<CommandOptions> list_options() { return std::make_unique<ListOptions>(); }
 
 std::string help_footer() {
-    std::string text =
-        "A SPEC is a representation, with modifiers or a preset behind it: quat, quat:xyzw, euler:ZYX:deg.\n\n"
-        "Representations (rotconv list explains them):\n ";
-    for (const RepresentationId id : all_representations) {
-        text += fmt::format(" {}", name_of(representation(id)));
-    }
-    text += "\n\nModifiers (rotconv list NAME has those of one representation):\n ";
-    for (const Modifier modifier : all_modifiers) {
-        text += fmt::format(" {}", rotconv::name_of(modifier));
-    }
-    text += "\n\nPresets set the modifiers of a project (rotconv list presets explains them):\n ";
-    for (const Preset& preset : presets()) {
-        text += fmt::format(" {}", preset.text);
-    }
-    text += "\n\nExit status:\n"
-            "  0  all rows are done\n"
-            "  1  it ran to the end, but rows failed, --strict met a diagnostic, or a check did not hold\n"
-            "  2  it stopped: wrong usage, a bad row under --on-error stop, or a file that cannot be used\n"
-            "\nExamples:\n"
-            "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"
-            "  rotconv -f quat:xyzw -t rpy:deg 0 0 0.7071067811865476 0.7071067811865476\n"
-            "  rotconv -f quat:tum -t rpy -d --columns 5-8 trajectory.txt\n"
-            "  rotconv compare -f quat:tum --columns 5-8 --within 1e-6 new.txt old.txt\n";
-    return text;
+    std::vector<std::string_view> names;
+    std::ranges::transform(all_representations, std::back_inserter(names),
+                           [](RepresentationId id) { return name_of(representation(id)); });
+    std::vector<std::string_view> modifiers;
+    std::ranges::transform(all_modifiers, std::back_inserter(modifiers),
+                           [](Modifier modifier) { return rotconv::name_of(modifier); });
+    return fmt::format(
+        "A SPEC is a representation, followed by modifiers or a preset: quat, quat:xyzw, euler:ZYX:deg.\n"
+        "\nRepresentations (rotconv list explains them):\n  {}\n"
+        "\nModifiers (rotconv list NAME gives those of one representation):\n  {}\n"
+        "\nPresets set the modifiers of a project (rotconv list presets explains them):\n  {}\n"
+        "\nExit status:\n"
+        "  0  finished\n"
+        "  1  finished, but rows failed, --strict met a diagnostic, or a check did not hold\n"
+        "  2  stopped: wrong usage, a row error with --on-error stop, or a file that cannot be used\n"
+        "\nExamples:\n"
+        "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"
+        "  rotconv -f quat:xyzw -t rpy:deg 0 0 0.7071067811865476 0.7071067811865476\n"
+        "  rotconv -f quat:tum -t rpy -d --columns 5-8 trajectory.txt\n"
+        "  rotconv compare -f quat:tum --columns 5-8 --within 1e-6 new.txt old.txt\n",
+        fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(messages::all_presets(), " "));
 }
 
 } // namespace rotconv::cli

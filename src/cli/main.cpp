@@ -6,9 +6,7 @@
 #include <variant>
 
 #include "../stream/file.hpp"
-#include "command_line.hpp"
-#include "print_error.hpp"
-#include "rows.hpp"
+#include "command.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -27,16 +25,14 @@ ExitCode print(const std::string& text) {
     return ExitCode::incomplete;
 }
 
-ExitCode usage(const std::string& message) {
-    print_error(message);
-    return ExitCode::incomplete;
-}
-
 /// One overload for each command.
 struct Run {
-    ExitCode operator()(const RowsCommand& command) const { return run_rows(command).code; }
+    ExitCode operator()(const RowsCommand& command) const { return run_rows(command); }
     ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
-    ExitCode operator()(const UsageError& error) const { return usage(error.message); }
+    ExitCode operator()(const UsageError& error) const {
+        print_error(error.message);
+        return ExitCode::incomplete;
+    }
 };
 
 } // namespace

@@ -1,14 +1,11 @@
 #include "messages.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <system_error>
 
 #include "../methods/method.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
-#include "guesses.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
@@ -19,28 +16,18 @@ std::string suggestion(std::string_view word, const std::optional<Guess>& guess)
         return {};
     }
     if (guess->text.empty()) {
-        return fmt::format("; what {} would say is so without a modifier", quoted(word));
+        return fmt::format("; {} needs no modifier: leave it out", quoted(word));
     }
     const std::string elsewhere =
         guess->kind.empty() ? "" : fmt::format(" {} is a {} of {}:", word, guess->kind, guess->of);
     return fmt::format(";{} did you mean {}?", elsewhere, guess->text);
 }
 
-/// A word that is none of the legal ones.
+/// A word that is not one of the legal ones.
 std::string unknown(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal,
                     const std::optional<Guess>& guess) {
     return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
                        suggestion(text, guess));
-}
-
-std::vector<std::string_view> legal_names() {
-    std::vector<std::string_view> names;
-    for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
-        names.push_back(entry.text);
-        std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
-    }
-    return names;
 }
 
 std::vector<std::string_view> list_of(const ModifierSet& modifiers) {
@@ -53,19 +40,7 @@ std::vector<std::string_view> list_of(const ModifierSet& modifiers) {
     return words;
 }
 
-std::vector<std::string_view> legal_presets() {
-    std::vector<std::string_view> words;
-    std::ranges::transform(presets(), std::back_inserter(words), &Preset::text);
-    return words;
-}
-
-std::vector<std::string> sequences() {
-    std::vector<std::string> list;
-    std::ranges::transform(EulerSequence::all(), std::back_inserter(list), &EulerSequence::text);
-    return list;
-}
-
-/// What the figure of such a diagnostic is.
+/// What the figure of a diagnostic is.
 std::string_view figure_name(DiagnosticKind kind) {
     switch (kind) {
     case DiagnosticKind::normalized: return "defect";
@@ -83,20 +58,45 @@ Subject subject_of(const Spec& spec, double tolerance) {
     return {std::string(representation(spec.name).text), spec.size(), spec.name, tolerance};
 }
 
+std::vector<std::string_view> names_of(const Representation& entry) {
+    std::vector<std::string_view> names{entry.text};
+    std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
+    return names;
+}
+
+std::vector<std::string_view> all_names() {
+    std::vector<std::string_view> names;
+    for (const RepresentationId id : all_representations) {
+        std::ranges::copy(names_of(representation(id)), std::back_inserter(names));
+    }
+    return names;
+}
+
+std::vector<std::string_view> all_presets() {
+    std::vector<std::string_view> words;
+    std::ranges::transform(presets(), std::back_inserter(words), &Preset::text);
+    return words;
+}
+
+std::vector<std::string> all_sequences() {
+    std::vector<std::string> list;
+    std::ranges::transform(EulerSequence::all(), std::back_inserter(list), &EulerSequence::text);
+    return list;
+}
+
 std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
     return fmt::format("{}", fmt::join(list_of(modifiers), separator));
 }
 
 std::string other_order(std::string_view list, const Spec& from, const std::vector<std::string_view>& order,
                         const std::optional<Spec>& right) {
-    const std::string own =
-        fmt::format("{} is not the order of {}, which is {}", quoted(list), from.text(), fmt::join(order, ","));
-    return right ? fmt::format("{}; it is that of {} (of a mislabelled file select by indices)", own, right->text())
-                 : fmt::format("{}; of a mislabelled file select by indices", own);
+    return fmt::format("{} is not the order of {}, which is {}{} (if the file is mislabelled, select by index)",
+                       quoted(list), from.text(), fmt::join(order, ","),
+                       right ? fmt::format("; it is the order of {}", right->text()) : "");
 }
 
 std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
-    return fmt::format("argument: {} is no number, and as a FILE it cannot be read: {}{}", quoted(word),
+    return fmt::format("argument: {} is not a number, and cannot be read as a FILE: {}{}", quoted(word),
                        std::generic_category().message(error), suggestion(word, guess_by_spelling(word, commands)));
 }
 
@@ -122,7 +122,8 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
     for (const Method& method : rows) {
         message += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }
-    message += fmt::format("\n  {:<18} {}\n  {:<18} each of these, a line each", fast_method, every_input, all_methods);
+    message +=
+        fmt::format("\n  {:<18} {}\n  {:<18} each of these, one line for each", fast_method, every_input, all_methods);
     return message;
 }
 
@@ -130,24 +131,24 @@ std::string explain(const SpecError& error) {
     using What = SpecError::What;
     switch (error.what) {
     case What::unknown_name: {
-        const auto legal = legal_names();
+        const auto legal = all_names();
         return unknown("representation", error.text, legal, guess_spec(error, legal));
     }
     case What::no_sequence:
-        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(sequences(), " "));
+        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
     case What::unknown_sequence: {
-        const auto list = sequences();
+        const auto list = all_sequences();
         const std::vector<std::string_view> legal(list.begin(), list.end());
         return unknown("Euler sequence", error.text, legal, guess_spec(error, legal));
     }
     case What::unknown_modifier: {
         auto legal = list_of(error.in->modifiers);
-        std::ranges::copy(legal_presets(), std::back_inserter(legal));
+        std::ranges::copy(all_presets(), std::back_inserter(legal));
         return unknown(fmt::format("modifier of {}", error.in->text), error.text, legal, guess_spec(error, legal));
     }
     case What::meaningless_modifier:
         return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
-                           error.in->text, words_of(error.in->modifiers, " "), fmt::join(legal_presets(), " "));
+                           error.in->text, words_of(error.in->modifiers, " "), fmt::join(all_presets(), " "));
     case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
     case What::two_orders: return fmt::format("{} has the scalar first and last", quoted(error.text));
     }
@@ -183,7 +184,7 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
                            subject.has_steps ? ", and a step came too near to it (--substeps)" : "", text);
     case Error::past_half_turn:
         return fmt::format("the body may have turned by half a turn or more since the row before (a gap?): {}", text);
-    case Error::ended: return fmt::format("no attitude follows on an earlier row's error: {}", text);
+    case Error::ended: return fmt::format("no attitude, because an earlier row failed: {}", text);
     case Error::coarse_step:
         return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",
                            representation(subject.representation).text, text);
@@ -221,9 +222,10 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
                            subject.text, counted(subject.count, "number"));
     case What::twice: return fmt::format("column {} is selected twice", quoted(error.text));
     case What::missing:
-        return fmt::format("no header: of the columns the row lacks {} and has {}{}: {}", quoted_list(error.lacking),
-                           quoted_list(error.present),
-                           error.header.empty() ? "" : "; there are " + numbered(error.header), quoted(error.text));
+        return fmt::format("not a header: the row lacks the selected columns {} (it has {}){}: {}",
+                           quoted_list(error.lacking), quoted_list(error.present),
+                           error.header.empty() ? "" : "; the columns are " + numbered(error.header),
+                           quoted(error.text));
     case What::ambiguous:
         return fmt::format("more than one column is called {}: {}; select by index", quoted(error.text),
                            fmt::join(error.indices, " and "));
@@ -237,12 +239,12 @@ std::string_view meaning(DiagnosticKind kind) {
     case DiagnosticKind::gimbal_lock:
         return "only the sum or difference of the outer angles is defined; the third is set to 0";
     case DiagnosticKind::near_gimbal_lock: return "the outer angles are ill-conditioned, the attitude is not";
-    case DiagnosticKind::half_turn: return "the axis and its opposite are the same; its sign is a convention";
+    case DiagnosticKind::half_turn: return "the axis and its opposite give the same attitude; the sign is a convention";
     case DiagnosticKind::infinite: return "a half-turn has no finite Cayley vector";
-    case DiagnosticKind::identity_axis: return "every axis serves; (1, 0, 0) is a convention";
-    case DiagnosticKind::method_error: return "the method's answer is off the attitude by more than 1e-6 rad";
+    case DiagnosticKind::identity_axis: return "every axis gives the same attitude; (1, 0, 0) is a convention";
+    case DiagnosticKind::method_error: return "the method's answer is off by more than 1e-6 rad";
     case DiagnosticKind::coarse_step:
-        return "a step may be off by more than 1e-3 rad; --substeps or a finer sampling helps";
+        return "the error of a step may exceed 1e-3 rad; --substeps or a finer sampling helps";
     case DiagnosticKind::beyond: return "the attitudes differ by more than --within";
     }
     return {};

@@ -10,28 +10,35 @@
 
 #include "../stream/column_list.hpp"
 #include "../stream/event.hpp"
+#include "../stream/options.hpp"
 #include "words.hpp"
 
-/// What is told of rows, files, columns, SPECs and diagnostics. A sentence about one option stands with that option.
+/// Messages on rows, files, columns, SPECs and diagnostics. A sentence about one option stands with that option.
 namespace rotconv::cli::messages {
+
+/// The name of a representation and its aliases.
+[[nodiscard]] std::vector<std::string_view> names_of(const Representation& entry);
+[[nodiscard]] std::vector<std::string_view> all_names();
+[[nodiscard]] std::vector<std::string_view> all_presets();
+[[nodiscard]] std::vector<std::string> all_sequences();
 
 /// The words of modifiers, in the order of the table.
 [[nodiscard]] std::string words_of(const ModifierSet& modifiers, std::string_view separator);
 
-/// The names of a list of columns stand in another order than the SPEC's, but perhaps in that of another SPEC.
+/// The names in a list of columns have another order than the SPEC's; `right`: the SPEC with that order, if any.
 [[nodiscard]] std::string other_order(std::string_view list, const Spec& from,
                                       const std::vector<std::string_view>& order, const std::optional<Spec>& right);
 
-/// Why a SPEC is none, with the legal words and the nearest.
+/// Why a text is not a SPEC, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecError& error);
 
 /// What the rows of a run are.
 struct Subject {
     std::string text;                                         ///< what has `count` numbers, such as "quat"
     std::size_t count = 0;                                    ///< numbers of a row
-    RepresentationId representation = RepresentationId::quat; ///< whose singularities may be met
+    RepresentationId representation = RepresentationId::quat; ///< its singularities may be met
     double tolerance = 0.0;                                   ///< see ConversionSettings
-    bool has_steps = false;                                   ///< of an integration
+    bool has_steps = false;                                   ///< the rows are integrated
 };
 
 /// Rows of attitudes.
@@ -45,7 +52,7 @@ struct Subject {
 
 [[nodiscard]] std::string explain(const stream::ColumnError& error, const Subject& subject);
 
-/// Of a run that had no attitude to look at.
+/// For a run without an attitude.
 inline constexpr std::string_view nothing_read = "there was no row with an attitude";
 
 /// A diagnostic in words, with its figure.
@@ -58,13 +65,42 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
                                        const std::vector<std::string_view>& legal);
 
-/// The same of an option.
+/// The same for an option.
 [[nodiscard]] std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal);
 
-/// Why a word names no method of the pair, with those that there are and where they hold.
+/// Why a word does not name a method of the pair, with the methods of the pair and the input for which they hold.
 [[nodiscard]] std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text);
 
-/// Why a word that is no option can be used neither as a number nor as a file, with the nearest command.
+/// Why a word that is not an option can be used neither as a number nor as a FILE, with the nearest command.
 [[nodiscard]] std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands);
+
+// The ends of messages that say how to read what stands in the way at the beginning of a stream:
+
+/// For a line at which reading stopped: a command or option with which the text at hand can be read, or nothing.
+/// `file`: its name in the command.
+[[nodiscard]] std::string advice(std::string_view beginning, std::size_t line, const stream::InputOptions& input,
+                                 const std::string& file);
+
+/// For JSON: the filter that turns it into rows.
+[[nodiscard]] std::string json_advice(std::string_view beginning, const stream::InputOptions& input);
+
+/// For a command line without a SPEC: the columns of the file, or nothing if it cannot be read twice.
+[[nodiscard]] std::string contents_advice(const std::string& file);
+
+/// What a user may have meant by a word that rotconv does not know: its meaning elsewhere counts before its spelling.
+struct Guess {
+    std::string text;        ///< a legal text; empty: nothing needs to be said
+    std::string_view kind{}; ///< what the word is in another place, such as "preset"; may be empty
+    std::string of{};        ///< the representations that have the word as such a kind
+};
+
+/// The legal word that begins with the text; otherwise the nearest.
+[[nodiscard]] std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<std::string_view>& legal);
+
+/// `legal`: the words that could stand in the place of the one at fault.
+[[nodiscard]] std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal);
+
+/// An option, perhaps with its argument.
+[[nodiscard]] std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal);
 
 } // namespace rotconv::cli::messages

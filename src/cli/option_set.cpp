@@ -2,38 +2,38 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
-#include "usage.hpp"
-#include "words.hpp"
+#include "../stream/fmt.hpp"
+#include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-/// CLI11 does not know of VALUEs.
+/// Of the parts of CLI11's help those that it knows: the options.
 class Formatter : public CLI::Formatter {
 public:
-    explicit Formatter(std::string usage) : usage_(std::move(usage)) {}
-    std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return usage_; }
-
-private:
-    std::string usage_;
+    std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
 };
 
-void define(CLI::App& app, const OptionSet& options) {
+void define(CLI::App& app, const std::vector<Option>& options) {
     app.set_help_flag();
-    for (const Option& option : options.all()) {
+    app.formatter(std::make_shared<Formatter>());
+    for (const Option& option : options) {
         app.option_defaults()->group(option.group);
         if (auto* const* flag = std::get_if<bool*>(&option.value)) {
             app.add_flag(option.names, **flag, option.about);
-        } else if (auto* const* text = std::get_if<std::string*>(&option.value)) {
-            app.add_option(option.names, **text, option.about)->type_name(option.argument);
         } else {
-            app.add_option(option.names, *std::get<std::vector<std::string>*>(option.value), option.about)
-                ->type_name("");
+            app.add_option(option.names, *std::get<std::string*>(option.value), option.about)
+                ->type_name(option.argument);
         }
     }
+}
+
+bool begins_with_number(std::string_view word) {
+    return stream::is_number(word.substr(0, word.find_first_of(",;\t ", word.find_first_not_of(" \t"))));
 }
 
 } // namespace
@@ -52,13 +52,8 @@ void OptionSet::add(std::string_view names, bool& value, std::string_view about)
     options_.push_back({std::string(names), {}, std::string(about), group_, &value});
 }
 
-void OptionSet::add_operands(std::string_view name, std::vector<std::string>& value, std::string_view about) {
-    options_.push_back({std::string(name), {}, std::string(about), group_, &value});
-}
-
 void OptionSet::describe(std::string_view name, std::string_view about) {
-    std::ranges::for_each(options_,
-                          [&](Option& option) { option.about = option.name() == name ? about : option.about; });
+    std::ranges::find(options_, name, &Option::name)->about = about;
 }
 
 const Option* OptionSet::find(std::string_view name) const {
@@ -67,34 +62,98 @@ const Option* OptionSet::find(std::string_view name) const {
     return found == options_.end() ? nullptr : &*found;
 }
 
-bool OptionSet::takes_operands() const { return std::ranges::any_of(options_, &Option::is_operand); }
-
-std::vector<std::string> OptionSet::read(std::vector<std::string> words) const {
+std::string OptionSet::help() const {
     CLI::App app;
-    define(app, *this);
-    app.allow_extras();
-    std::ranges::reverse(words); // as CLI11 wants them
-    try {
-        app.parse(words);
-    } catch (const CLI::ParseError& error) {
-        throw Usage(shown(error.what()));
+    define(app, options_);
+    std::vector<std::string> names;
+    if (takes_names()) {
+        app.add_option("NAME", names, names_)->type_name("");
     }
-    return app.remaining();
-}
-
-std::string help_of(const OptionSet& options, const HelpText& text) {
-    CLI::App app(text.about);
-    app.formatter(std::make_shared<Formatter>(text.usage));
-    define(app, options);
-    for (const auto& [name, about] : text.commands) {
-        app.add_subcommand(name, about)->group("Commands");
-    }
-    app.footer(text.footer);
     std::string help = app.help();
     for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n")) {
         help.erase(at, 1); // CLI11 ends a group with two
     }
     return help;
+}
+
+Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t begin,
+                          const std::function<bool(std::string_view)>& is_command) const {
+    Arguments read;
+    std::vector<const Option*> given;
+    std::vector<std::string> option_words;
+    std::size_t at = begin;
+    /// Takes an option; `joined`: the argument that stands in the same word.
+    const auto set = [&](const Option& option, std::optional<FileWord> joined) {
+        const std::string name = option.name();
+        read.first_option = read.first_option.empty() ? name : read.first_option;
+        if (!option.takes_argument()) {
+            option_words.push_back(name);
+            read.error = joined ? name + " takes no argument" : read.error;
+            return;
+        }
+        if (!joined && at + 1 == words.size()) {
+            read.error = name + " awaits its argument";
+            return;
+        }
+        const FileWord place = joined ? *joined : FileWord{++at, 0};
+        const std::string argument = words[place.word].substr(place.begin);
+        option_words.push_back(name + "=" + argument);
+        if (std::ranges::count(given, &option) != 0) {
+            read.error = name + " is given twice";
+        } else if (argument.empty()) {
+            read.error = name + " has an empty argument";
+        }
+        if (name == "--input") {
+            read.file_words.push_back(place);
+        }
+        given.push_back(&option);
+    };
+    const auto miss = [&read](const std::string& word) { read.unknown = read.unknown.empty() ? word : read.unknown; };
+
+    bool only_operands = false;
+    for (; at < words.size(); ++at) {
+        const std::string& word = words[at];
+        const bool is_number = begins_with_number(word);
+        if (only_operands || is_number || !word.starts_with('-') || word == "-") {
+            const bool is_value = is_number && !takes_names();
+            if (!only_operands && !is_value && read.values.empty() && read.files.empty() && is_command(word)) {
+                break;
+            }
+            (is_value ? read.values : read.files).push_back(word);
+            if (!is_value) {
+                read.file_words.push_back({at, 0});
+            }
+        } else if (word == "--") {
+            only_operands = true;
+        } else if (word.starts_with("--")) {
+            const auto equals = word.find('=');
+            const Option* option = find(word.substr(0, equals));
+            option != nullptr
+                ? set(*option, equals == std::string::npos ? std::nullopt : std::optional(FileWord{at, equals + 1}))
+                : miss(word);
+        } else { // flags, of which the last may be an option with its argument
+            bool is_flag = true;
+            for (std::size_t i = 1; is_flag && i < word.size(); ++i) {
+                const Option* option = find(std::string{'-', word[i]});
+                is_flag = option == nullptr || !option->takes_argument();
+                const bool has_argument = !is_flag && i + 1 < word.size();
+                option != nullptr ? set(*option, has_argument ? std::optional(FileWord{at, i + 1}) : std::nullopt)
+                                  : miss("-" + word.substr(i));
+            }
+        }
+    }
+    read.end = std::min(at, words.size());
+    if (read.error.empty()) {
+        CLI::App app;
+        define(app, options_);
+        std::ranges::reverse(option_words); // as CLI11 wants them
+        try {
+            app.parse(option_words);
+        } catch (const CLI::ParseError& error) {
+            read.error = error.what();
+        }
+    }
+    return read;
 }
 
 } // namespace rotconv::cli

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -7,56 +10,77 @@
 
 namespace rotconv::cli {
 
-/// An option of a command: what the help says of it, and where what is given goes.
+/// Thrown while the command line is read, with words for the user.
+class Usage : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The same, where a SPEC is not given.
+class MissingSpec : public Usage {
+    using Usage::Usage;
+};
+
+/// An option of a command: its text in the help, and where its argument goes.
 struct Option {
-    std::string names;    ///< such as "-f,--from"; without dashes: of the words behind the command
-    std::string argument; ///< what stands for it in the help; empty where it takes none
+    std::string names;    ///< such as "-f,--from"
+    std::string argument; ///< what stands for it in the help; empty if the option takes none
     std::string about;
-    std::string group; ///< the title in the help under which it stands
-    std::variant<bool*, std::string*, std::vector<std::string>*> value;
+    std::string group; ///< its title in the help
+    std::variant<bool*, std::string*> value;
 
     [[nodiscard]] bool takes_argument() const noexcept { return !argument.empty(); }
-    [[nodiscard]] bool is_operand() const noexcept { return !names.starts_with('-'); }
     /// "-f" and "--from".
     [[nodiscard]] std::vector<std::string> each_name() const;
     /// "--from".
     [[nodiscard]] std::string name() const { return each_name().back(); }
 };
 
+/// Where in the command line a file to read is named: from a character of one of its words to the word's end.
+struct FileWord {
+    std::size_t word = 0;
+    std::size_t begin = 0;
+};
+
+/// The words of a command line that are not options, and what is wrong with those that are.
+struct Arguments {
+    std::vector<std::string> values{};
+    std::vector<std::string> files{};
+    std::vector<FileWord> file_words{}; ///< of FILEs and of --input
+    std::string first_option{};
+    std::string unknown{}; ///< the first option that the command does not have
+    std::string error{};   ///< what is wrong with an option, in words
+    std::size_t end = 0;   ///< the word at which reading ended: the name of a command, or none
+};
+
 /// The options of a command, in the order of its help.
 class OptionSet {
 public:
-    /// The title for those that follow.
+    /// The title for the options that follow.
     void begin_group(std::string_view title) { group_ = title; }
     void add(std::string_view names, std::string& value, std::string_view argument, std::string_view about);
     void add(std::string_view names, bool& value, std::string_view about);
-    /// The words behind the command, which are no FILEs and VALUEs then.
-    void add_operands(std::string_view name, std::vector<std::string>& value, std::string_view about);
-    /// Says it otherwise than the command from which the option is taken.
+    /// Replaces the text of an option that is shared with other commands.
     void describe(std::string_view name, std::string_view about);
+    /// The command takes NAMEs in the place of FILEs and VALUEs.
+    void take_names(std::string_view about) { names_ = about; }
 
+    [[nodiscard]] bool takes_names() const noexcept { return !names_.empty(); }
     [[nodiscard]] const std::vector<Option>& all() const noexcept { return options_; }
-    /// By one of its names, or null.
-    [[nodiscard]] const Option* find(std::string_view name) const;
-    [[nodiscard]] bool takes_operands() const;
+    [[nodiscard]] std::string help() const;
 
-    /// Sets the values that words such as "--from=quat" and "-d" give.
-    /// @return the words that are no option of the set
-    /// @throw Usage
-    [[nodiscard]] std::vector<std::string> read(std::vector<std::string> words) const;
+    /// Reads words from the one at `begin` on, and sets the values of the options. A word that reads as a number, or
+    /// begins with one before a comma, semicolon, blank or tab, is a VALUE, except where an option awaits its argument.
+    /// Any other word that is not an option is a FILE, or ends the reading if it comes first and names a command.
+    [[nodiscard]] Arguments read(const std::vector<std::string>& words, std::size_t begin,
+                                 const std::function<bool(std::string_view)>& is_command) const;
 
 private:
+    /// By one of its names, or null.
+    [[nodiscard]] const Option* find(std::string_view name) const;
+
     std::vector<Option> options_;
-    std::string group_ = "Options";
+    std::string group_;
+    std::string names_; ///< of the NAMEs in the help
 };
-
-struct HelpText {
-    std::string about;
-    std::string usage;
-    std::vector<std::pair<std::string, std::string>> commands; ///< with what each is for
-    std::string footer;
-};
-
-[[nodiscard]] std::string help_of(const OptionSet& options, const HelpText& text);
 
 } // namespace rotconv::cli

@@ -4,8 +4,6 @@
 #include <rotconv/propagation.hpp>
 
 #include "../stream/fmt.hpp"
-#include "commands.hpp"
-#include "options.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
@@ -23,10 +21,10 @@ Integrator integrator_of(const Spec& with, const std::string& text) {
         const Integrator best = PropagationSettings{}.integrator;
         return can_integrate(with.name, best) ? best : serving.front().second;
     }
-    return choose(fmt::format("integrator of {}", representation(with.name).text), text, serving);
+    return one_of(fmt::format("integrator of {}", representation(with.name).text), text, serving);
 }
 
-class PropagateOptions final : public CommandOptions {
+class PropagateOptions final : public RowOptions {
 public:
     PropagateOptions() {
         set.begin_group("What");
@@ -40,28 +38,25 @@ public:
         set.add("--time-unit", time_unit_, "UNIT", "Unit of the times: s (default), ms, us or ns");
         set.add("--renormalise", renormalise_, "Make the numbers unit, or orthogonal, again after every step");
         attitudes_.add_to(set);
-        reading_.add_to(set);
+        add_reading();
         set.describe("--degrees", "Degrees, and degrees a second; :deg alone leaves radians a second");
-        writing_.add_to(set);
+        add_writing();
         attitudes_.add_lock_margin_to(set);
     }
-
-    [[nodiscard]] std::string input() const override { return reading_.input; }
 
     [[nodiscard]] Command command(const Operands& operands) const override {
         refuse_values(operands, "propagate");
         operations::PropagationRows rows{.time_power = time_power_of(time_unit_),
-                                         .degrees = reading_.degrees,
-                                         .to = spec_of("--to", to_, reading_.degrees),
-                                         .conversion = {},
+                                         .degrees = degrees,
+                                         .to = spec_of("--to", to_, degrees),
+                                         .conversion = attitudes_.added_to(RowOptions::settings(), degrees),
                                          .continuous = attitudes_.continuous,
-                                         .stop_at_error = reading_.on_error_policy() == stream::OnError::stop};
+                                         .stop_at_error = on_error() == stream::OnError::stop};
         PropagationSettings& settings = rows.settings;
         settings.set = spec_of("--with", with_, false);
         require_rates("--with", settings.set);
-        rows.conversion = attitudes_.settings(reading_, writing_);
         settings.integrator = integrator_of(settings.set, integrator_);
-        settings.interpolation = choose<Interpolation>(
+        settings.interpolation = one_of<Interpolation>(
             "interpolation", interpolation_, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
         settings.renormalise = renormalise_;
         if (!substeps_.empty()) {
@@ -69,12 +64,12 @@ public:
         }
         const double tolerance = rows.conversion.tolerance;
         if (!initial_.empty()) {
-            settings.initial = attitude_of("--initial", initial_, reading_.degrees, tolerance).rotation;
+            settings.initial = attitude_of("--initial", initial_, degrees, tolerance).rotation;
         }
         auto numbers = operations::propagation_numbers();
         messages::Subject about{"t wx wy wz", numbers.names.size(), settings.set.name, tolerance, true};
-        return rows_command(reading_, writing_, {.list = reading_.columns}, std::move(numbers),
-                            operations::propagate(rows), std::move(about), operands);
+        return rows_command({.list = columns}, std::move(numbers), operations::propagate(rows), std::move(about),
+                            operands);
     }
 
 private:
@@ -87,8 +82,6 @@ private:
     std::string time_unit_ = "s";
     bool renormalise_ = false;
     AttitudeOptions attitudes_;
-    ReadingOptions reading_;
-    WritingOptions writing_;
 };
 
 } // namespace

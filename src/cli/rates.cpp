@@ -3,14 +3,12 @@
 #include <rotconv/rates.hpp>
 
 #include "../stream/fmt.hpp"
-#include "commands.hpp"
-#include "options.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-class RatesOptions final : public CommandOptions {
+class RatesOptions final : public RowOptions {
 public:
     RatesOptions() {
         set.begin_group("What");
@@ -19,57 +17,50 @@ public:
         set.add("--inverse", inverse_, "Read the numbers and their rates, print the angular velocity");
         set.add("--differences", differences_, "Read times and attitudes, print the angular velocity between rows");
         set.add("--time-unit", time_unit_, "UNIT", "Unit of the times: s (default), ms, us or ns");
-        reading_.add_to(set);
+        add_reading();
         set.describe("--degrees", "Degrees, and degrees a second; :deg alone leaves radians a second");
-        writing_.add_to(set);
+        add_writing();
     }
-
-    [[nodiscard]] std::string input() const override { return reading_.input; }
 
     [[nodiscard]] Command command(const Operands& operands) const override {
         if (differences_ && inverse_) {
-            throw Usage("--inverse and --differences exclude each other");
+            throw Usage("--inverse cannot be combined with --differences");
         }
         if (differences_) {
             refuse_values(operands, "rates --differences");
         }
-        const Spec spec = spec_of("--from", from_, reading_.degrees);
-        const double tolerance = reading_.greatest_defect();
-        const bool sensitivity = writing_.shown_diagnostics() == ShowDiagnostics::columns;
-        const std::string name(representation(spec.name).text);
+        const Spec spec = spec_of("--from", from_, degrees);
+        const Frame frame = frame_of(frame_);
+        const ConversionSettings reading = settings();
+        const auto command = [&](std::string_view subject, stream::RowNumbers numbers,
+                                 operations::Operation operation) {
+            messages::Subject about{fmt::format(fmt::runtime(subject), representation(spec.name).text),
+                                    numbers.names.size(), spec.name, reading.tolerance};
+            return rows_command({.list = columns}, std::move(numbers), std::move(operation), std::move(about),
+                                operands);
+        };
         if (differences_) {
-            return command(fmt::format("t with {}", name), spec, operations::difference_numbers(spec),
+            return command("t with {}", operations::difference_numbers(spec),
                            operations::differences({.spec = spec,
                                                     .time_power = time_power_of(time_unit_),
-                                                    .degrees = reading_.degrees,
-                                                    .frame = frame_of(frame_),
-                                                    .tolerance = tolerance,
-                                                    .sensitivity = sensitivity}),
-                           operands);
+                                                    .degrees = degrees,
+                                                    .frame = frame,
+                                                    .tolerance = reading.tolerance,
+                                                    .sensitivity = reading.sensitivity}));
         }
         require_rates("--from", spec);
-        const RateSettings settings{
-            .inverse = inverse_, .degrees = reading_.degrees, .frame = frame_of(frame_), .tolerance = tolerance};
-        return command(fmt::format("{} with {}", name, inverse_ ? "its rates" : "wx wy wz"), spec,
-                       operations::rates_numbers(spec, settings), operations::rates(spec, settings, sensitivity),
-                       operands);
+        const RateSettings rates{
+            .inverse = inverse_, .degrees = degrees, .frame = frame, .tolerance = reading.tolerance};
+        return command(inverse_ ? "{} with its rates" : "{} with wx wy wz", operations::rates_numbers(spec, rates),
+                       operations::rates(spec, rates, reading.sensitivity));
     }
 
 private:
-    [[nodiscard]] RowsCommand command(std::string subject, const Spec& spec, stream::RowNumbers numbers,
-                                      operations::Operation operation, const Operands& operands) const {
-        messages::Subject about{std::move(subject), numbers.names.size(), spec.name, reading_.greatest_defect()};
-        return rows_command(reading_, writing_, {.list = reading_.columns}, std::move(numbers), std::move(operation),
-                            std::move(about), operands);
-    }
-
     std::string from_;
     std::string frame_ = "body";
     std::string time_unit_ = "s";
     bool inverse_ = false;
     bool differences_ = false;
-    ReadingOptions reading_;
-    WritingOptions writing_;
 };
 
 } // namespace

@@ -1,21 +1,25 @@
 #include "row_options.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <rotconv/rates.hpp>
+
+#include "../stream/delimiter.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
-#include "options.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-/// The canonical names of quat, dcm, or roll, pitch and yaw, in the order in which the SPEC has them; for other SPECs
-/// none.
+/// The canonical names of quat, dcm, or roll, pitch and yaw, in the SPEC's order; none for other SPECs.
 std::vector<std::string_view> name_order(const Spec& spec) {
     if (spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
         const auto columns = spec.columns();
@@ -48,8 +52,8 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
     return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
 }
 
-/// Canonical names in another order than the SPEC's would be a wrong attitude in silence.
-void refuse_other_order(const ChosenColumns& columns, const stream::InputOptions& input) {
+/// Refuses canonical names in another order than the SPEC's, which would give a wrong attitude in silence.
+void refuse_other_order(const SelectedColumns& columns, const stream::InputOptions& input) {
     const auto& spec = input.numbers.attitude;
     if (!spec) {
         return;
@@ -74,11 +78,12 @@ stream::ColumnList parse(const std::string& list, std::size_t count, std::string
 }
 
 /// The columns of one of two streams, with its key.
-ChosenColumns with_key(ChosenColumns columns, std::string_view key_option, const std::string& key) {
+SelectedColumns with_key(SelectedColumns columns, std::string_view key_option, const std::string& key) {
     if (!key.empty()) {
         static_cast<void>(parse(key, 1, key_option, {.text = "a key", .count = 1}));
         if (columns.list.empty()) {
-            throw Usage(fmt::format("{} awaits --columns, for a row of numbers alone has no key", key_option));
+            throw Usage(fmt::format("{} needs --columns, because a row with only the attitude's numbers has no key",
+                                    key_option));
         }
         columns.key = key;
     }
@@ -87,60 +92,6 @@ ChosenColumns with_key(ChosenColumns columns, std::string_view key_option, const
 
 const std::string& or_else(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
 
-/// Doubles of a binary row; 0 where the input is text.
-std::size_t width_of(const ReadingOptions& reading, const stream::InputOptions& input) {
-    const auto given = static_cast<std::size_t>(count_of("--width", reading.width, widest_row));
-    if (!choose<bool>("input format", reading.input_format, {{"csv", false}, {"f64", true}})) {
-        return 0;
-    }
-    const std::size_t needed = input.numbers.names.size();
-    const std::size_t width = given > 0 ? given : needed;
-    if (input.columns.has_names()) {
-        throw Usage("--columns selects by name, and f64 rows have none; use indices");
-    }
-    const auto positions = input.columns.positions();
-    const std::size_t least = positions.empty() ? needed : *std::ranges::max_element(positions) + 1;
-    if (width < least || (positions.empty() && width != needed)) {
-        throw Usage(fmt::format("rows of {} doubles (--width) where {} are {}", width, least,
-                                positions.empty() ? "wanted (--columns selects)" : "the least for --columns"));
-    }
-    return width;
-}
-
-/// How one stream is read, or the VALUEs.
-stream::InputOptions input_of(const ReadingOptions& reading, const ChosenColumns& columns, stream::RowNumbers numbers,
-                              const messages::Subject& subject, bool has_values) {
-    stream::InputOptions input{.numbers = std::move(numbers)};
-    input.header = choose<stream::HeaderMode>("mode of --header", reading.header,
-                                              {{"auto", stream::HeaderMode::automatic},
-                                               {"yes", stream::HeaderMode::yes},
-                                               {"no", stream::HeaderMode::no},
-                                               {"add", stream::HeaderMode::add}});
-    input.refuses_json =
-        input.header == stream::HeaderMode::automatic && reading.on_error_policy() == stream::OnError::stop;
-    if (!reading.delimiter.empty()) {
-        input.delimiter = stream::Delimiter::parse(reading.delimiter);
-        if (!input.delimiter) {
-            throw Usage(fmt::format(
-                "--delimiter {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
-                quoted(reading.delimiter)));
-        }
-    }
-    if (!columns.list.empty()) {
-        const std::size_t count = input.numbers.names.size();
-        static_cast<void>(
-            parse(columns.list, count - (columns.key.empty() ? 0 : 1), columns.option, subject)); // for its message
-        input.columns = parse(columns.all(), count, columns.option, subject);
-        refuse_other_order(columns, input);
-    }
-    const bool headless = input.header == stream::HeaderMode::no || input.header == stream::HeaderMode::add;
-    if (input.columns.has_names() && (headless || has_values)) {
-        throw Usage("--columns selects by name, and there is no header to look in; use indices");
-    }
-    input.width = has_values ? 0 : width_of(reading, input);
-    return input;
-}
-
 /// One row of numbers, whatever they are.
 bool is_row(std::string_view text) {
     return !stream::is_blank(text) && !stream::is_comment(text) && text.find_first_of("\r\n") == std::string_view::npos;
@@ -148,89 +99,301 @@ bool is_row(std::string_view text) {
 
 } // namespace
 
-void ReadingOptions::add_to(OptionSet& set) {
+Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
+    if (text.empty()) {
+        throw MissingSpec(fmt::format("{} SPEC is missing; see rotconv --help", option));
+    }
+    const auto parsed = parse_spec(text);
+    if (const auto* error = std::get_if<SpecError>(&parsed)) {
+        throw Usage(fmt::format("{} {}: {}", option, quoted(text), messages::explain(*error)));
+    }
+    const Spec& spec = std::get<Spec>(parsed);
+    return degrees ? spec.in_degrees() : spec;
+}
+
+void require_rates(std::string_view option, const Spec& spec) {
+    if (!has_rates(spec.name)) {
+        throw Usage(fmt::format("{} {}: its axis has no rate at the identity, but rotvec has one", option,
+                                representation(spec.name).text));
+    }
+}
+
+FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
+    const auto colon = text.rfind(':');
+    if (colon == std::string::npos) {
+        throw Usage(fmt::format("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, quoted(text)));
+    }
+    const Spec spec = spec_of(option, text.substr(0, colon), degrees);
+    const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
+    stream::RowError error;
+    error.text = row;
+    const auto refuse = [&](stream::RowError::What what) {
+        error.what = what;
+        throw Usage(fmt::format("{}: {}", option, messages::explain(error, messages::subject_of(spec, tolerance))));
+    };
+    std::vector<std::string_view> fields;
+    stream::Delimiter::of_row(row).split(row, fields);
+    if (fields.size() != spec.size()) {
+        throw Usage(fmt::format("{}: {} has {} numbers, not {}: {}", option, representation(spec.name).text,
+                                spec.size(), fields.size(), quoted(row)));
+    }
+    std::array<double, 9> numbers{};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto number_error = stream::read_number(fields[i], numbers.at(i));
+        if (number_error != stream::NumberError::none) {
+            refuse(number_error == stream::NumberError::too_large ? stream::RowError::What::too_large
+                                                                  : stream::RowError::What::not_a_number);
+        }
+    }
+    std::array<double, 4> q{};
+    std::vector<RowReport> reports;
+    Conversion(spec, Spec{}, {.tolerance = tolerance}).run(std::span(numbers).first(spec.size()), q, reports);
+    if (!reports.empty() && reports.front().error != Error::none) {
+        error.error = reports.front().error;
+        error.defect = reports.front().defect;
+        refuse(stream::RowError::What::attitude);
+    }
+    return FixedRotation::of_numbers(spec, std::span(numbers).first(spec.size()));
+}
+
+double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite) {
+    if (text.empty()) {
+        return default_value;
+    }
+    double value = 0.0;
+    if (stream::read_number(text, value) != stream::NumberError::none || !(value >= 0.0) ||
+        (std::isinf(value) && !infinite)) {
+        throw Usage(fmt::format("{} {} must be a {}number that is not negative", option, quoted(text),
+                                infinite ? "" : "finite "));
+    }
+    return value;
+}
+
+int count_of(std::string_view option, const std::string& text, int most, int least) {
+    if (text.empty()) {
+        return 0;
+    }
+    double value = 0.0;
+    if (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) || value < least ||
+        value > most) {
+        throw Usage(fmt::format("{} {} must be a whole number from {} to {}", option, quoted(text), least, most));
+    }
+    return static_cast<int>(value);
+}
+
+Frame frame_of(const std::string& text) {
+    return one_of<Frame>("frame", text, {{"body", Frame::body}, {"reference", Frame::reference}});
+}
+
+int time_power_of(const std::string& text) {
+    return one_of<int>("time unit", text, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
+}
+
+void RowOptions::add_reading() {
     set.begin_group("What");
     set.add("-d,--degrees", degrees, "All angles are in degrees, read and written");
     set.begin_group("Columns");
     set.add("--columns", columns, "LIST", "The columns to read: indices from 1, ranges such as 5-8, or names");
-    set.add("--header", header, "MODE", "Is there a header: auto (default), yes, no, or add, to print one");
-    set.add("--delimiter", delimiter, "D", "What separates fields: a character, or comma, tab, semicolon, blank");
+    set.add("--header", header_, "MODE", "Header of the input: auto (default), yes, no, or add (none; print one)");
+    set.add("--delimiter", delimiter_, "D", "What separates fields: a character, or comma, tab, semicolon, blank");
     set.add("-i,--input", input, "FILE", "Read FILE; - is standard input");
     set.add("--input-format", input_format, "FORMAT", "csv (default), which is text, or f64, little-endian doubles");
     set.add("--width", width, "N", "Doubles in an f64 row of input, if more than those that are read");
     set.begin_group("Output");
-    set.add("-o,--output", output, "FILE", "Write FILE; - is standard output");
+    set.add("-o,--output", output_, "FILE", "Write FILE; - is standard output");
     set.begin_group("Errors");
-    set.add("--on-error", on_error, "POLICY", "What becomes of a row without a result: stop (default), nan, skip");
-    set.add("--tolerance", tolerance, "T", "How far from exact a quaternion or matrix may be (default 1e-3)");
+    set.add("--on-error", on_error_, "POLICY", "What to do with a row that has no result: stop (default), nan, skip");
+    set.add("--tolerance", tolerance_, "T", "How far from exact a quaternion or matrix may be (default 1e-3)");
 }
 
-stream::OnError ReadingOptions::on_error_policy() const {
-    return choose<stream::OnError>(
-        "policy of --on-error", on_error,
+void RowOptions::add_writing() {
+    set.begin_group("Output");
+    set.add("--append", append_, "Keep the whole row and add the result at its end");
+    set.add("--format", format, "FORMAT", "csv (default), json, pretty for people, or f64, little-endian doubles");
+    set.add("-p,--precision", precision_, "N", "Significant digits (default: the fewest that read back equal)");
+    set.add("--decimals", decimals_, "N", "Digits after the decimal point, instead of --precision");
+    set.begin_group("Errors");
+    set.add("--diagnostics", diagnostics_, "WHERE",
+            "Where to show diagnostics: off, summary (default), rows or columns");
+    set.add("--strict", strict_, "Exit with 1 if there was a diagnostic other than normalized");
+    set.begin_group("More");
+    set.add("--threads", threads_, "N", "At most N threads; the output is the same for every N");
+}
+
+double RowOptions::tolerance() const {
+    return amount_of("--tolerance", tolerance_, ConversionSettings{}.tolerance, true);
+}
+
+stream::OnError RowOptions::on_error() const {
+    return one_of<stream::OnError>(
+        "policy of --on-error", on_error_,
         {{"stop", stream::OnError::stop}, {"nan", stream::OnError::nan}, {"skip", stream::OnError::skip}});
 }
 
-double ReadingOptions::greatest_defect() const {
-    return amount_of("--tolerance", tolerance, ConversionSettings{}.tolerance, true);
-}
-
-void WritingOptions::add_to(OptionSet& set) {
-    set.begin_group("Output");
-    set.add("--append", append, "Keep the whole row and add the result at its end");
-    set.add("--format", format, "FORMAT", "csv (default), json, pretty for people, or f64, little-endian doubles");
-    set.add("-p,--precision", precision, "N", "Significant digits (default: the fewest that read back equal)");
-    set.add("--decimals", decimals, "N", "Digits after the decimal point, instead of --precision");
-    set.begin_group("Errors");
-    set.add("--diagnostics", diagnostics, "WHERE",
-            "Where to show diagnostics: off, summary (default), rows or columns");
-    set.add("--strict", strict, "Exit with 1 if there was a diagnostic other than normalized");
-    set.begin_group("More");
-    set.add("--threads", threads, "N", "At most N threads; the output is the same for every N");
-}
-
-ShowDiagnostics WritingOptions::shown_diagnostics() const {
-    return choose<ShowDiagnostics>("place for --diagnostics", diagnostics,
+ShowDiagnostics RowOptions::shown_diagnostics() const {
+    return one_of<ShowDiagnostics>("place for --diagnostics", diagnostics_,
                                    {{"off", ShowDiagnostics::off},
                                     {"summary", ShowDiagnostics::summary},
                                     {"rows", ShowDiagnostics::rows},
                                     {"columns", ShowDiagnostics::columns}});
 }
 
-stream::Digits WritingOptions::digits() const {
+ConversionSettings RowOptions::settings() const {
+    return {.tolerance = tolerance(), .sensitivity = shown_diagnostics() == ShowDiagnostics::columns};
+}
+
+stream::Digits RowOptions::digits() const {
     constexpr int most = 100;
-    if (decimals.empty()) {
-        return {.significant = count_of("--precision", precision, most)};
+    if (!precision_.empty() && !decimals_.empty()) {
+        throw Usage("--precision cannot be combined with --decimals");
     }
-    if (!precision.empty()) {
-        throw Usage("--precision and --decimals exclude each other");
+    return decimals_.empty() ? stream::Digits{.significant = count_of("--precision", precision_, most)}
+                             : stream::Digits{.decimals = count_of("--decimals", decimals_, most, 0)};
+}
+
+/// Doubles of a binary row; 0 if the input is text.
+std::size_t RowOptions::width_of(const stream::InputOptions& in) const {
+    const auto given = static_cast<std::size_t>(count_of("--width", width, widest_row));
+    if (!one_of<bool>("input format", input_format, {{"csv", false}, {"f64", true}})) {
+        return 0;
     }
-    return {.decimals = count_of("--decimals", decimals, most, 0)};
+    if (in.columns.has_names()) {
+        throw Usage("--columns selects by name, but f64 rows have no names; use indices");
+    }
+    const std::size_t needed = in.numbers.names.size();
+    const std::size_t row = given > 0 ? given : needed;
+    const auto positions = in.columns.positions();
+    const std::size_t least = positions.empty() ? needed : *std::ranges::max_element(positions) + 1;
+    if (row < least || (positions.empty() && row != needed)) {
+        throw Usage(fmt::format("rows of {} doubles (--width) where {} are {}", row, least,
+                                positions.empty() ? "wanted (--columns selects)" : "the least for --columns"));
+    }
+    return row;
+}
+
+/// How one stream is read, or the VALUEs.
+stream::InputOptions RowOptions::input_of(const SelectedColumns& selected, stream::RowNumbers numbers,
+                                          const messages::Subject& subject, bool has_values) const {
+    using stream::HeaderMode;
+    stream::InputOptions in{.numbers = std::move(numbers)};
+    in.header = one_of<HeaderMode>(
+        "mode of --header", header_,
+        {{"auto", HeaderMode::automatic}, {"yes", HeaderMode::yes}, {"no", HeaderMode::no}, {"add", HeaderMode::add}});
+    in.refuses_json = in.header == HeaderMode::automatic && on_error() == stream::OnError::stop;
+    if (!delimiter_.empty()) {
+        in.delimiter = stream::Delimiter::parse(delimiter_);
+        if (!in.delimiter) {
+            throw Usage(fmt::format(
+                "--delimiter {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
+                quoted(delimiter_)));
+        }
+    }
+    if (!selected.list.empty()) {
+        const std::size_t count = in.numbers.names.size();
+        const std::size_t keys = selected.key.empty() ? 0 : 1;
+        static_cast<void>(parse(selected.list, count - keys, selected.option, subject)); // for its message
+        in.columns = parse(selected.all(), count, selected.option, subject);
+        refuse_other_order(selected, in);
+    }
+    const bool headless = in.header == HeaderMode::no || in.header == HeaderMode::add;
+    if (in.columns.has_names() && (headless || has_values)) {
+        throw Usage("--columns selects by name, but there is no header with names; use indices");
+    }
+    in.width = has_values ? 0 : width_of(in);
+    return in;
+}
+
+SelectedColumns RowOptions::columns_of_file(const PairingOptions& pairing, const Operands& operands) const {
+    SelectedColumns selected{.list = columns};
+    if (PairingOptions::is_paired(operands)) {
+        return with_key(selected, "--key", pairing.key);
+    }
+    if (!columns.empty() && !pairing.reference_columns.empty()) {
+        selected.list += "," + pairing.reference_columns;
+    }
+    return selected;
+}
+
+RowsCommand RowOptions::rows_command(const SelectedColumns& selected, stream::RowNumbers numbers,
+                                     operations::Operation operation, messages::Subject subject,
+                                     const Operands& operands) const {
+    RowsCommand command;
+    command.has_values = !operands.values.empty();
+    command.diagnostics = shown_diagnostics();
+    command.strict = strict_;
+    command.input = !operands.files.empty() ? operands.files[0] : or_else(input, command.input);
+    command.output = output_;
+    const auto threads = static_cast<std::size_t>(count_of("--threads", threads_, 1 << 20U));
+    command.options = {
+        .input = input_of(selected, std::move(numbers), subject, command.has_values),
+        .operation = std::move(operation),
+        .format = one_of<stream::Format>("format", format.empty() ? "csv" : format,
+                                         {{"csv", stream::Format::csv},
+                                          {"json", stream::Format::json},
+                                          {"pretty", stream::Format::pretty},
+                                          {"f64", stream::Format::f64}}),
+        .on_error = on_error(),
+        .digits = digits(),
+        .append = append_,
+        .diagnostic_columns = command.diagnostics == ShowDiagnostics::columns,
+        .show_diagnostics = command.diagnostics != ShowDiagnostics::off,
+        .threads = threads > 0 ? threads : stream::processors(),
+        .describe = messages::describe,
+    };
+    command.subject = std::make_shared<messages::Subject>(std::move(subject));
+    if (command.has_values) {
+        command.values = fmt::format("{}", fmt::join(operands.values, " "));
+        if (!is_row(command.values)) {
+            throw Usage(fmt::format("the VALUEs are not a row of numbers: {}", quoted(command.values)));
+        }
+        stream::InputOptions& in = command.options.input;
+        if (operands.values.size() > 1) {
+            in.delimiter = stream::Delimiter::blanks();
+        }
+        if (in.header != stream::HeaderMode::add) {
+            in.header = stream::HeaderMode::no;
+        }
+    }
+    return command;
+}
+
+void RowOptions::pair(RowsCommand& command, const PairingOptions& pairing, stream::RowNumbers numbers,
+                      messages::Subject subject, const Operands& operands) const {
+    const SelectedColumns selected =
+        with_key({.list = or_else(pairing.reference_columns, columns),
+                  .option = pairing.reference_columns.empty() ? "--columns (of REFERENCE too)" : "--reference-columns"},
+                 "--reference-key", pairing.key.empty() ? "" : or_else(pairing.reference_key, pairing.key));
+    stream::Pairing& pairs = command.options.pairing.emplace();
+    pairs.reference = input_of(selected, std::move(numbers), subject, false);
+    pairs.by_key = !pairing.key.empty();
+    if (!pairing.key_within.empty()) {
+        static_cast<void>(amount_of("--key-within", pairing.key_within, 0.0, false));
+        pairs.within = *stream::Decimal::parse(pairing.key_within);
+    }
+    command.reference = operands.files[1];
+    command.reference_subject = std::move(subject);
 }
 
 void AttitudeOptions::add_to(OptionSet& set) {
     set.begin_group("What");
     set.add("--left", left, "ATTITUDE", "Other reference axes: write L R instead of R; L as \"SPEC: NUMBERS\"");
     set.add("--right", right, "ATTITUDE", "Other body axes: write R S instead of R; S as \"SPEC: NUMBERS\"");
-    set.add("--continuous", continuous, "Let signs and angles run on from the last row, without jumps");
+    set.add("--continuous", continuous, "Write the numbers nearest to the last result, so that they do not jump");
 }
 
 void AttitudeOptions::add_lock_margin_to(OptionSet& set) {
     set.begin_group("Errors");
     set.add("--lock-margin", lock_margin, "ANGLE",
-            "Treat attitudes this near to lock as locked (radians; default 1e-15)");
+            "Treat attitudes this near gimbal lock as locked (rad; default 1e-15)");
 }
 
-ConversionSettings AttitudeOptions::settings(const ReadingOptions& reading, const WritingOptions& writing) const {
-    ConversionSettings settings{.tolerance = reading.greatest_defect(),
-                                .lock_margin =
-                                    amount_of("--lock-margin", lock_margin, ConversionSettings{}.lock_margin, false),
-                                .sensitivity = writing.shown_diagnostics() == ShowDiagnostics::columns};
+ConversionSettings AttitudeOptions::added_to(ConversionSettings settings, bool degrees) const {
+    settings.lock_margin = amount_of("--lock-margin", lock_margin, settings.lock_margin, false);
     if (!left.empty()) {
-        settings.left = attitude_of("--left", left, reading.degrees, settings.tolerance);
+        settings.left = attitude_of("--left", left, degrees, settings.tolerance);
     }
     if (!right.empty()) {
-        settings.right = attitude_of("--right", right, reading.degrees, settings.tolerance);
+        settings.right = attitude_of("--right", right, degrees, settings.tolerance);
     }
     return settings;
 }
@@ -239,9 +402,9 @@ void PairingOptions::add_to(OptionSet& set) {
     set.begin_group("Columns");
     set.add("--reference-columns", reference_columns, "LIST",
             "The columns to read in REFERENCE (default: those of --columns)");
-    set.add("--key", key, "COLUMN", "Pair rows by the key in this column, such as a time, not by number");
+    set.add("--key", key, "COLUMN", "Pair rows by the key in this column, such as time, instead of in order");
     set.add("--reference-key", reference_key, "COLUMN", "The column of the key in REFERENCE (default: that of --key)");
-    set.add("--key-within", key_within, "T", "By how much the keys of a pair may differ (default 0)");
+    set.add("--key-within", key_within, "T", "The largest difference between the keys of a pair (default 0)");
 }
 
 bool PairingOptions::is_paired(const Operands& operands) {
@@ -249,82 +412,9 @@ bool PairingOptions::is_paired(const Operands& operands) {
         return false;
     }
     if (operands.files[0] == "-" && operands.files[1] == "-") {
-        throw Usage("both FILE and REFERENCE are stdin (-), which can be read once");
+        throw Usage("both FILE and REFERENCE are stdin (-), which can be read only once");
     }
     return true;
-}
-
-ChosenColumns file_columns(const ReadingOptions& reading, const PairingOptions& pairing, const Operands& operands) {
-    ChosenColumns columns{.list = reading.columns};
-    if (PairingOptions::is_paired(operands)) {
-        return with_key(columns, "--key", pairing.key);
-    }
-    if (!reading.columns.empty() && !pairing.reference_columns.empty()) {
-        columns.list += "," + pairing.reference_columns;
-    }
-    return columns;
-}
-
-RowsCommand rows_command(const ReadingOptions& reading, const WritingOptions& writing, const ChosenColumns& columns,
-                         stream::RowNumbers numbers, operations::Operation operation, messages::Subject subject,
-                         const Operands& operands) {
-    const bool has_values = !operands.values.empty();
-    RowsCommand command;
-    command.diagnostics = writing.shown_diagnostics();
-    command.strict = writing.strict;
-    command.input = operands.files.empty() ? or_else(reading.input, command.input) : operands.files[0];
-    command.output = reading.output;
-    const auto threads = static_cast<std::size_t>(count_of("--threads", writing.threads, 1 << 20U));
-    command.options = {
-        .input = input_of(reading, columns, std::move(numbers), subject, has_values),
-        .operation = std::move(operation),
-        .format = choose<stream::Format>("format", writing.format.empty() ? "csv" : writing.format,
-                                         {{"csv", stream::Format::csv},
-                                          {"json", stream::Format::json},
-                                          {"pretty", stream::Format::pretty},
-                                          {"f64", stream::Format::f64}}),
-        .on_error = reading.on_error_policy(),
-        .digits = writing.digits(),
-        .append = writing.append,
-        .diagnostic_columns = command.diagnostics == ShowDiagnostics::columns,
-        .show_diagnostics = command.diagnostics != ShowDiagnostics::off,
-        .threads = threads > 0 ? threads : stream::processors(),
-        .describe = messages::describe,
-    };
-    command.subject = std::make_shared<messages::Subject>(std::move(subject));
-    if (has_values) {
-        command.has_values = true;
-        command.values = fmt::format("{}", fmt::join(operands.values, " "));
-        if (!is_row(command.values)) {
-            throw Usage(fmt::format("the VALUEs are no row of numbers: {}", quoted(command.values)));
-        }
-        stream::InputOptions& input = command.options.input;
-        if (operands.values.size() > 1) {
-            input.delimiter = stream::Delimiter::blanks();
-        }
-        if (input.header != stream::HeaderMode::add) {
-            input.header = stream::HeaderMode::no;
-        }
-    }
-    return command;
-}
-
-void pair(RowsCommand& command, const ReadingOptions& reading, const PairingOptions& pairing,
-          stream::RowNumbers numbers, messages::Subject subject, const Operands& operands) {
-    const bool has_own = !pairing.reference_columns.empty();
-    const ChosenColumns columns =
-        with_key({.list = or_else(pairing.reference_columns, reading.columns),
-                  .option = has_own ? "--reference-columns" : "--columns (of REFERENCE too)"},
-                 "--reference-key", pairing.key.empty() ? "" : or_else(pairing.reference_key, pairing.key));
-    stream::Pairing& pairs = command.options.pairing.emplace();
-    pairs.reference = input_of(reading, columns, std::move(numbers), subject, false);
-    pairs.by_key = !pairing.key.empty();
-    if (!pairing.key_within.empty()) {
-        static_cast<void>(amount_of("--key-within", pairing.key_within, 0.0, false));
-        pairs.within = *stream::Decimal::parse(pairing.key_within);
-    }
-    command.reference = operands.files[1];
-    command.reference_subject = std::move(subject);
 }
 
 void refuse_values(const Operands& operands, std::string_view command) {

@@ -1,47 +1,120 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <rotconv/conversion.hpp>
 
 #include "../operations/operations.hpp"
 #include "command.hpp"
+#include "messages.hpp"
 
-/// The options that commands share which go through rows.
+/// The options of commands that go through rows.
 namespace rotconv::cli {
 
-/// Where rows come from, how they are read, and where the answer goes.
-struct ReadingOptions {
-    std::string input; ///< empty: stdin
-    std::string output = "-";
-    std::string input_format = "csv";
-    std::string width;
-    std::string columns;
-    std::string delimiter;
-    std::string header = "auto";
-    std::string on_error = "stop";
-    std::string tolerance;
-    bool degrees = false;
+// What the arguments of options mean; each function throws Usage on others.
+
+/// The value of a word that is one of the choices.
+/// @throw Usage if it is not
+template <class Value> Value one_of(std::string_view what, std::string_view text,
+                                    const std::vector<std::pair<std::string_view, Value>>& choices) {
+    std::vector<std::string_view> legal;
+    for (const auto& [word, value] : choices) {
+        if (word == text) {
+            return value;
+        }
+        legal.push_back(word);
+    }
+    throw Usage(messages::no_such_word(what, text, legal));
+}
+
+[[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
+/// Refuses a SPEC whose numbers have no rates.
+void require_rates(std::string_view option, const Spec& spec);
+/// The attitude of "SPEC: NUMBERS".
+[[nodiscard]] FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees,
+                                        double tolerance);
+/// A number that is not negative; `default_value` if the option was not given.
+[[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
+/// A whole number from `least` to `most`; 0 if the option was not given.
+[[nodiscard]] int count_of(std::string_view option, const std::string& text, int most, int least = 1);
+[[nodiscard]] Frame frame_of(const std::string& text);
+/// The power of ten of the seconds in a unit of time.
+[[nodiscard]] int time_power_of(const std::string& text);
+
+inline constexpr int widest_row = 100'000; ///< doubles
+
+/// How a FILE and its REFERENCE are read side by side.
+struct PairingOptions {
+    std::string reference_columns;
+    std::string key;
+    std::string reference_key;
+    std::string key_within;
 
     void add_to(OptionSet& set);
-    [[nodiscard]] stream::OnError on_error_policy() const;
-    /// See ConversionSettings.
-    [[nodiscard]] double greatest_defect() const;
+    /// There is a REFERENCE.
+    /// @throw Usage if both are stdin
+    [[nodiscard]] static bool is_paired(const Operands& operands);
+    [[nodiscard]] bool by_key(const Operands& operands) const { return is_paired(operands) && !key.empty(); }
 };
 
-/// How rows are written.
-struct WritingOptions {
-    std::string format; ///< empty: csv, or the command's own
-    std::string precision;
-    std::string decimals;
-    std::string diagnostics = "summary";
-    std::string threads;
-    bool append = false;
-    bool strict = false;
+/// The columns to read of one stream, and the option that names them.
+struct SelectedColumns {
+    std::string list;
+    std::string option = "--columns";
+    std::string key{}; ///< a column before them
 
-    void add_to(OptionSet& set);
+    [[nodiscard]] std::string all() const { return key.empty() ? list : key + "," + list; }
+};
+
+/// A command that goes through rows: where they come from, how they are read and written, and where the answer goes.
+class RowOptions : public CommandOptions {
+protected:
+    void add_reading();
+    void add_writing();
+    /// Options are read with this tolerance, and report the sensitivity of each row if its columns are shown.
+    [[nodiscard]] ConversionSettings settings() const;
+    [[nodiscard]] double tolerance() const;
+    [[nodiscard]] stream::OnError on_error() const;
+    /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
+    [[nodiscard]] SelectedColumns columns_of_file(const PairingOptions& pairing, const Operands& operands) const;
+
+    /// The command of an operation that takes those numbers of a row.
+    /// @throw Usage
+    [[nodiscard]] RowsCommand rows_command(const SelectedColumns& selected, stream::RowNumbers numbers,
+                                           operations::Operation operation, messages::Subject subject,
+                                           const Operands& operands) const;
+    /// Has the command's rows paired with those of the REFERENCE.
+    /// @throw Usage
+    void pair(RowsCommand& command, const PairingOptions& pairing, stream::RowNumbers numbers,
+              messages::Subject subject, const Operands& operands) const;
+
+    std::string columns;
+    std::string format; ///< empty: the default of the command
+    std::string input_format = "csv";
+    std::string width;
+    bool degrees = false;
+
+private:
     [[nodiscard]] ShowDiagnostics shown_diagnostics() const;
     [[nodiscard]] stream::Digits digits() const;
+    [[nodiscard]] std::size_t width_of(const stream::InputOptions& in) const;
+    [[nodiscard]] stream::InputOptions input_of(const SelectedColumns& selected, stream::RowNumbers numbers,
+                                                const messages::Subject& subject, bool has_values) const;
+
+    std::string output_ = "-";
+    std::string delimiter_;
+    std::string header_ = "auto";
+    std::string on_error_ = "stop";
+    std::string tolerance_;
+    std::string precision_;
+    std::string decimals_;
+    std::string diagnostics_ = "summary";
+    std::string threads_;
+    bool append_ = false;
+    bool strict_ = false;
 };
 
 /// What is done to attitudes before they are written, and which of their numbers are.
@@ -53,51 +126,11 @@ struct AttitudeOptions {
 
     void add_to(OptionSet& set);
     void add_lock_margin_to(OptionSet& set);
-    [[nodiscard]] ConversionSettings settings(const ReadingOptions& reading, const WritingOptions& writing) const;
+    /// The settings with those of these options.
+    [[nodiscard]] ConversionSettings added_to(ConversionSettings settings, bool degrees) const;
 };
 
-/// How a FILE and its REFERENCE are read side by side.
-struct PairingOptions {
-    std::string reference_columns;
-    std::string key;
-    std::string reference_key;
-    std::string key_within;
-
-    void add_to(OptionSet& set);
-    /// There is a REFERENCE.
-    /// @throw Usage where both are stdin
-    [[nodiscard]] static bool is_paired(const Operands& operands);
-    [[nodiscard]] bool by_key(const Operands& operands) const { return is_paired(operands) && !key.empty(); }
-};
-
-/// Which columns of a stream are read, by which option.
-struct ChosenColumns {
-    std::string list;
-    std::string option = "--columns";
-    std::string key{}; ///< a column before them
-
-    [[nodiscard]] std::string all() const { return key.empty() ? list : key + "," + list; }
-};
-
-/// Of the FILE: with the key, where there is one, as the first; or where the rows hold both attitudes, those of both.
-[[nodiscard]] ChosenColumns file_columns(const ReadingOptions& reading, const PairingOptions& pairing,
-                                         const Operands& operands);
-
-/// The command of an operation that takes those numbers of a row.
-/// @throw Usage
-[[nodiscard]] RowsCommand rows_command(const ReadingOptions& reading, const WritingOptions& writing,
-                                       const ChosenColumns& columns, stream::RowNumbers numbers,
-                                       operations::Operation operation, messages::Subject subject,
-                                       const Operands& operands);
-
-inline constexpr int widest_row = 100'000; ///< doubles
-
-/// Has the command's rows paired with those of the REFERENCE.
-/// @throw Usage
-void pair(RowsCommand& command, const ReadingOptions& reading, const PairingOptions& pairing,
-          stream::RowNumbers numbers, messages::Subject subject, const Operands& operands);
-
-/// @throw Usage where there are VALUEs
+/// @throw Usage if there are VALUEs
 void refuse_values(const Operands& operands, std::string_view command);
 
 } // namespace rotconv::cli

@@ -1,31 +1,206 @@
-#include "rows.hpp"
-
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <unistd.h>
 
 #include "../stream/fmt.hpp"
 #include "../stream/run.hpp"
-#include "print_error.hpp"
-#include "progress.hpp"
-#include "reporter.hpp"
+#include "command.hpp"
 
 namespace rotconv::cli {
 namespace {
 
 /// A message that ends the run.
-RowsResult failed(const std::string& message) {
+ExitCode failed(const std::string& message) {
     print_error(message);
-    return {.code = ExitCode::incomplete};
+    return ExitCode::incomplete;
 }
 
-RowsResult failed(const std::string& file, stream::StreamError::What what, int error) {
+ExitCode failed(const std::string& file, stream::StreamError::What what, int error) {
     return failed(fmt::format("{}: {}", shown(file), messages::explain({.what = what, .error_number = error}, {})));
 }
+
+constexpr std::size_t most_errors = 20; ///< told one by one, if the output shows which rows failed
+
+std::string rows_from(std::size_t rows, std::size_t first_line) {
+    return fmt::format("{}, first at line {}", counted(rows, "row"), first_line);
+}
+
+/// Counts the events of a run, and prints them and their summary.
+class Reporter {
+public:
+    /// @param failed_rows_show_it in the output, so that not every one needs a message
+    Reporter(const RowsCommand& command, bool failed_rows_show_it)
+        : command_(&command), failed_rows_show_it_(failed_rows_show_it),
+          where_(command.has_values ? "argument" : shown(command.input)), reference_(shown(command.reference)) {}
+
+    void add(const stream::Event& event) {
+        std::visit([this](const auto& what) { add(what); }, event);
+    }
+    void add(const stream::StreamError& error) const {
+        using What = stream::StreamError::What;
+        std::string message = messages::explain(error, subject_of(error.of_reference));
+        if (error.what == What::json) {
+            message += messages::json_advice(beginning_, command_->options.input);
+        } else if (error.what == What::columns && error.column.header.empty() && !error.of_reference) {
+            message += advice_at(error.line);
+        }
+        tell(error.what == What::read ? 0 : error.line, message, error.of_reference);
+    }
+    void add(const std::array<stream::Unpaired, 2>& unpaired) const {
+        for (const bool of_reference : {false, true}) {
+            if (const auto& [rows, first_line] = unpaired.at(of_reference ? 1 : 0); rows > 0) {
+                tell(0, fmt::format("unpaired: {}", rows_from(rows, first_line)), of_reference);
+            }
+        }
+    }
+
+    void summarize() const {
+        for (const Count& count : counts_) {
+            const stream::Diagnostic& first = count.first;
+            if (command_->diagnostics != ShowDiagnostics::summary || count.rows == 0 || is_told_apart(first)) {
+                continue;
+            }
+            tell(0,
+                 command_->has_values ? messages::describe(first)
+                                      : fmt::format("{}: {}; {}", name_of(first.kind),
+                                                    rows_from(count.rows, first.line), messages::meaning(first.kind)),
+                 first.of_reference);
+        }
+    }
+    /// The row errors that were not told one by one.
+    void count_rest() const {
+        if (failed_rows_show_it_ && errors_ > most_errors) {
+            tell(0, counted(errors_ - most_errors, "more row") + " without a result");
+        }
+    }
+
+    [[nodiscard]] std::size_t errors() const noexcept { return errors_; }
+    [[nodiscard]] std::size_t beyond() const { return count_of_beyond().rows; }
+    [[nodiscard]] std::size_t first_beyond() const { return count_of_beyond().first.line; }
+    /// Any kind but normalized.
+    [[nodiscard]] bool met_singularity() const noexcept {
+        return std::ranges::any_of(counts_, [](const Count& count) {
+            return count.rows > 0 && count.first.kind != DiagnosticKind::normalized;
+        });
+    }
+
+private:
+    struct Count {
+        std::size_t rows = 0;
+        std::size_t last_line = 0;
+        stream::Diagnostic first{};
+    };
+
+    void add(const stream::FirstBytes& first) { beginning_ = first.text; }
+    void add(const stream::RowError& error) {
+        if (++errors_ > most_errors && failed_rows_show_it_) {
+            return;
+        }
+        const bool is_first = errors_ == 1 && !error.of_reference;
+        tell(error.line,
+             messages::explain(error, subject_of(error.of_reference)) + (is_first ? advice_at(error.line) : ""),
+             error.of_reference);
+    }
+    void add(const stream::Diagnostic& diagnostic) {
+        Count& count = counts_.at(index_of(diagnostic.kind, diagnostic.of_reference));
+        if (count.rows == 0) {
+            count.first = diagnostic;
+        }
+        if (count.rows == 0 || count.last_line != diagnostic.line) { // a row may have several answers
+            ++count.rows;
+            count.last_line = diagnostic.line;
+        }
+        if (command_->diagnostics == ShowDiagnostics::rows || is_told_apart(diagnostic)) {
+            tell(diagnostic.line, messages::describe(diagnostic), diagnostic.of_reference);
+        }
+    }
+
+    void tell(std::size_t line, const std::string& message, bool of_reference = false) const {
+        const std::string at = line == 0 || command_->has_values ? "" : fmt::format(":{}", line);
+        print_error(fmt::format("{}{}: {}", of_reference ? reference_ : where_, at, message));
+    }
+    /// The end of the message on a line before the first row that could be read.
+    [[nodiscard]] std::string advice_at(std::size_t line) const {
+        const bool is_text = !command_->has_values && command_->options.input.width == 0;
+        const std::string text =
+            is_text ? messages::advice(beginning_, line, command_->options.input, command_->input) : std::string();
+        return text.empty() ? text : "; " + text;
+    }
+    /// One of several answers to VALUEs: each is told, because a summary would name only one.
+    [[nodiscard]] bool is_told_apart(const stream::Diagnostic& diagnostic) const noexcept {
+        return command_->has_values && command_->diagnostics == ShowDiagnostics::summary && !diagnostic.answer.empty();
+    }
+    static constexpr std::size_t index_of(DiagnosticKind kind, bool of_reference) noexcept {
+        return static_cast<std::size_t>(kind) + (of_reference ? diagnostic_kind_count : 0);
+    }
+    [[nodiscard]] const Count& count_of_beyond() const { return counts_.at(index_of(DiagnosticKind::beyond, false)); }
+    [[nodiscard]] const messages::Subject& subject_of(bool of_reference) const noexcept {
+        return of_reference ? command_->reference_subject : *command_->subject;
+    }
+
+    const RowsCommand* command_;
+    bool failed_rows_show_it_;
+    std::string where_;
+    std::string reference_;
+    std::string beginning_;                                 ///< of the input
+    std::array<Count, 2 * diagnostic_kind_count> counts_{}; ///< of the input, and of the reference
+    std::size_t errors_ = 0;
+};
+
+/// Reads a file, and shows on stderr how much of it is read, if that is a terminal and the file is large.
+class Progress final : public stream::Source {
+public:
+    Progress(stream::File& file, bool wanted) : file_(&file) {
+        const auto size = static_cast<double>(file.size());
+        if (wanted && ::isatty(STDERR_FILENO) != 0 && size >= large) {
+            size_ = size;
+            next_ = Clock::now() + interval;
+        }
+    }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress() override { clear(); }
+
+    std::ptrdiff_t read(std::span<char> to) override {
+        const auto count = file_->read(to);
+        if (count > 0 && size_ > 0.0) {
+            done_ += static_cast<double>(count);
+            if (const auto now = Clock::now(); now >= next_) {
+                next_ = now + interval;
+                shown_ = true;
+                show(fmt::format("rotconv: {:.0f} %\r", 100.0 * done_ / size_)); // a message overwrites it
+            }
+        }
+        return count;
+    }
+    [[nodiscard]] bool is_ready() const override { return file_->is_ready(); }
+
+    void clear() {
+        if (std::exchange(shown_, false)) {
+            show("\033[K");
+        }
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr double large = 1e6; ///< bytes
+    static constexpr auto interval = std::chrono::milliseconds(200);
+
+    static void show(std::string_view text) { static_cast<void>(stream::File(STDERR_FILENO).write(text)); }
+
+    stream::File* file_;
+    double size_ = 0.0; ///< bytes; 0 if nothing is shown
+    double done_ = 0.0;
+    Clock::time_point next_;
+    bool shown_ = false;
+};
 
 std::unique_ptr<stream::File> open(const std::string& path) {
     return path == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
@@ -34,7 +209,7 @@ std::unique_ptr<stream::File> open(const std::string& path) {
 
 } // namespace
 
-RowsResult run_rows(const RowsCommand& command) {
+ExitCode run_rows(const RowsCommand& command) {
     using What = stream::StreamError::What;
     stream::OutputFile output(command.output);
     std::vector<std::unique_ptr<stream::File>> inputs;
@@ -59,23 +234,23 @@ RowsResult run_rows(const RowsCommand& command) {
     stream::Sink& sink = other != nullptr ? *other : output;
     stream::TextSource values(command.values);
     const bool on_screen = other == nullptr && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
-    auto progress = std::make_unique<Progress>(*inputs.front(), !on_screen);
-    stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : *progress;
+    Progress progress(*inputs.front(), !on_screen);
+    stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : progress;
     Reporter reporter(command, other == nullptr && command.options.on_error == stream::OnError::nan);
-    const auto report = [&reporter](const stream::Event& event) { reporter(event); };
+    const auto report = [&reporter](const stream::Event& event) { reporter.add(event); };
     stream::Source* const reference = inputs.size() > 1 ? inputs.back().get() : nullptr;
     const stream::RunResult ending = stream::run(source, sink, command.options, report, reference);
-    if (ending.reader_left) {
-        return {.reader_left = true};
+    if (ending.reader_left) { // closed the pipe: nothing more is known, and nothing is to be said
+        return ExitCode::done;
     }
     reporter.summarize();
     if (ending.error) {
         if (ending.error->what == What::write) {
             return failed(command.output, What::write, ending.error->error_number);
         }
-        reporter(*ending.error);
+        reporter.add(*ending.error);
     }
-    progress.reset();
+    progress.clear();
     const bool is_whole = !ending.error && !ending.stopped;
     const bool strict = command.strict && reporter.met_singularity();
     RowsResult result{.code = !is_whole                         ? ExitCode::incomplete
@@ -83,30 +258,26 @@ RowsResult run_rows(const RowsCommand& command) {
                                                                 : ExitCode::done,
                       .answered = ending.answered,
                       .failed = reporter.errors(),
-                      .beyond = reporter.rows(DiagnosticKind::beyond),
-                      .first_beyond = reporter.first_line(DiagnosticKind::beyond),
+                      .beyond = reporter.beyond(),
+                      .first_beyond = reporter.first_beyond(),
                       .unpaired = ending.unpaired};
     if (is_whole) {
-        reporter(result.unpaired[0], false);
-        reporter(result.unpaired[1], true);
+        reporter.add(result.unpaired);
     }
     reporter.count_rest();
     if (conclusion != nullptr && is_whole) {
-        const int error = output.write(conclusion->text(result));
-        if (error == EPIPE) {
-            return {.reader_left = true};
+        const Conclusion::Answer answer = conclusion->answer(result);
+        if (const int error = output.write(answer.text); error != 0) {
+            return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);
         }
-        if (error != 0) {
-            return failed(command.output, What::write, error);
-        }
-        if (result.code == ExitCode::done && !conclusion->holds(result)) {
+        if (result.code == ExitCode::done && !answer.holds) {
             result.code = ExitCode::completed_with_failures;
         }
     }
     if (const int error = output.finish(is_whole); error != 0) {
         return failed(command.output, What::write, error);
     }
-    return result;
+    return result.code;
 }
 
 } // namespace rotconv::cli

@@ -3,9 +3,6 @@
 #include <rotconv/survey.hpp>
 
 #include "../stream/fmt.hpp"
-#include "commands.hpp"
-#include "options.hpp"
-#include "print_error.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
@@ -20,46 +17,49 @@ public:
     [[nodiscard]] Survey& survey() noexcept { return survey_; }
     [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
 
-    [[nodiscard]] std::string text(const RowsResult& /*result*/) override {
-        if (survey_.rows() == 0) {
+    [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
+        const bool is_empty = survey_.rows() == 0;
+        if (is_empty) {
             print_error(messages::nothing_read);
-            return json_ ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n";
         }
-        const std::string smallest = has_smallest() ? survey_.smallest(condition_)->set.text() : "none";
+        const SetSurvey* best = is_empty ? nullptr : survey_.smallest(condition_);
+        const std::string smallest = best != nullptr ? best->set.text() : "none";
+        std::string text = is_empty ? "" : json_ ? in_json() : in_table();
         if (json_) {
-            return fmt::format("{}{{\"rows\": {}, \"smallest\": \"{}\"}}\n", in_json(), survey_.rows(), smallest);
+            text += json_line({{"rows", survey_.rows()}, {"smallest", smallest}});
+        } else {
+            text += smallest + "\n";
         }
-        return fmt::format("{}\n{}; the smallest set that serves, with a condition of at most {}:\n{}\n", in_table(),
-                           counted(survey_.rows(), "attitude"), condition_, smallest);
+        return {text, best != nullptr};
     }
 
-    [[nodiscard]] bool holds(const RowsResult& /*result*/) const override { return has_smallest(); }
-
 private:
-    [[nodiscard]] bool has_smallest() const { return survey_.rows() > 0 && survey_.smallest(condition_) != nullptr; }
-
     [[nodiscard]] std::string in_table() const {
         constexpr const char* line = "{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n";
         std::string text = fmt::format(fmt::runtime(line), "SET", "n", "least margin", "at line", "greatest condition",
                                        "at line", "jumps", "first at", "serves");
-        for (const SetSurvey& set : survey_.sets()) {
-            text +=
-                fmt::format(fmt::runtime(line), set.set.text(), set.set.size(), fmt::format("{:.6g}", set.least_margin),
-                            set.margin_row, fmt::format("{:.6g}", set.greatest_condition), set.condition_row, set.jumps,
-                            set.jumps == 0 ? "-" : std::to_string(set.jump_row), set.serves(condition_) ? "yes" : "no");
+        for (const SetSurvey& each : survey_.sets()) {
+            text += fmt::format(
+                fmt::runtime(line), each.set.text(), each.set.size(), fmt::format("{:.6g}", each.least_margin),
+                each.margin_row, fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
+                each.jumps == 0 ? "-" : std::to_string(each.jump_row), each.serves(condition_) ? "yes" : "no");
         }
-        return text;
+        return text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
+                                  counted(survey_.rows(), "attitude"), condition_);
     }
 
     [[nodiscard]] std::string in_json() const {
         std::string text;
-        for (const SetSurvey& set : survey_.sets()) {
-            text += fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
-                                R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
-                                "\n",
-                                set.set.text(), set.set.size(), json_number(set.least_margin), set.margin_row,
-                                json_number(set.greatest_condition), set.condition_row, set.jumps,
-                                set.jumps == 0 ? "null" : std::to_string(set.jump_row), set.serves(condition_));
+        for (const SetSurvey& each : survey_.sets()) {
+            text += json_line({{"set", each.set.text()},
+                               {"parameters", each.set.size()},
+                               {"margin", each.least_margin},
+                               {"margin_line", each.margin_row},
+                               {"condition", each.greatest_condition},
+                               {"condition_line", each.condition_row},
+                               {"jumps", each.jumps},
+                               {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
+                               {"serves", each.serves(condition_)}});
         }
         return text;
     }
@@ -70,29 +70,27 @@ private:
     stream::NullSink nowhere_;
 };
 
-class SurveyOptions final : public CommandOptions {
+class SurveyOptions final : public RowOptions {
 public:
     SurveyOptions() {
+        format = "pretty";
         set.begin_group("What");
         set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
-        set.add("--condition", condition_, "LIMIT", "How much a representation may enlarge a small turn (default 1e3)");
+        set.add("--condition", condition_, "LIMIT", "The greatest condition that serves (default 1e3)");
         set.begin_group("Output");
-        set.add("--format", format_, "FORMAT", "pretty (default), a table, or json");
-        reading_.add_to(set);
+        set.add("--format", format, "FORMAT", "pretty (default), a table, or json");
+        add_reading();
     }
-
-    [[nodiscard]] std::string input() const override { return reading_.input; }
 
     [[nodiscard]] Command command(const Operands& operands) const override {
         refuse_values(operands, "survey");
-        const Spec from = spec_of("--from", from_, reading_.degrees);
-        const double tolerance = reading_.greatest_defect();
+        const Spec from = spec_of("--from", from_, degrees);
         const auto conclusion = std::make_shared<SurveyConclusion>(
             amount_of("--condition", condition_, default_condition, true),
-            choose<bool>("format of survey", format_, {{"pretty", false}, {"json", true}}));
-        RowsCommand command = rows_command(reading_, {}, {.list = reading_.columns}, operations::attitude_numbers(from),
-                                           operations::survey(from, tolerance, conclusion->survey()),
-                                           messages::subject_of(from, tolerance), operands);
+            one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}}));
+        RowsCommand command = rows_command({.list = columns}, operations::attitude_numbers(from),
+                                           operations::survey(from, tolerance(), conclusion->survey()),
+                                           messages::subject_of(from, tolerance()), operands);
         command.options.format = stream::Format::result;
         command.conclusion = conclusion;
         return command;
@@ -101,8 +99,6 @@ public:
 private:
     std::string from_;
     std::string condition_;
-    std::string format_ = "pretty";
-    ReadingOptions reading_;
 };
 
 } // namespace

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <unistd.h>
+
+#include "../stream/file.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/utf8.hpp"
 
@@ -12,11 +15,8 @@ std::string shown(std::string_view text) {
     std::string result;
     while (!text.empty()) {
         const std::size_t length = stream::printable_length(text);
-        if (length > 0) {
-            result += text.substr(0, length);
-        } else {
-            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
-        }
+        result += length > 0 ? std::string(text.substr(0, length))
+                             : fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
         text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return result;
@@ -28,11 +28,9 @@ std::string quoted(std::string_view text) {
 }
 
 std::string quoted_list(const std::vector<std::string>& texts) {
-    std::string list;
-    for (const std::string& text : texts) {
-        list += (list.empty() ? "" : ", ") + quoted(text);
-    }
-    return list.empty() ? "none" : list;
+    std::vector<std::string> list(texts.size());
+    std::ranges::transform(texts, list.begin(), quoted);
+    return texts.empty() ? "none" : fmt::format("{}", fmt::join(list, ", "));
 }
 
 std::string numbered(const std::vector<std::string>& texts) {
@@ -51,10 +49,13 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+bool is_alphanumeric(char c) noexcept {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
 std::string in_shell(std::string_view word) {
     const bool is_plain = !word.empty() && std::ranges::all_of(word, [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               std::string_view("-_./:,=+@").find(c) != std::string_view::npos;
+        return is_alphanumeric(c) || std::string_view("-_./:,=+@").find(c) != std::string_view::npos;
     });
     std::string text;
     for (const char c : word) {
@@ -63,8 +64,22 @@ std::string in_shell(std::string_view word) {
     return is_plain ? text : fmt::format("'{}'", text);
 }
 
-std::string json_number(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : fmt::format("\"{}\"", value);
+std::string file_in_shell(const std::string& file) { return in_shell((file.starts_with('-') ? "./" : "") + file); }
+
+JsonValue::JsonValue(double value) : text(fmt::to_string(value)) {
+    text = std::isfinite(value) ? text : JsonValue(text).text;
+}
+
+std::string json_line(const std::vector<std::pair<std::string_view, JsonValue>>& object) {
+    std::string line;
+    for (const auto& [key, value] : object) {
+        line += fmt::format("{}\"{}\": {}", line.empty() ? "" : ", ", key, value.text);
+    }
+    return "{" + line + "}\n";
+}
+
+void print_error(std::string_view message) {
+    static_cast<void>(stream::File(STDERR_FILENO).write(fmt::format("rotconv: {}\n", message)));
 }
 
 } // namespace rotconv::cli

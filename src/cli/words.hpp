@@ -3,30 +3,58 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-/// Texts from outside, and counts, as sentences have them.
+/// How texts from outside, counts and values look in messages and other output.
 namespace rotconv::cli {
 
-/// A text as messages may show it: what could move a terminal's cursor, hide or end the line is escaped.
+/// A text for messages: characters that could move a terminal's cursor, hide or end the line are escaped.
 [[nodiscard]] std::string shown(std::string_view text);
 
-/// The same in quotes, cut where it is long.
+/// shown() in quotes, and cut if it is long.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 /// The texts in quotes, or "none".
 [[nodiscard]] std::string quoted_list(const std::vector<std::string>& texts);
 
-/// The texts with their numbers from 1, as far as they fit.
+/// "1 qw, 2 qx": the texts numbered from 1, as many as fit.
 [[nodiscard]] std::string numbered(const std::vector<std::string>& texts);
 
 /// "1 row", "2 rows".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
-/// A word as a shell reads it: in quotes where it needs them.
+/// A letter or a digit of ASCII.
+[[nodiscard]] bool is_alphanumeric(char c) noexcept;
+
+/// A word as a shell reads it: in quotes if it needs them.
 [[nodiscard]] std::string in_shell(std::string_view word);
 
-/// A number in JSON; a string where it is not finite.
-[[nodiscard]] std::string json_number(double value);
+/// The path of a file for a command; one that begins with a dash is not taken for an option.
+[[nodiscard]] std::string file_in_shell(const std::string& file);
+
+/// A value as JSON writes it: null, a text, a truth, a count or a number (a text if it is not finite).
+struct JsonValue {
+    std::string text = "null";
+
+    JsonValue() = default;
+    JsonValue(const std::string& value) : text("\"" + value + "\"") {}
+    JsonValue(const char* value) : JsonValue(std::string(value)) {}
+    JsonValue(bool value) : text(value ? "true" : "false") {}
+    JsonValue(std::size_t value) : text(std::to_string(value)) {}
+    JsonValue(double value);
+    /// A number that is already text.
+    static JsonValue as_written(std::string number) {
+        JsonValue value;
+        value.text = std::move(number);
+        return value;
+    }
+};
+
+/// A line with an object of these keys. The texts must not need escapes.
+[[nodiscard]] std::string json_line(const std::vector<std::pair<std::string_view, JsonValue>>& object);
+
+/// Writes `rotconv: message` and a line end to stderr, in one piece. If that fails there is nobody to tell.
+void print_error(std::string_view message);
 
 } // namespace rotconv::cli

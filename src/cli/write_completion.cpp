@@ -12,44 +12,32 @@
 
 #include "../methods/method.hpp"
 #include "../stream/fmt.hpp"
-#include "command_line.hpp"
+#include "command.hpp"
 #include "messages.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-std::string joined(const std::vector<std::string_view>& words) {
-    return in_shell(fmt::format("{}", fmt::join(words, " ")));
-}
-
-std::vector<std::string_view> names_of(const Representation& entry) {
-    std::vector<std::string_view> names{entry.text};
-    std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
-    return names;
-}
+/// Words, in a list, as one word of the shell.
+std::string as_word(const auto& words) { return in_shell(fmt::format("{}", fmt::join(words, " "))); }
 
 /// The modifiers that each representation takes.
 std::string modifiers() {
     std::string text = "    modifiers= sequences=\n    case ${2-} in\n";
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
-        text += fmt::format("    {}) modifiers={}", fmt::join(names_of(entry), " | "),
-                            in_shell(messages::words_of(entry.modifiers, " ")));
-        if (entry.takes_sequence) {
-            std::vector<std::string> sequences;
-            std::ranges::transform(EulerSequence::all(), std::back_inserter(sequences), &EulerSequence::text);
-            text += fmt::format(" sequences={}", in_shell(fmt::format("{}", fmt::join(sequences, " "))));
-        }
-        text += " ;;\n";
+        text += fmt::format("    {}) modifiers={}{} ;;\n", fmt::join(messages::names_of(entry), " | "),
+                            in_shell(messages::words_of(entry.modifiers, " ")),
+                            entry.takes_sequence ? " sequences=" + as_word(messages::all_sequences()) : "");
     }
     return text + "    esac\n";
 }
 
-/// A line for each name of each option: the name, the argument or a dash, and what is said of it.
+/// A line for each name of each option: the name, the argument or a dash, and its text in the help.
 std::string lines_of(const OptionSet& options) {
     std::string lines;
     for (const Option& option : options.all()) {
-        for (const std::string& name : option.is_operand() ? std::vector<std::string>() : option.each_name()) {
+        for (const std::string& name : option.each_name()) {
             lines += fmt::format("{} {} {}\n", name, option.takes_argument() ? option.argument : "-", option.about);
         }
     }
@@ -57,12 +45,6 @@ std::string lines_of(const OptionSet& options) {
 }
 
 std::string words() {
-    std::vector<std::string_view> names;
-    for (const RepresentationId id : all_representations) {
-        std::ranges::copy(names_of(representation(id)), std::back_inserter(names));
-    }
-    std::vector<std::string_view> preset_names;
-    std::ranges::transform(presets(), std::back_inserter(preset_names), &Preset::text);
     std::vector<std::string_view> method_names{fast_method, all_methods};
     for (const Method& method : methods()) {
         if (std::ranges::find(method_names, method.name) == method_names.end()) {
@@ -76,14 +58,15 @@ std::string words() {
             commands += fmt::format("{} - {}\n", command.name, command.about);
         }
         options += fmt::format("    {})\n        options={}\n", in_shell(command.name), lines_of(command.options->set));
-        options += command.options->set.takes_operands()
+        options += command.options->set.takes_names()
                        ? "        operands=\"$names $presets methods presets\"\n        ;;\n"
                        : "        ;;\n";
     }
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
         "    names={}\n    presets={}\n    methods={}\n    commands={}\n{}    esac\n{}}}\n",
-        joined(names), joined(preset_names), joined(method_names), in_shell(commands), options, modifiers());
+        as_word(messages::all_names()), as_word(messages::all_presets()), as_word(method_names), in_shell(commands),
+        options, modifiers());
 }
 
 } // namespace

@@ -18,7 +18,7 @@ public:
         }
     }
 
-    /// Seconds since the last accepted time, rounded once where times are texts; nan for a time that is none.
+    /// Seconds since the last accepted time, rounded once if times are texts; nan for a time that is not finite.
     double seconds_to(double time, const std::string_view* text) {
         if (!std::isfinite(time)) {
             return std::numeric_limits<double>::quiet_NaN();

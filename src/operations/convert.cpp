@@ -4,7 +4,6 @@
 
 #include <rotconv/continuous.hpp>
 
-#include "names.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {

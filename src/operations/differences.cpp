@@ -1,14 +1,12 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "clock.hpp"
-#include "names.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
@@ -42,45 +40,53 @@ public:
     void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         run_ahead(rows, true, out, reports);
     }
-    /// A first row waits for the second.
     std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
                           std::vector<RowReport>& reports) override {
         reports.clear();
         const std::size_t count = rows.lines.size();
-        all_.resize(count);
+        steps_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
-            all_[i] = i;
+            steps_[i].row = i;
         }
-        compare(rows, all_);
+        compare(rows);
         Clock clock = clock_;
-        find_steps(rows, clock);
-        if (steps_.size() < count) { // others come before some of them
-            kept_.clear();
-            std::ranges::transform(steps_, std::back_inserter(kept_), &Step::row);
-            compare(rows, kept_);
+        refuse(rows, clock);
+        if (steps_.size() < count) { // some of them have another row before them now
+            compare(rows);
         }
-        const bool is_first = last_.empty();
-        if (is_first && !flush && steps_.size() < 2) {
-            return steps_.empty() ? refuse(count, reports) : refuse(steps_.front().row, reports);
+        bool starts = last_.empty();
+        const bool waits = starts && !flush && steps_.size() == 1; // the first row has the answer of the second
+        const std::size_t answered = waits ? steps_.front().row : count;
+        auto found = found_.cbegin();
+        for (std::size_t row = 0, step = 0; row < answered; ++row) {
+            if (refused_[row].error != Error::none) {
+                reports.push_back(refused_[row]);
+                continue;
+            }
+            RowReport report{.row = row};
+            if (found != found_.cend() && found->row == step) {
+                report.defect = found->defect;
+                report.sensitivity = found->sensitivity;
+                ++found;
+            }
+            report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
+            report.error = answer(step++, std::exchange(starts, false), out.subspan(row * 3, 3));
+            if (comparison_.settings().reading.sensitivity || report.error != Error::none ||
+                !report.diagnostics.empty()) {
+                reports.push_back(report);
+            }
         }
-        report_ = found_.begin();
-        std::size_t told = 0; // rows before are told of
-        for (std::size_t i = 0; i < steps_.size(); ++i) {
-            tell_refused(told, steps_[i].row, reports);
-            told = steps_[i].row + 1;
-            answer(i, is_first, out, reports);
-        }
-        tell_refused(told, count, reports);
-        if (!steps_.empty()) {
+        if (!waits && !steps_.empty()) {
             clock_ = clock;
             const auto numbers = numbers_of(rows, steps_.back().row);
             last_.assign(numbers.begin(), numbers.end());
         }
-        return count;
+        return answered;
     }
 
 private:
-    static constexpr std::size_t width = 4; ///< of what is found: the angle and the rotation vector
+    static constexpr std::size_t width = 4; ///< numbers of a comparison: the angle and the rotation vector
+    static constexpr double half_turn = std::numbers::pi - 1e-15;
 
     struct Step {
         std::size_t row = 0;
@@ -91,121 +97,80 @@ private:
         return rows.numbers.subspan(row * (size_ + 1) + 1, size_);
     }
 
-    /// Each of these rows with the one before it; the first of all with itself.
-    void compare(const NumberRows& rows, const std::vector<std::size_t>& chosen) {
+    /// The row of each step with the one before it; the first of all with itself.
+    void compare(const NumberRows& rows) {
         pairs_.clear();
         std::span<const double> before = last_;
-        for (const std::size_t row : chosen) {
-            const auto numbers = numbers_of(rows, row);
+        for (const Step& step : steps_) {
+            const auto numbers = numbers_of(rows, step.row);
             before = before.empty() ? numbers : before;
             pairs_.insert(pairs_.end(), numbers.begin(), numbers.end());
             pairs_.insert(pairs_.end(), before.begin(), before.end());
             before = numbers;
         }
-        turns_.resize(chosen.size() * width);
+        turns_.resize(steps_.size() * width);
         comparison_.run(pairs_, turns_, found_);
     }
 
-    /// The rows that have an attitude, and a time after the last; the others are refused.
-    void find_steps(const NumberRows& rows, Clock& clock) {
-        steps_.clear();
+    /// Leaves the steps to rows that have an attitude, and a time after the last.
+    void refuse(const NumberRows& rows, Clock& clock) {
         refused_.assign(rows.lines.size(), {});
         for (const RowReport& report : found_) {
             if (report.error != Error::none && !report.of_reference) {
                 refused_[report.row] = report;
             }
         }
-        for (std::size_t i = 0; i < rows.lines.size(); ++i) {
-            RowReport& refused = refused_[i];
-            refused.row = i;
+        bool is_first = last_.empty();
+        std::erase_if(steps_, [&](Step& step) {
+            RowReport& refused = refused_[step.row];
+            refused.row = step.row;
             if (refused.error != Error::none) {
-                continue;
+                return true;
             }
-            const double seconds =
-                clock.seconds_to(rows.numbers[i * (size_ + 1)], rows.kept.empty() ? nullptr : &rows.kept[i]);
-            const bool is_first = last_.empty() && steps_.empty();
-            if (std::isnan(seconds)) {
+            step.seconds = clock.seconds_to(rows.numbers[step.row * (size_ + 1)],
+                                            rows.kept.empty() ? nullptr : &rows.kept[step.row]);
+            if (std::isnan(step.seconds)) {
                 refused.error = Error::not_finite;
-            } else if (!is_first && !(seconds > 0.0)) {
+            } else if (!is_first && !(step.seconds > 0.0)) {
                 refused.error = Error::time_order;
             } else {
                 clock.accept();
-                steps_.push_back({i, seconds});
+                is_first = false;
             }
-        }
+            return refused.error != Error::none;
+        });
     }
 
-    void tell_refused(std::size_t begin, std::size_t end, std::vector<RowReport>& reports) const {
-        for (std::size_t i = begin; i < end; ++i) {
-            reports.push_back(refused_[i]);
-        }
-    }
-
-    /// Nothing but refused rows is there to tell of.
-    std::size_t refuse(std::size_t count, std::vector<RowReport>& reports) const {
-        tell_refused(0, count, reports);
-        return count;
-    }
-
-    void answer(std::size_t step, bool is_first_row, std::span<double> out, std::vector<RowReport>& reports) {
-        const std::size_t row = steps_[step].row;
-        RowReport report = report_of(step);
-        const bool starts = is_first_row && step == 0;
+    /// The angular velocity of a step; `starts`: the first row of all, which has that of the step after it, or nan.
+    [[nodiscard]] Error answer(std::size_t step, bool starts, std::span<double> velocity) {
         const std::size_t source = starts ? 1 : step;
-        const bool known = source < steps_.size() && turns(source, starts ? 0.0 : rate_, out.subspan(row * 3, 3));
-        if (starts && !known) {
-            std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(row * 3), 3, nan);
-        } else if (!known) {
-            report.error = Error::past_half_turn;
-        } else if (!std::ranges::all_of(out.subspan(row * 3, 3), [](double x) { return std::isfinite(x); })) {
-            report.error = Error::overflow;
+        bool known = source < steps_.size();
+        if (known) {
+            const double seconds = steps_[source].seconds;
+            const auto turn = std::span(turns_).subspan(source * width, width);
+            // by half a turn or more the body may have turned the other way, also if it keeps the rate of before
+            known = turn[0] < half_turn && (starts || rate_ * seconds < half_turn);
+            std::ranges::transform(turn.subspan(1), velocity.begin(), [seconds](double x) { return x / seconds; });
+            rate_ = known && !starts ? turn[0] / seconds : 0.0;
         }
-        rate_ = known && !starts ? turns_[source * width] / steps_[source].seconds : 0.0;
-        if (comparison_.settings().reading.sensitivity || report.error != Error::none || !report.diagnostics.empty()) {
-            reports.push_back(report);
+        if (!known) {
+            std::ranges::fill(velocity, nan);
+            return starts ? Error::none : Error::past_half_turn;
         }
+        const bool is_finite = std::ranges::all_of(velocity, [](double x) { return std::isfinite(x); });
+        return is_finite ? Error::none : Error::overflow;
     }
-
-    /// The angular velocity of a step; false where the body may have turned by half a turn or more, as it would have at
-    /// the rate before.
-    bool turns(std::size_t step, double rate_before, std::span<double> velocity) const {
-        const double seconds = steps_[step].seconds;
-        const double* const turn = turns_.data() + step * width;
-        if (turn[0] >= half_turn || rate_before * seconds >= half_turn) {
-            return false;
-        }
-        std::transform(turn + 1, turn + width, velocity.begin(), [seconds](double x) { return x / seconds; });
-        return true;
-    }
-
-    /// What the comparison has found of a step's own attitude.
-    RowReport report_of(std::size_t step) {
-        RowReport report;
-        if (report_ != found_.end() && report_->row == step) {
-            report.defect = report_->defect;
-            report.sensitivity = report_->sensitivity;
-            ++report_;
-        }
-        report.row = steps_[step].row;
-        report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
-        return report;
-    }
-
-    static constexpr double half_turn = std::numbers::pi - 1e-15;
 
     Clock clock_;              ///< of the last row
     std::vector<double> last_; ///< its attitude; empty before the first
-    double rate_ = 0.0;        ///< radians a second of the last step; 0 where that is not known
+    double rate_ = 0.0;        ///< radians a second of the last step; 0 if it is not known
     std::size_t size_;         ///< numbers of an attitude
     Comparison comparison_;
     // Of the rows at hand, reused.
-    std::vector<std::size_t> all_;
-    std::vector<std::size_t> kept_;
     std::vector<double> pairs_;
     std::vector<double> turns_;
     std::vector<RowReport> found_;
-    std::vector<RowReport>::const_iterator report_; ///< the next of them
-    std::vector<RowReport> refused_;                ///< of each row why it is no step
+    std::vector<RowReport> refused_; ///< of each row why it is not a step
     std::vector<Step> steps_;
 };
 

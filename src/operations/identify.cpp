@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "../stream/fmt.hpp"
-#include "names.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {

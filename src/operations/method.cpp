@@ -5,7 +5,6 @@
 
 #include <rotconv/continuous.hpp>
 
-#include "names.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {

@@ -1,4 +1,4 @@
-#include "names.hpp"
+#include "operations.hpp"
 
 namespace rotconv::operations {
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,18 +17,34 @@
 #include "../methods/method_conversion.hpp"
 #include "../stream/row_operation.hpp"
 
-/// What commands do with rows of numbers: for each what it takes of a row, and the operation, in a source of its name.
+/// What commands do with rows of numbers: for each the numbers that it takes of a row, and the operation, in a source
+/// of its name.
 namespace rotconv::operations {
 
 using Operation = std::shared_ptr<stream::RowOperation>;
 
-/// The numbers of an attitude, perhaps after a key that passes through.
+/// The column names of a SPEC's numbers in the order in which they are written, each followed by the ending.
+[[nodiscard]] std::vector<std::string> names_of(const Spec& spec, const std::string& ending = {});
+/// The column names of an angular velocity.
+[[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
+[[nodiscard]] std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others);
+
+/// Removes the keys from rows of a key, n numbers, another key and m numbers. The result holds until the next call.
+class KeyRemover {
+public:
+    std::span<const double> operator()(std::span<const double> rows, std::size_t n, std::size_t m);
+
+private:
+    std::vector<double> room_;
+};
+
+/// The numbers of an attitude, perhaps after a key that passes through unchanged.
 [[nodiscard]] stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key = false);
 
 /// The conversion of attitudes; `continuous`, here and below: each result follows the motion, see ContinuousNumbers.
 [[nodiscard]] Operation convert(const Conversion& conversion, bool continuous);
 
-/// The answers of a published method; `all`: those of all methods of the pair, each with its angle to the attitude.
+/// The answers of a published method; `all`: of all methods of the pair, each with its angle to the attitude.
 [[nodiscard]] Operation method(const MethodConversion& conversion, bool all, bool continuous);
 
 /// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are
@@ -43,8 +60,9 @@ struct DifferenceSettings {
     double tolerance = 0.0;   ///< see ConversionSettings
     bool sensitivity = false; ///< a report of every row
 };
-/// Of rows of a time and an attitude the angular velocity since the row before: the rotation vector from that attitude
-/// to this over the time between. The first row has that of the step after it, nan where there is none.
+/// The angular velocity since the row before, from rows of a time and an attitude: the rotation vector from the earlier
+/// attitude to the later one over the time between them. The first row has the velocity of the second, nan if there is
+/// none.
 [[nodiscard]] stream::RowNumbers difference_numbers(const Spec& spec);
 [[nodiscard]] Operation differences(const DifferenceSettings& settings);
 
@@ -52,22 +70,22 @@ struct PropagationRows {
     PropagationSettings settings{};
     int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
     bool degrees = false; ///< the angular velocity in degrees a second
-    Spec to{};            ///< in which the attitudes are written
+    Spec to{};            ///< the representation in which the attitudes are written
     ConversionSettings conversion{};
     bool continuous = false;
     bool stop_at_error = true; ///< the first error is the end
 };
-/// What a propagation makes of rows t, wx, wy, wz.
+/// The attitudes of a propagation, from rows t, wx, wy, wz.
 [[nodiscard]] stream::RowNumbers propagation_numbers();
 [[nodiscard]] Operation propagate(const PropagationRows& rows);
 
-/// Adds the attitudes to a survey, which must outlive it. The results are for nobody.
+/// Adds the attitudes to a survey, which must outlive the operation. The results of the rows are not used.
 [[nodiscard]] Operation survey(const Spec& from, double tolerance, Survey& survey);
 
 struct ComparisonRows {
     bool paired = false;    ///< the second attitude comes from a reference...
     bool by_key = false;    ///< ...and each of the two has its key before it
-    bool with_line = false; ///< the row's line after the angle, in the place of the relative attitude
+    bool with_line = false; ///< the row's line after the angle, instead of the relative attitude
 };
 /// The angles between the two attitudes of rows.
 [[nodiscard]] stream::RowNumbers comparison_numbers(const Comparison& comparison, const ComparisonRows& rows);
@@ -79,8 +97,8 @@ struct IdentificationRows {
     bool paired = false; ///< see ComparisonRows
     bool by_key = false;
 };
-/// Adds rows, of unknown numbers and then those of the known attitude, to the identification that `begin` returns for
-/// their count. The results are for nobody. `positions` becomes the fields that hold the unknown numbers.
+/// Adds rows, each of unknown numbers and then the known attitude, to the identification that the function returns.
+/// The results of the rows are not used. `positions` becomes the fields that hold the unknown numbers.
 [[nodiscard]] stream::RowNumbers identification_numbers(const IdentificationRows& rows);
 [[nodiscard]] Operation identify(const IdentificationRows& rows, std::function<Identification&()> identification,
                                  std::vector<std::size_t>& positions);

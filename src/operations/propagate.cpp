@@ -9,7 +9,6 @@
 #include <rotconv/quaternion.hpp>
 
 #include "clock.hpp"
-#include "names.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
@@ -74,7 +73,7 @@ public:
     }
 
 private:
-    /// The answer is that of the first row that was not refused and has none.
+    /// The answer belongs to the first row that was not refused and has no answer yet.
     void take(const std::optional<Propagated>& answer, std::span<double> out, std::vector<RowReport>& reports) {
         report_refused(reports);
         if (answer) {
@@ -94,16 +93,13 @@ private:
 
     void write(const Propagated& answer, std::span<double> out, std::span<double> rest,
                std::vector<RowReport>& reports) {
-        RowReport report{.row = answered_, .defect = answer.attitude.defect(), .deviation = answer.step_error};
+        RowReport& report = reports.emplace_back(
+            RowReport{.row = answered_, .defect = answer.attitude.defect(), .deviation = answer.step_error});
+        report.error = ended_                                ? Error::ended
+                       : report.defect > settings_.tolerance ? Error::defect
+                                                             : answer.attitude.error();
+        ended_ = report.error != Error::none;
         if (ended_) {
-            reports.push_back({.row = answered_, .error = Error::ended});
-            return;
-        }
-        const bool drifted = answer.attitude.defect() > settings_.tolerance;
-        ended_ = drifted || !answer.attitude;
-        if (ended_) {
-            report.error = drifted ? Error::defect : answer.attitude.error();
-            reports.push_back(report);
             return;
         }
         const Eigen::Quaterniond q = quaternion::from_rotation(*answer.attitude);
@@ -113,10 +109,10 @@ private:
             report.diagnostics = converted_.front().diagnostics;
             report.sensitivity = converted_.front().sensitivity;
         }
-        report.diagnostics |= {DiagnosticKind::normalized, answer.attitude.defect() > reported_defect};
+        report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
         report.diagnostics |= {DiagnosticKind::coarse_step, answer.step_error > reported_step_error};
-        if (settings_.sensitivity || !report.diagnostics.empty()) {
-            reports.push_back(report);
+        if (!settings_.sensitivity && report.diagnostics.empty()) {
+            reports.pop_back();
         }
     }
 

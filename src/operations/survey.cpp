@@ -2,7 +2,6 @@
 #include <span>
 #include <vector>
 
-#include "names.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {

@@ -120,7 +120,7 @@ TEST_CASE("compare pairs rows of the same number, whatever stands between them")
                   {R"("rows": 2)", R"("max": 0)"}) == "");
     const auto other = files("compare -f quat --columns qw,qx,qy,qz @new @old");
     CHECK(other.exit_code == 2);
-    CHECK(missing(other.err, {"old:1: no header: of the columns the row lacks 'qw', 'qx', 'qy', 'qz'"}) == "");
+    CHECK(missing(other.err, {"old:1: not a header: the row lacks the selected columns 'qw', 'qx', 'qy', 'qz'"}) == "");
 }
 
 TEST_CASE("a row that fails keeps its place, and is told of the right file") {
@@ -195,7 +195,7 @@ TEST_CASE("keys that do not increase, or are none, are errors of their row") {
           failing(1, "1 0 0 1 0\n3 0 0 1 0\n3 0 0 1 nan\n2 0 0 1 nan\nx 0 0 1 nan\n4 0 0 1 0\n", errors));
     CHECK(files(options + "--on-error nan @old @new") == failing(1, "1 0 0 1 0\n3 0 0 1 0\n4 0 0 1 0\n", errors));
     CHECK(files("compare -f rotvec --key 1 @new @old").exit_code == 2);
-    CHECK(missing(files("compare -f rotvec --key 1 @new @old").err, {"--key awaits --columns"}) == "");
+    CHECK(missing(files("compare -f rotvec --key 1 @new @old").err, {"--key needs --columns"}) == "");
     CHECK(files("compare -f rotvec --key 1,2 --columns 2-4 @new @old").exit_code == 2);
     CHECK(files("compare -f rotvec --key 9 --columns 2-4 @new @old").err ==
           "rotconv: new:1: no column 9, the row has 4: '1 0 0 1'\n");
@@ -379,7 +379,7 @@ TEST_CASE("what cannot be compared is refused") {
     CHECK(missing(files("compare -f rotvec --key-within x @new @old").err, {"--key-within 'x' must be"}) == "");
     CHECK(missing(files("compare @new @old").err, {"--from SPEC is missing"}) == "");
     CHECK(missing(files("compare -f quat --columns 1-3 @new @old").err, {"selects 3 columns where quat has 4"}) == "");
-    CHECK(missing(files("-f rotvec -t quat @new @old").err, {"are two FILEs, and one is read"}) == "");
+    CHECK(missing(files("-f rotvec -t quat @new @old").err, {"are two FILEs, but one is read"}) == "");
     const auto directory = files("compare -f rotvec @new /");
     CHECK(directory.exit_code == 2);
 }

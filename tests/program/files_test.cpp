@@ -140,7 +140,7 @@ TEST_CASE("FILE is an operand of every command that reads a stream") {
     CHECK(missing(run("-f quat -t rpy " + file).err, {"rotconv: " + file + ":1: "}) == "");
 }
 
-TEST_CASE("FILE, --input and VALUEs exclude each other, and so do two FILEs") {
+TEST_CASE("FILE, --input and VALUEs cannot be combined, nor two FILEs") {
     // Catches one of them being dropped silently.
     const Folder folder;
     const auto file = (folder / "q.txt").string();
@@ -160,14 +160,14 @@ TEST_CASE("FILE, --input and VALUEs exclude each other, and so do two FILEs") {
     CHECK(read_file(file) == "1 0 0 0\n");
 }
 
-TEST_CASE("a word that is no number, no file and no command is answered with all three") {
+TEST_CASE("a word that is not a number, a file or a command is answered with all three") {
     // Catches a message that knows only one reading.
     const auto unknown = run("srvey");
     CHECK(unknown.exit_code == 2);
-    CHECK(missing(unknown.err, {"'srvey'", "no number", "No such file", "did you mean survey?"}) == "");
+    CHECK(missing(unknown.err, {"'srvey'", "is not a number", "No such file", "did you mean survey?"}) == "");
     const auto mixed = run(convert + "1 0 zero 0");
     CHECK(mixed.exit_code == 2);
-    CHECK(missing(mixed.err, {"'zero'", "no number", "No such file"}) == "");
+    CHECK(missing(mixed.err, {"'zero'", "is not a number", "No such file"}) == "");
 }
 
 TEST_CASE("the same file for input and output is refused and kept") {
@@ -193,7 +193,7 @@ TEST_CASE("the same file for input and output is refused and kept") {
     CHECK(read_file(file) == bytes);
 }
 
-TEST_CASE("VALUEs and an input file exclude each other") {
+TEST_CASE("VALUEs and an input file cannot be combined") {
     // Catches one of the two being dropped silently.
     const Folder folder;
     const auto in = folder / "in";

@@ -47,7 +47,7 @@ TEST_CASE("a sequence or a modifier in other words is answered with the known on
     part("quat:scalar-last", "xyzw");
     part("quat:scalar_first", "wxyz");
     part("quat:scippy", "scipy");
-    check_usage_error("-f rpy:rad -t quat", {"'rad'", "without a modifier"});
+    check_usage_error("-f rpy:rad -t quat", {"'rad'", "leave it out"});
     check_usage_error("-f mrp:scalar-last -t quat", {"'scalar-last'", "passive"});
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("names that no header has are answered with those that it has") {
                   {"-:1: ", "'qzz'", "1 t, 2 qw, 3 qx, 4 qy, 5 qz: 't,qw,qx,qy,qz'\n"}) == "");
     CHECK(missing(lines("#timestamp [ns],q_RS_w [],q_RS_x []\n1,2,3\n"),
                   {"'qw', 'qx', 'qy', 'qzz'", "1 timestamp [ns], 2 q_RS_w [], 3 q_RS_x []: '1,2,3'\n"}) == "");
-    CHECK(missing(lines("# a remark\n1,0,0,0\n"), {"-:2: ", "has none: '1,0,0,0'\n"}) == "");
+    CHECK(missing(lines("# a remark\n1,0,0,0\n"), {"-:2: ", "(it has none): '1,0,0,0'\n"}) == "");
     std::string wide = "t";
     for (int i = 0; i < 1000; ++i) {
         wide += ",n" + std::to_string(i);
@@ -171,8 +171,8 @@ TEST_CASE("a file alone is answered with what is missing and what it holds") {
                   {"--to SPEC is missing", "5 columns: 1 t"}) == "");
     CHECK(missing(answer("survey", "b.csv", "1,2,3\n"), {"--from SPEC is missing", "3 columns: 1 1, 2 2, 3 3\n"}) ==
           "");
-    CHECK(missing(answer("propagate -i", "c.csv", "x\n"), {"--to SPEC is missing", "begins with no row of numbers"}) ==
-          "");
+    CHECK(missing(answer("propagate -i", "c.csv", "x\n"),
+                  {"--to SPEC is missing", "does not begin with a row of numbers"}) == "");
     CHECK(missing(answer("compare", "d.csv", ""), {"--from SPEC is missing; see rotconv --help\n"}) == "");
     // The columns that are proposed can be read.
     CHECK(run("-f quat -t rpy --columns qw,qx,qy,qz " + (folder / "traj.tum").string()).exit_code == 0);

@@ -291,7 +291,8 @@ TEST_CASE("an error tells the names that are lacking and those that are there") 
     const auto result = run(convert + "--columns qw,qx,qy,qz", "# note\nt,qw,x,qy,z\n7,1,0,0,0\n");
     CHECK(result.exit_code == 2);
     CHECK(result.out == "# note\n");
-    CHECK(missing(result.err, {"rotconv: -:2: ", "lacks 'qx', 'qz'", "has 'qw', 'qy'", "t,qw,x,qy,z"}) == "");
+    CHECK(missing(result.err, {"rotconv: -:2: ", "lacks the selected columns 'qx', 'qz'", "it has 'qw', 'qy'",
+                               "t,qw,x,qy,z"}) == "");
     CHECK(count_rows(result.err) == 1);
 }
 

@@ -55,7 +55,7 @@ TEST_CASE("remarks of other programs are no header, and what leaves them out is 
         CHECK(run("-f quat -t rpy --header yes", fmt::format("{} made by us\n1 0 0 0\n", mark)).exit_code ==
               0); // if you say so
         CHECK(missing(told("-f quat -t rpy --columns qw,qx,qy,qz", fmt::format("{} qw qx qy qz\n1 0 0 0\n", mark)),
-                      {"@:1: no header", fmt::format("sed 's|^{} *||' @ | rotconv ...", mark)}) == "");
+                      {"@:1: not a header", fmt::format("sed 's|^{} *||' @ | rotconv ...", mark)}) == "");
         CHECK(run("-f quat -t rpy --columns qw,qx,qy,qz", "qw qx qy qz\n1 0 0 0\n").exit_code == 0);
     }
 }
@@ -85,7 +85,7 @@ TEST_CASE("logs of ArduPilot are read behind the grep that is told") {
     CHECK(missing(told("-f rpy:deg -t quat --columns 4,6,8", ardupilot), {"@:1: ", "grep '^ATT,' @ | rotconv ..."}) ==
           "");
     CHECK(missing(told("-f rpy:deg -t quat --columns Roll,Pitch,Yaw", ardupilot.substr(ardupilot.find("FMT, 129"))),
-                  {"@:1: no header", "grep '^ATT,' @ | rotconv ..."}) == "");
+                  {"@:1: not a header", "grep '^ATT,' @ | rotconv ..."}) == "");
     CHECK(run("-f rpy:deg -t rpy:deg --columns 4,6,8 -p 6", "ATT, 1000, 0.0, 10.0, 0.0, 20.0, 0.0, 30.0\n") ==
           done("ATT, 1000, 0.0,10,20,30, 0.0, 0.0\n"));
 }
@@ -114,7 +114,7 @@ TEST_CASE("a header that is wider or narrower than the rows is told of, with wha
 TEST_CASE("files with decimal commas are told so") {
     // Catches a message that leaves it to the reader to see it.
     for (const std::string rows : {"0,5;0,5;0,5;0,5\n", "qw;qx;qy;qz\n0,5;0,5;0,5;0,5\n", "0,5\t0,5\t0,5\t0,5\n"}) {
-        CHECK(missing(told("-f quat -t rpy", rows), {"decimal commas: tr , . < @ | rotconv ..."}) == "");
+        CHECK(missing(told("-f quat -t rpy", rows), {"decimal commas into points: tr , . < @ | rotconv ..."}) == "");
     }
     CHECK(missing(told("-f quat -t rpy --delimiter semicolon", "0,5;0,5;0,5;0,5\n"), {"'0,5'; ", "decimal commas"}) ==
           "");

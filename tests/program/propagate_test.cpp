@@ -222,7 +222,7 @@ TEST_CASE("numbers that drift past the tolerance are an error, and nothing follo
     const auto kept = run("propagate -t quat --with dcm --on-error nan", rows);
     CHECK(kept.exit_code == 1);
     CHECK(kept.out == "0 1 0 0 0\n1 nan nan nan nan\n2 nan nan nan nan\n");
-    CHECK(missing(kept.err, {"-:2: defect ", "-:3: no attitude follows on an earlier row's error: '2 0 0 0'"}) == "");
+    CHECK(missing(kept.err, {"-:2: defect ", "-:3: no attitude, because an earlier row failed: '2 0 0 0'"}) == "");
     CHECK(run("propagate -t quat --with dcm --tolerance inf", rows).exit_code == 0);
 }
 

@@ -92,6 +92,25 @@ TEST_CASE("the condition that serves is an option") {
     CHECK(run("survey -f quat --condition -1", "1 0 0 0\n").exit_code == 2);
 }
 
+TEST_CASE("a set of infinite condition serves under no limit") {
+    // Catches a limit of inf that lets numbers through that are infinite or not determined.
+    for (const std::string limit : {"inf", "1e308"}) {
+        const auto half_turn = run("survey -f quat --condition " + limit, "0 1 0 0\n");
+        CHECK(half_turn.exit_code == 0);
+        CHECK(last_line(half_turn.out) == "mrp");
+        for (const std::string set : {"cayley", "euler:XYX", "euler:ZXZ"}) {
+            CHECK(line_of(half_turn.out, set).at(4) == "inf");
+            CHECK(line_of(half_turn.out, set).back() == "no");
+        }
+        CHECK(line_of(half_turn.out, "axis-angle").back() == "yes");
+        CHECK(line_of(run("survey -f quat --condition " + limit, "1 0 0 0\n").out, "axis-angle").back() == "no");
+        const auto json = run("survey -f quat --format json --condition " + limit, "0 1 0 0\n").out;
+        for (const auto& line : fields_of(json, '\n')) {
+            CHECK((line.find("\"condition\": \"inf\"") == std::string::npos || line.ends_with("\"serves\": false}")));
+        }
+    }
+}
+
 TEST_CASE("survey speaks JSON") {
     // Catches numbers that no JSON reader takes, and a last line that is none.
     const auto result = run("survey -f quat --format json", "1 0 0 0\n1 0 0 0\n");

@@ -211,7 +211,7 @@ TEST_CASE("numbers of options are checked") {
         check_usage_error(convert + "--threads " + digits, {"threads", digits});
     }
     check_usage_error(convert + "--decimals 101", {"--decimals '101' must be a whole number from 0 to 100"});
-    check_usage_error(convert + "-p 3 --decimals 3", {"--precision and --decimals exclude each other"});
+    check_usage_error(convert + "-p 3 --decimals 3", {"--precision cannot be combined with --decimals"});
     for (const std::string amount : {"-1", "x", "nan", "-inf", "1e-3x"}) {
         check_usage_error(convert + "--tolerance " + amount, {"tolerance", amount});
         check_usage_error(convert + "--lock-margin " + amount, {"lock-margin", amount});
