@@ -138,7 +138,7 @@ private:
     /// What the rows lack.
     [[nodiscard]] std::string lack() const {
         using Ambiguity = Verdict::Ambiguity;
-        switch (verdict_.lack) {
+        switch (verdict_.ambiguity) {
         case Ambiguity::rows: return "there is one row";
         case Ambiguity::attitudes: return "all rows have the same attitude";
         case Ambiguity::size:

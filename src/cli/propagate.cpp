@@ -57,10 +57,10 @@ public:
                                          .continuous = attitudes_.continuous,
                                          .stop_at_error = reading_.on_error_policy() == stream::OnError::stop};
         PropagationSettings& settings = rows.settings;
-        settings.set = spec_of("--with", with_, false);
-        require_rates("--with", settings.set);
+        settings.representation = spec_of("--with", with_, false);
+        require_rates("--with", settings.representation);
         rows.conversion = attitudes_.settings(reading_, writing_);
-        settings.integrator = integrator_of(settings.set, integrator_);
+        settings.integrator = integrator_of(settings.representation, integrator_);
         settings.interpolation = choose<Interpolation>(
             "interpolation", interpolation_, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
         settings.renormalise = renormalise_;
@@ -72,7 +72,7 @@ public:
             settings.initial = attitude_of("--initial", initial_, reading_.degrees, tolerance).rotation;
         }
         auto numbers = operations::propagation_numbers();
-        messages::Subject about{"t wx wy wz", numbers.names.size(), settings.set.name, tolerance, true};
+        messages::Subject about{"t wx wy wz", numbers.names.size(), settings.representation.name, tolerance, true};
         return rows_command(reading_, writing_, {.list = reading_.columns}, std::move(numbers),
                             operations::propagate(rows), std::move(about), operands);
     }

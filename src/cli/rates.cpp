@@ -48,11 +48,13 @@ public:
                            operands);
         }
         require_rates("--from", spec);
-        const RateSettings settings{
-            .inverse = inverse_, .degrees = reading_.degrees, .frame = frame_of(frame_), .tolerance = tolerance};
+        const RateSettings settings{.inverse = inverse_,
+                                    .degrees = reading_.degrees,
+                                    .frame = frame_of(frame_),
+                                    .tolerance = tolerance,
+                                    .sensitivity = sensitivity};
         return command(fmt::format("{} with {}", name, inverse_ ? "its rates" : "wx wy wz"), spec,
-                       operations::rates_numbers(spec, settings), operations::rates(spec, settings, sensitivity),
-                       operands);
+                       operations::rates_numbers(spec, settings), operations::rates(spec, settings), operands);
     }
 
 private:

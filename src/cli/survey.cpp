@@ -25,7 +25,7 @@ public:
             print_error(messages::nothing_read);
             return json_ ? "{\"rows\": 0, \"smallest\": \"none\"}\n" : "none\n";
         }
-        const std::string smallest = has_smallest() ? survey_.smallest(condition_)->set.text() : "none";
+        const std::string smallest = has_smallest() ? survey_.smallest(condition_)->spec.text() : "none";
         if (json_) {
             return fmt::format("{}{{\"rows\": {}, \"smallest\": \"{}\"}}\n", in_json(), survey_.rows(), smallest);
         }
@@ -42,24 +42,25 @@ private:
         constexpr const char* line = "{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n";
         std::string text = fmt::format(fmt::runtime(line), "SET", "n", "least margin", "at line", "greatest condition",
                                        "at line", "jumps", "first at", "serves");
-        for (const SetSurvey& set : survey_.sets()) {
-            text +=
-                fmt::format(fmt::runtime(line), set.set.text(), set.set.size(), fmt::format("{:.6g}", set.least_margin),
-                            set.margin_row, fmt::format("{:.6g}", set.greatest_condition), set.condition_row, set.jumps,
-                            set.jumps == 0 ? "-" : std::to_string(set.jump_row), set.serves(condition_) ? "yes" : "no");
+        for (const RepresentationSurvey& survey : survey_.representations()) {
+            text += fmt::format(
+                fmt::runtime(line), survey.spec.text(), survey.spec.size(), fmt::format("{:.6g}", survey.least_margin),
+                survey.margin_row, fmt::format("{:.6g}", survey.greatest_condition), survey.condition_row, survey.jumps,
+                survey.jumps == 0 ? "-" : std::to_string(survey.jump_row), survey.serves(condition_) ? "yes" : "no");
         }
         return text;
     }
 
     [[nodiscard]] std::string in_json() const {
         std::string text;
-        for (const SetSurvey& set : survey_.sets()) {
-            text += fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
-                                R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
-                                "\n",
-                                set.set.text(), set.set.size(), json_number(set.least_margin), set.margin_row,
-                                json_number(set.greatest_condition), set.condition_row, set.jumps,
-                                set.jumps == 0 ? "null" : std::to_string(set.jump_row), set.serves(condition_));
+        for (const RepresentationSurvey& survey : survey_.representations()) {
+            text +=
+                fmt::format(R"({{"set": "{}", "parameters": {}, "margin": {}, "margin_line": {}, "condition": {}, )"
+                            R"("condition_line": {}, "jumps": {}, "jump_line": {}, "serves": {}}})"
+                            "\n",
+                            survey.spec.text(), survey.spec.size(), json_number(survey.least_margin), survey.margin_row,
+                            json_number(survey.greatest_condition), survey.condition_row, survey.jumps,
+                            survey.jumps == 0 ? "null" : std::to_string(survey.jump_row), survey.serves(condition_));
         }
         return text;
     }
