@@ -83,12 +83,13 @@ at gimbal lock: only the difference of roll and yaw is defined
 END
 "$work/project/build/attitude" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
 
-# A third of a turn about (1, 1, 1), ninety degrees about z, and a reflection.
+# A third of a turn about (1, 1, 1), ninety degrees about z, a reflection, and a matrix that is scaled by 1.01.
 cat > "$work/expected" <<'END'
 0.5 0.5 0.5 0.5
 90 90 0
  0.000000  0.000000 -1.000000
 no rotation
+no rotation, 0.01 off
 END
 "$work/project/build/conversions" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
 # What the README shows stands in a program that was built.
