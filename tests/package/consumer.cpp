@@ -68,7 +68,9 @@ void typed_calls() {
     check(near((quarter * quarter).z(), 1) && near((quarter * quarter.inverse()).w(), 1), "Rotation times Rotation");
     Dcm matrix;
     matrix << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-    check((dcm::from_rotation(quarter) - matrix).norm() < 1e-15 && near(dcm::to_rotation(matrix)->z(), half), "dcm");
+    check((dcm::from_rotation(quarter) - matrix).norm() < 1e-15 &&
+              near(quaternion::from_rotation(*dcm::to_rotation(matrix)).z(), half),
+          "dcm");
     const TwoColumns columns = two_column::from_rotation(quarter);
     check((columns - matrix.leftCols<2>()).norm() < 1e-15, "TwoColumns");
     check(near(five_d::from_rotation(quarter)[0], half), "five_d"); // r21/(sqrt 2 - r11)
@@ -77,7 +79,8 @@ void typed_calls() {
     check(near(cayley::from_rotation(quarter).z(), 1) && near(mrp::from_rotation(quarter).z(), std::sqrt(2.0) - 1),
           "cayley and mrp");
     check(near(euler::from_rotation(quarter, "ZYX", AngleUnit::degrees).angles[0], 90), "EulerAngles");
-    check(near(euler::to_rotation({{pi / 2, 0, 0}, EulerSequence("ZYX")})->z(), half), "EulerSequence");
+    check(near(quaternion::from_rotation(*euler::to_rotation({{pi / 2, 0, 0}, EulerSequence("ZYX")})).z(), half),
+          "EulerSequence");
     const Sensitivity sensitivity = cayley::sensitivity(quarter);
     check(near(sensitivity.margin, pi / 2) && near(sensitivity.condition, 1), "Sensitivity");
     check(euler::diagnostics(quarter, "ZXZ").has(DiagnosticKind::gimbal_lock), "DiagnosticSet");
@@ -146,9 +149,7 @@ void motion() {
     Stepper stepper(spec_of("mrp"), Integrator::rk4);
     stepper.start({});
     check(integrate(stepper, omega, 0, 0.01, 100) == Error::none, "integrate");
-    check(near(stepper.numbers()[2] * 1e4, std::tan(0.125) * 1e4) ||
-              std::fabs(stepper.numbers()[2] - std::tan(0.125)) < 1e-9,
-          "Stepper");
+    check(std::fabs(stepper.numbers()[2] - std::tan(0.125)) < 1e-9, "Stepper"); // tan(theta/4)
     Propagator propagator(PropagationSettings{});
     PushResult pushed = propagator.push(0, {0, 0, 0});
     pushed = propagator.push(1, {0, 0, pi});
