@@ -1,4 +1,4 @@
-// Yaw, pitch and roll to a matrix and back, and what the library says of the singular attitude in between.
+// Yaw, pitch and roll to a matrix and to roll, pitch and yaw, at an attitude that the library reports as singular.
 
 #include <cstdio>
 

@@ -1,5 +1,5 @@
-// The commonest conversions, a line each. What is read may describe no rotation: a reading tests as bool, and gives its
-// rotation only where there is one.
+// The most common conversions, one line each. Not every set of numbers describes a rotation: the result of
+// to_rotation() tests as a bool, and throws if you take a rotation from it when there is none.
 
 #include <cstdio>
 
@@ -18,9 +18,11 @@ int main() {
     const Eigen::Matrix3d B = dcm::from_rotation(*rotation_vector::to_rotation({r}));
     const Rotation R_ref_body = *dcm::to_rotation(A) * rotation_vector::to_rotation({r})->inverse();
     const Eigen::Vector3d v_ref = R_ref_body * Eigen::Vector3d(1, 0, 0);
-    const Reading none = dcm::to_rotation(-R); // a reflection
+    const Reading none = dcm::to_rotation(-R);               // a reflection
+    const Reading scaled = dcm::to_rotation(1.01 * R, 1e-3); // refused: scaled.defect() is 0.01
     std::printf("%g %g %g %g\n", p.w(), p.x(), p.y(), p.z());
     std::printf("%g %g %g\n", angles[0], angles[1], angles[2]);
     std::printf("%9.6f %9.6f %9.6f\n", v_ref.x(), v_ref.y(), v_ref.z());
     std::printf("%s\n", none ? "a rotation" : "no rotation");
+    std::printf("%s, %.2g off\n", scaled ? "a rotation" : "no rotation", scaled.defect());
 }

@@ -14,14 +14,14 @@ struct AxisAngle {
     AngleUnit unit = AngleUnit::radians;
 };
 
-/// Euler's axis and angle. Singular at the identity, where every axis serves, and two-valued at a half-turn.
+/// Euler's axis and angle. Singular at the identity, where any axis serves, and two-valued at a half-turn.
 namespace axis_angle {
 
-/// q ~ (|n| cos(angle/2), n sin(angle/2)) for an angle of any size. The axis may be 0 where the angle is (after
-/// reduction, in degrees). Errors: not_finite, zero_axis.
+/// q ~ (|n| cos(angle/2), n sin(angle/2)) for an angle of any size. The axis may be 0 if the angle is 0 (degrees: 0
+/// after reduction). Errors: not_finite, zero_axis.
 [[nodiscard]] Reading to_rotation(const AxisAngle& value) noexcept;
 
-/// n = v/|v|, angle = 2 atan2(|v|, w) in [0, pi]; axis (1, 0, 0) where v is exactly 0.
+/// n = v/|v|, angle = 2 atan2(|v|, w) in [0, pi]; axis (1, 0, 0) if v is exactly 0.
 [[nodiscard]] AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
 
 /// Margin min(theta, pi - theta), condition max(1, 1/(2 sin(theta/2))).

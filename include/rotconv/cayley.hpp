@@ -6,7 +6,7 @@
 #include <rotconv/reading.hpp>
 
 /// The Gibbs vector, Rodrigues parameters: tan(theta/2) n, with R = (I + [c]_x)(I - [c]_x)^-1 (Stuelpnagel 1964,
-/// section 6, whose s is -c). Represents no half-turn.
+/// section 6, whose s is -c). A half-turn has no Gibbs vector.
 namespace rotconv::cayley {
 
 /// q ~ (1, c): nothing is rounded. Error: not_finite.
@@ -17,8 +17,8 @@ namespace rotconv::cayley {
     return Rotation::from_components(1.0, c.x(), c.y(), c.z());
 }
 
-/// c = v/w. Where w is 0 or a quotient overflows, infinite with the sign of each component that is not 0, and 0
-/// elsewhere.
+/// c = v/w. If w is 0 or a quotient overflows, each component of v that is not 0 becomes infinite with its sign,
+/// and the others become 0.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (1 + |c|^2)/2.

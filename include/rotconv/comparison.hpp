@@ -12,22 +12,21 @@
 
 namespace rotconv {
 
-/// How attitudes are compared, and what is made of them.
+/// How attitudes are compared.
 struct ComparisonSettings {
-    ConversionSettings reading{};                            ///< of both; the lock margin is that of the result
+    ConversionSettings reading{};                            ///< for both attitudes and for the relative one
     double within = std::numeric_limits<double>::infinity(); ///< a larger angle is reported; in `unit`
     AngleUnit unit = AngleUnit::radians;                     ///< of angles
-    std::optional<Spec> relative{};                          ///< the relative attitude is wanted, in this form
-    Frame frame = Frame::body; ///< its axes: R_REF' R of the reference's body, R R_REF' of the reference axes
+    std::optional<Spec> relative{};                          ///< write the relative attitude too, in this form
+    Frame frame = Frame::body; ///< of the relative attitude: R_REF' R with body, R R_REF' with reference
 };
 
-/// The angle between two attitudes R and R_REF of a row, whatever their representations.
+/// The angle between two attitudes R and R_REF of a row, in any two representations.
 ///
-/// It is twice the angle of (|v|, |s|) where (s, v) is the product of one quaternion and the other's inverse, formed
-/// with products of 106 bits: 0 where the numbers of one SPEC are the same, and to their own digits where quaternions
-/// near the identity differ by as little as 1e-150. Attitudes are read to 106 bits and rounded: 4 eps at most. Each
-/// number of the relative attitude is rounded once.
-/// Thread-safe: running it changes nothing in it.
+/// The angle is twice that of (|v|, |s|), where (s, v) is the product of one quaternion and the inverse of the other,
+/// formed with products of 106 bits. It is 0 for equal numbers of one SPEC, and quaternions near the identity may
+/// differ by as little as 1e-150. Attitudes are read to 106 bits and rounded; the worst error found is 4 eps. Each
+/// number of the relative attitude is rounded once. Thread-safe: run() changes nothing in it.
 class Comparison {
 public:
     Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings = {});
@@ -35,21 +34,18 @@ public:
     [[nodiscard]] const Spec& from() const noexcept { return from_; }
     [[nodiscard]] const Spec& reference() const noexcept { return reference_; }
     [[nodiscard]] const ComparisonSettings& settings() const noexcept { return settings_; }
-    /// Numbers of a row: from().size() + reference().size().
+    /// Numbers of a row of input: from().size() + reference().size().
     [[nodiscard]] std::size_t inputs() const noexcept { return from_.size() + reference_.size(); }
-    /// Numbers of an answer: the angle, and those of the relative attitude where it is wanted.
+    /// Numbers of a row of output: the angle, then those of the relative attitude if the settings want it.
     [[nodiscard]] std::size_t outputs() const noexcept;
 
-    /// Answers rows of inputs() numbers with outputs() numbers each; as Conversion::run(), but an error of the second
-    /// attitude has RowReport::of_reference, and DiagnosticKind::beyond has the angle in RowReport::deviation.
+    /// Like Conversion::run(). An error of the second attitude has RowReport::of_reference, and RowReport::deviation is
+    /// the angle.
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const;
 
 private:
     void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
                    std::vector<RowReport>& reports) const;
-    /// Behind each angle.
-    void write_relative(const double* attitudes, const double* references, std::size_t rows, double* out,
-                        DiagnosticSet* diagnostics) const noexcept;
 
     Spec from_;
     Spec reference_;

@@ -8,28 +8,28 @@
 
 namespace rotconv {
 
-/// Follows a motion: of all numbers that mean an attitude (the sign of a quaternion or of an axis, whole turns, the
-/// other triple of Euler angles) it writes those nearest to the last row's, by the sum of the squares of their
-/// differences, angles in radians; of equals the canonical ones. At gimbal lock the third angle keeps its last value,
-/// at the identity, after any number of whole turns, the axis.
+/// Follows a motion. The same attitude can be written with different numbers: the other sign of a quaternion or of an
+/// axis, angles with whole turns added, the other triple of Euler angles. This class writes those nearest to the last
+/// row's by Euclidean distance, with angles in radians, and the canonical ones if two are equally near. At gimbal lock
+/// the third angle keeps its last value; at the identity, after any number of whole turns, the axis does.
 class ContinuousNumbers {
 public:
     explicit ContinuousNumbers(const Spec& spec) noexcept;
 
-    /// An attitude has other numbers than the canonical ones; else run() changes nothing.
+    /// Whether attitudes have other numbers than the canonical ones. If not, run() changes nothing.
     [[nodiscard]] bool have_choice() const noexcept;
 
-    /// Goes on with rows of spec.size() numbers in the order of the motion, as Conversion::run() has made them with
-    /// those reports. The very first row is left as it is. So is a row that has an error or a number that is not
+    /// The next rows of spec.size() numbers in the order of the motion, with the reports and the `rest`, both from
+    /// Conversion::run(). The very first row is left as it is. So is a row that has an error or a number that is not
     /// finite; the next row is not compared with it.
-    /// @param rest what the exact numbers have beside those, so that the numbers chosen are rounded once; or empty
+    /// @param rest with it, the numbers chosen are rounded once; may be empty
     void run(std::span<double> numbers, std::span<const RowReport> reports, std::span<const double> rest = {}) noexcept;
 
 private:
     Spec spec_;
     const Codec* codec_;
     bool has_last_ = false;
-    std::array<double, 4> last_{}; ///< as they are written; none with a choice has more
+    std::array<double, 4> last_{}; ///< as written; no representation with a choice has more
 };
 
 } // namespace rotconv

@@ -11,12 +11,12 @@
 
 namespace rotconv {
 
-/// A rotation by which all attitudes are turned, to 106 bits.
+/// A rotation of 106 bits by which all attitudes are multiplied.
 struct FixedRotation {
     FixedRotation(const Rotation& rounded, const std::array<double, 4>& more = {}) noexcept
         : rotation(rounded), rest(more) {}
     /// The attitude of one row of numbers.
-    /// @pre read_attitude() finds a rotation in it
+    /// @pre read_attitude() finds a rotation in the row
     [[nodiscard]] static FixedRotation of_numbers(const Spec& spec, std::span<const double> numbers) noexcept;
 
     [[nodiscard]] FixedRotation inverse() const noexcept {
@@ -24,32 +24,20 @@ struct FixedRotation {
     }
 
     Rotation rotation;
-    std::array<double, 4> rest; ///< what the exact w, x, y, z have beside those of the rotation
+    std::array<double, 4> rest; ///< the exact w, x, y, z less those of `rotation`
 };
 
-/// What a conversion accepts, what it reports, and how it turns the attitudes.
+/// What a conversion accepts and reports, and the rotations by which it multiplies.
 struct ConversionSettings {
     double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
-    bool sensitivity = false;                        ///< margin, condition and the exact defect for every row
+    bool sensitivity = false;                        ///< report margin, condition and exact defect of each row
     std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes...
     std::optional<FixedRotation> right{};            ///< ...or R right: other body axes
-    bool fast = false; ///< plain double arithmetic, accurate to a few eps, instead of numbers that are rounded once
+    bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
 };
 
-/// What there is to report of one converted row.
-struct RowReport {
-    std::size_t row = 0; ///< its index among the rows of the run
-    Error error = Error::none;
-    bool of_reference = false; ///< where rows hold two attitudes: the error, and its defect, are those of the second
-    DiagnosticSet diagnostics{};
-    double defect = 0.0; ///< below `reported_defect` and without ConversionSettings::sensitivity only an upper bound
-    Sensitivity sensitivity{};     ///< of a row with diagnostics of its result, or with ConversionSettings::sensitivity
-    double reference_defect = 0.0; ///< of the second attitude, where rows hold two
-    double deviation = 0.0; ///< angle in radians by which the numbers may be off, where whoever made them says so
-};
-
-/// The attitude of one row of numbers, with all that the spec says of them.
+/// The attitude of one row of numbers in the conventions of the spec.
 /// @pre numbers.size() >= spec.size()
 [[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept;
 
@@ -72,24 +60,22 @@ public:
     /// @param reports is replaced by the reports of the rows that have an error or a diagnostic (with
     /// ConversionSettings::sensitivity, of all rows), in row order. Most rows have none. A vector that is reused is not
     /// allocated again
-    /// @param rest if it is not empty: what the exact numbers have beside those written, for ContinuousNumbers::run()
+    /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run()
     /// @pre out.size() >= rows * to().size(), and rest.size() likewise
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
              std::span<double> rest = {}) const;
 
 private:
-    /// At most `batch_rows` rows, of which the first is row `first` of the run.
+    /// At most `batch_rows` rows, beginning with row `first` of the run.
     void run_batch(const double* in, std::size_t first, std::size_t rows, double* out, double* rest,
                    std::vector<RowReport>& reports) const;
-    /// The numbers in the representation's own order.
-    void convert(InputBatch& input, std::size_t rows, double* numbers, double* rest, DiagnosticSet* diagnostics) const;
     void report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
                 double* out, std::vector<RowReport>& reports) const;
 
     Spec from_;
     Spec to_;
     ConversionSettings settings_;
-    // As they turn the attitudes that are written.
+    // The settings' own, or, if the inverses of the attitudes are written, the other's inverse.
     std::optional<FixedRotation> left_;
     std::optional<FixedRotation> right_;
     const Codec* out_codec_;

@@ -5,8 +5,8 @@
 #include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
-// Products that are not fused with the sums they go into, whatever flags the caller is compiled with: the differences
-// that are 0 at quarter turns would not be.
+// Products that are not fused with sums, whatever flags the caller is compiled with: fused, the differences that are 0
+// at quarter turns would not be 0.
 #if defined(__clang__)
 #define ROTCONV_NO_CONTRACTION _Pragma("clang fp contract(off)")
 #define ROTCONV_ROUNDED(product) (product)
@@ -30,21 +30,21 @@ namespace dcm {
 /// The rotation nearest to the matrix (its polar factor), for any matrix with a positive determinant.
 ///
 /// The quaternion is the eigenvector of Davenport's symmetric matrix K to its largest eigenvalue, found by power steps.
-/// They start from the column of K + I with the largest diagonal element: Markley's choice (2008), and that of Baruh's
+/// They start from the column of K + I with the largest diagonal entry: Markley's choice (2008), and that of Baruh's
 /// Eqs (5)-(8) made symmetric. Each step multiplies the error that the matrix's defect causes by that defect, so that
-/// one step serves a matrix with a defect of up to 2e-9. A matrix that is far off goes through its singular value
-/// decomposition and Newton's method.
+/// one step serves a matrix with a defect of up to 2e-9. For a matrix that is far from a rotation, the singular value
+/// decomposition and Newton's method are used.
 ///
 /// The defect is exact only above `reported_defect`; below, it is an upper bound. See defect().
-/// Errors: not_finite; not_proper; rank_deficient, where the two smaller singular values are together below 1e-12 of
-/// the largest; defect above the tolerance. Accuracy: the table of examples/accuracy.md.
+/// Errors: not_finite; not_proper; rank_deficient, if the sum of the two smaller singular values is below 1e-12 of the
+/// largest; defect above the tolerance. Accuracy: the table of examples/accuracy.md.
 [[nodiscard]] Reading to_rotation(const Dcm& matrix, double tolerance = any_defect) noexcept;
 
 /// Largest singular value of M - (polar factor of M), that is max |s_i - 1| over the singular values of M.
 /// @pre to_rotation(matrix) has a rotation
 [[nodiscard]] double defect(const Dcm& matrix) noexcept;
 
-/// Homogeneous form: (w^2 + x^2 - y^2 - z^2)/|q|^2 on the diagonal, 2(xy - wz)/|q|^2 and so on beside it (Stuelpnagel
+/// Homogeneous form: (w^2 + x^2 - y^2 - z^2)/|q|^2 on the diagonal, 2(xy - wz)/|q|^2 and so on off it (Stuelpnagel,
 /// section 3, gamma(u) transposed). Exact for quarter turns about the axes, whatever flags the caller is compiled with.
 [[nodiscard]] Dcm from_rotation(const Rotation& rotation) noexcept;
 
@@ -55,11 +55,10 @@ namespace dcm {
 /// any matrix.
 [[nodiscard]] Dcm rate(const Dcm& matrix, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
 
-/// The angular velocity whose rate() is nearest to `rates` (least squares): what is not tangent to the rotations is
-/// left out.
+/// The angular velocity whose rate() is nearest to `rates` (least squares).
 [[nodiscard]] Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame frame = Frame::body) noexcept;
 
-// What follows is short and frequent, so that callers should have it inline.
+// The rest is inline because it is short and often called.
 
 inline Dcm from_rotation(const Rotation& rotation) noexcept {
     ROTCONV_NO_CONTRACTION

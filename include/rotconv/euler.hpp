@@ -15,8 +15,9 @@
 
 namespace rotconv {
 
-/// One of the 24 Euler sequences: "ZYX" in upper case turns about the body's own moving axes in that order (intrinsic),
-/// "xyz" in lower case about the fixed axes (extrinsic). Neighbouring letters differ.
+/// One of the 24 Euler sequences. Upper case, such as "ZYX", means turns about the moving body axes in that order
+/// (intrinsic); lower case, such as "xyz", means turns about the fixed reference axes (extrinsic). Neighbouring letters
+/// differ.
 class EulerSequence {
 public:
     /// XYZ.
@@ -25,7 +26,7 @@ public:
     consteval EulerSequence(const char (&letters)[4]) // NOLINT(*-avoid-c-arrays, google-explicit-constructor)
         : EulerSequence(*parse({letters, 3})) {}
 
-    /// The sequence of three letters, or nothing where they name none.
+    /// The sequence of three letters, or nothing if they do not name one.
     [[nodiscard]] static constexpr std::optional<EulerSequence> parse(std::string_view letters) noexcept {
         if (letters.size() != 3) {
             return std::nullopt;
@@ -46,12 +47,13 @@ public:
     /// All 24, intrinsic first.
     [[nodiscard]] static std::array<EulerSequence, 24> all() noexcept;
 
-    /// Its letters, which parse() reads.
+    /// The letters, which parse() reads.
     [[nodiscard]] std::string text() const;
-    /// Axis 0, 1, 2 of the turn `position` 0, 1, 2.
+    /// The axis (0, 1, 2) of the first, second or third turn (`position` 0, 1, 2).
     [[nodiscard]] constexpr int axis(std::size_t position) const noexcept { return axes_[position]; }
     [[nodiscard]] constexpr bool intrinsic() const noexcept { return intrinsic_; }
-    /// First and third axis are the same (proper Euler angles); otherwise all three differ (Tait-Bryan angles).
+    /// True if the first and third axis are the same (proper Euler angles), false if all three differ (Tait-Bryan
+    /// angles).
     [[nodiscard]] constexpr bool proper() const noexcept { return axes_[0] == axes_[2]; }
 
     friend constexpr bool operator==(const EulerSequence&, const EulerSequence&) noexcept = default;
@@ -71,12 +73,12 @@ struct EulerAngles {
     AngleUnit unit = AngleUnit::radians;
 };
 
-/// Euler angles of every sequence (Stuelpnagel 1964, section 6, for roll-pitch-yaw). Singular at gimbal lock: middle
-/// angle +-pi/2 (three different axes) or 0 and pi (first = third), where only the sum or difference of the other two
-/// is defined.
+/// Euler angles of every sequence (Stuelpnagel 1964, section 6, for roll-pitch-yaw). Singular at gimbal lock, where the
+/// middle angle is +-pi/2 (three different axes) or 0 or pi (first axis = third): only the sum or difference of the
+/// other two angles is defined there.
 namespace euler {
 
-/// Attitudes nearer to lock than this (radians) are treated as locked unless the caller says otherwise: rounding alone.
+/// By default, attitudes nearer to gimbal lock than this (radians), which is rounding, are treated as locked.
 inline constexpr double default_lock_margin = 1e-15;
 
 /// The product of three half-angle quaternions. Angles of any finite size. Error: not_finite.
@@ -87,9 +89,10 @@ inline constexpr double default_lock_margin = 1e-15;
 /// With a, b, c, d of Bernardes and Viollet (2022), where a + ib = C e^(i s) and c + id = S e^(i t) hold half the sum
 /// and difference s, t of the outer angles: these are the angles atan2(imaginary, real) of (a + ib)(c +- id), and the
 /// middle one is twice atan2(S, C), less pi/2 for three different axes. Accuracy does not depend on the distance from
-/// lock, and needs no threshold. For readable angles there is one all the same: where the margin is at most
-/// `lock_margin` the third angle is 0, the middle one at its limit, and the first takes up the rest, which costs an
-/// error of up to `lock_margin` radians. With 0 only exact lock is special; from pi/2 on all is locked.
+/// gimbal lock, and needs no threshold. The threshold `lock_margin` makes angles readable: if the margin is at most
+/// `lock_margin`, the third angle is 0, the middle one is at its limit, and the first takes up the rest, which causes
+/// an error of up to `lock_margin` radians. With 0 only exact gimbal lock is special; from pi/2 on all attitudes are
+/// locked.
 [[nodiscard]] EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence,
                                         AngleUnit unit = AngleUnit::radians,
                                         double lock_margin = default_lock_margin) noexcept;
@@ -102,12 +105,12 @@ inline constexpr double default_lock_margin = 1e-15;
 [[nodiscard]] Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexcept;
 
 /// The rates of the three angles, in the unit of the angles a second. For roll, pitch and yaw they solve the 3x3 system
-/// of Stuelpnagel, section 6; the other sequences differ by names and signs of the axes. Divided by the cosine (first =
-/// third axis: the sine) of the middle angle: at lock not finite.
+/// of Stuelpnagel, section 6; the other sequences differ by names and signs of the axes. The rates contain a division
+/// by the cosine (first axis = third: the sine) of the middle angle, and are not finite at gimbal lock.
 [[nodiscard]] Eigen::Vector3d rate(const EulerAngles& value, const Eigen::Vector3d& w,
                                    Frame frame = Frame::body) noexcept;
 
-/// That system's left side: regular everywhere. Rates in the unit of the angles a second, w in rad/s.
+/// The left side of that system, regular everywhere. Rates in the unit of the angles a second, result in rad/s.
 [[nodiscard]] Eigen::Vector3d angular_velocity(const EulerAngles& value, const Eigen::Vector3d& rates,
                                                Frame frame = Frame::body) noexcept;
 

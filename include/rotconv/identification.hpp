@@ -13,30 +13,30 @@
 
 namespace rotconv {
 
-/// A convention that numbers may have: a SPEC and an order of the columns.
+/// A convention that the numbers may have: a SPEC and an order of the columns.
 struct Candidate {
     Spec spec;
     std::array<std::uint8_t, 9> columns{}; ///< for each number of the SPEC the column that holds it, from 0
-    std::size_t rows = 0;                  ///< that it was tried on; it leaves with one that it does not fit by far
-    double angle = 0.0; ///< the greatest to the known attitude, in radians; infinite where the numbers have no attitude
-    std::size_t angle_row = 0; ///< the first row that has it
+    std::size_t rows = 0; ///< number of rows on which it was tried; it is dropped at the first that it misses by far
+    double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
+    std::size_t angle_row = 0; ///< the first row with that angle
 };
 
-/// How many candidates fit, and where that is more than one what the rows lack.
+/// How many candidates fit and, if more than one does, why the rows do not tell them apart.
 struct Verdict {
-    /// The first that holds.
+    /// The first reason that holds.
     enum class Ambiguity : std::uint8_t {
         nothing,
-        rows,       ///< there is one
-        attitudes,  ///< all rows have the same
-        size,       ///< all are small: `angle` is the greatest
-        axes,       ///< all turn about one: `axis`
-        zero,       ///< the number in `column` always is
-        equal,      ///< those in `column` and `other` always are
-        difference, ///< the rows agree by other chance
+        rows,       ///< there is only one row
+        attitudes,  ///< all rows have the same attitude
+        size,       ///< all attitudes are small: `angle` is the largest
+        axes,       ///< all attitudes turn about one axis: `axis`
+        zero,       ///< the number in `column` is always 0
+        equal,      ///< the numbers in `column` and `other` are always equal
+        difference, ///< the candidates agree on these rows for another reason
     };
     std::size_t fitting = 0;
-    Ambiguity lack = Ambiguity::nothing;
+    Ambiguity ambiguity = Ambiguity::nothing;
     double angle = 0.0;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     std::size_t column = 0; ///< from 0
@@ -44,40 +44,42 @@ struct Verdict {
 };
 
 struct IdentificationSettings {
-    double within = 1e-3;    ///< greatest angle of a candidate that fits, in radians, from 0
-    double tolerance = 1e-3; ///< see ConversionSettings::tolerance; of the known attitude and of the unknown numbers
+    double within = 1e-3;    ///< largest angle of a candidate that fits, radians, from 0
+    double tolerance = 1e-3; ///< of the known attitude and the unknown numbers; see ConversionSettings
 };
 
 /// Finds the convention of numbers that come with the same attitude in a known one.
 ///
-/// Tried are all SPECs with that count of numbers, with all modifiers and sequences, and for Euler angles and
-/// quaternions all orders of the columns. Those that mean the same whatever the numbers count as one, called by the
-/// one whose list of columns is the least, of these by one with the fewest modifiers, and rather without `passive`;
-/// `rpy` is called euler:xyz. A candidate leaves with the first row that is beyond a thousand times the limit, or
-/// whose numbers have no attitude in it: so wide data cost little more than one conversion. Constant memory.
+/// All SPECs with that count of numbers are tried, with all modifiers and sequences, and for Euler angles and
+/// quaternions with all orders of the columns. Candidates that mean the same for all numbers count as one: the one
+/// whose list of columns comes first; if several share it, the one with the fewest modifiers, preferably without
+/// `passive`. `rpy` is named euler:xyz. A candidate is dropped at the first row that it misses by more than a thousand
+/// times the limit, or whose numbers have no attitude in it, so that long data cost little more than one conversion.
+/// Constant memory.
 class Identification {
 public:
-    /// `name`: the candidates are those of this representation alone, which has `count` numbers.
+    /// @param name if given, only candidates of this representation, which has `count` numbers
     Identification(std::size_t count, const Spec& known, std::optional<RepresentationId> name = {},
                    const IdentificationSettings& settings = {});
 
     /// Whether there is a representation with that count of numbers.
     [[nodiscard]] static bool is_count(std::size_t count) noexcept;
-    /// The unknown numbers of a row.
+    /// The count of unknown numbers in a row.
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
-    /// The next rows, each of the unknown numbers and then those of the known attitude, and the number that each has
-    /// for the caller. What comes of rows does not depend on how many are added at once.
-    /// @param reports become those of rows with an error or a diagnostic of the known attitude. A row without a known
-    /// attitude, or one that no candidate that is left can read, has an error and counts for nothing.
+    /// The next rows: in each, the unknown numbers and then those of the known attitude. The result does not depend on
+    /// how many rows are added at once.
+    /// @param rows the number of each row for the caller
+    /// @param reports is replaced by the reports of rows with an error, or with a diagnostic of the known attitude. A
+    /// row without a known attitude, or which no remaining candidate can read, has an error and does not count
     void add(std::span<const double> numbers, std::span<const std::size_t> rows, std::vector<RowReport>& reports);
 
-    /// That count.
+    /// The count of rows so far, without those with an error.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
     [[nodiscard]] bool fits(const Candidate& candidate) const noexcept {
         return rows_ > 0 && candidate.rows == rows_ && candidate.angle <= settings_.within;
     }
-    /// Those that were tried longest first, and of these those with the smallest angle.
+    /// The candidates that were tried on the most rows first; among these, in order of their angles.
     [[nodiscard]] std::vector<Candidate> best_first() const;
     [[nodiscard]] Verdict verdict() const;
 
@@ -87,7 +89,7 @@ private:
         Conversion conversion;
     };
 
-    /// Adds rows [first, first + count) of those at hand, of which known_ has the attitudes.
+    /// Adds rows [first, first + count) of those being added. Their attitudes are in known_.
     void try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
                   std::size_t count, std::vector<RowReport>& reports);
     /// The angles of rows [first, first + count) to their known attitudes.
@@ -96,30 +98,30 @@ private:
     /// Why the numbers of a row have no attitude.
     [[nodiscard]] RowReport refusal(const Trial& trial, const double* numbers);
     void remember(const double* numbers, const Rotation& known);
-    [[nodiscard]] Verdict::Ambiguity lack(Verdict& verdict) const;
+    [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
 
     std::size_t count_;
     IdentificationSettings settings_;
     Conversion known_conversion_;
-    std::vector<Trial> trials_;       ///< in the order in which they are called
-    std::vector<std::size_t> living_; ///< those that have not left
+    std::vector<Trial> trials_;       ///< preferred names first
+    std::vector<std::size_t> living_; ///< those that are not dropped
     std::size_t rows_ = 0;
 
-    // What there is to tell of the rows.
+    // What verdict() needs to know of the rows.
     Rotation first_;
-    double spread_ = 0.0;                               ///< greatest angle to the first
-    double greatest_angle_ = 0.0;                       ///< of the attitudes
+    double spread_ = 0.0;                               ///< largest angle to the first
+    double greatest_angle_ = 0.0;                       ///< of an attitude
     Eigen::Matrix3d scatter_ = Eigen::Matrix3d::Zero(); ///< sum of u u' over the quaternions (w, u)
-    std::array<double, 9> greatest_numbers_{};          ///< of each column, without signs
-    /// Of each column and another one; its upper triangle counts.
+    std::array<double, 9> greatest_numbers_{};          ///< largest magnitude in each column
+    /// The same of the difference of two columns, i < k.
     std::array<std::array<double, 9>, 9> greatest_differences_{};
 
-    // Room of add().
+    // Buffers of add().
     std::vector<double> known_numbers_;
     std::vector<double> known_; ///< quaternions, nan where there is none
     std::vector<double> ordered_;
     std::vector<double> tried_;
-    std::vector<double> angles_; ///< of the living, a batch each
+    std::vector<double> angles_; ///< of the living, one batch for each
     std::vector<RowReport> found_;
 };
 

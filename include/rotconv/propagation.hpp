@@ -11,56 +11,59 @@
 
 namespace rotconv {
 
-/// What the angular velocity does between two samples.
+/// The angular velocity between two samples.
 enum class Interpolation : std::uint8_t {
-    linear, ///< each sample is answered at once
-    cubic,  ///< the cubic through two samples before and two after (at the ends the parabola through three): one late
+    linear, ///< linear; each sample is answered at once
+    cubic,  ///< the cubic through two samples before and two after, at the ends the parabola through three; answers are
+            ///< one sample late
 };
 
 struct PropagationSettings {
-    Spec set{};                                  ///< what is integrated; see Stepper
-    Integrator integrator = Integrator::magnus4; ///< the default serves a quaternion
+    Spec representation{};                       ///< whose numbers are integrated; see Stepper
+    Integrator integrator = Integrator::magnus4; ///< the default is for the quaternion; rk4 is for all
     std::size_t substeps = 1;                    ///< steps from one sample to the next, from 1
     Interpolation interpolation = Interpolation::linear;
-    bool renormalise = false; ///< bring the numbers back to the set after every step
+    bool renormalise = false; ///< make the numbers exact again, such as unit, after each step
     Rotation initial{};       ///< the attitude at the first sample
 };
 
 /// The attitude at one sample's time.
 struct Propagated {
-    /// Its defect is how far the integrated numbers have drifted off their set; its errors singular and coarse_step say
-    /// that the chart was left, here and in all that follows.
+    /// The defect is due to drift of the integrated numbers. After the error singular or coarse_step, all later answers
+    /// have it too.
     Reading attitude;
-    /// Radians: the greatest of the estimates of their own error by the steps from the sample before. Two half steps
-    /// against the one; 0 where the steps are so short that it is far below `reported_step_error`.
+    /// In radians: the largest error estimate of the steps since the sample before. Each estimate compares one step
+    /// with two half steps; it is 0 if the step is so short that its error is far below `reported_step_error`.
     double step_error = 0.0;
 };
 
-/// What came of one sample.
+/// The result of one sample.
 struct PushResult {
     /// not_finite, time_order: the sample was refused and changed nothing.
     Error refused = Error::none;
-    /// linear: of this sample; cubic: of the one accepted before it.
+    /// With linear of this sample, with cubic of the one accepted before it.
     std::optional<Propagated> answer;
 };
 
 /// Integrates a stream of samples of the body's angular velocity to attitudes, in constant memory.
 ///
-/// The error of sampled rates is that of the interpolation, whatever the integrator: over 20 s of coning (0.1 rad, 5
-/// rad/s) it is 2.1e-4 rad with linear and 1.0e-7 with cubic at 100 Hz, 2.1e-6 and 1.0e-11 at 1000 Hz; of a tumbling
-/// motion of up to 3 rad/s 2.9e-4 and 1.6e-8, 2.9e-6 and 1.6e-12. It falls with the second power of the interval
-/// (linear), or the fourth (cubic).
+/// With every integrator, the error of sampled rates is that of the interpolation. Over 20 s of coning (0.1 rad, 5
+/// rad/s) it is 2.1e-4 rad with linear and 1.0e-7 with cubic at 100 Hz, and 2.1e-6 and 1.0e-11 at 1000 Hz; for a
+/// tumbling motion of up to 3 rad/s it is 2.9e-4 and 1.6e-8, and 2.9e-6 and 1.6e-12. It falls with the second power of
+/// the interval (linear) or the fourth (cubic).
 class Propagator {
 public:
-    /// @pre can_integrate(settings.set.name, settings.integrator) and settings.substeps > 0
-    explicit Propagator(const PropagationSettings& settings) noexcept;
+    /// @throw std::invalid_argument if not can_integrate(settings.representation.name, settings.integrator), or if
+    /// settings.substeps is 0
+    explicit Propagator(const PropagationSettings& settings);
 
-    /// A sample: the seconds since the last one that was accepted (1e-100 at least; of the first sample they mean
-    /// nothing), and the angular velocity in body axes, rad/s.
+    /// The next sample.
+    /// @param interval seconds since the last sample that was accepted, at least 1e-100; not used for the first sample
+    /// @param omega the angular velocity in body axes, rad/s
     PushResult push(double interval, const Eigen::Vector3d& omega) noexcept;
 
-    /// What is still owed of the samples so far, at the end or where nothing may wait: with cubic one answer, by the
-    /// parabola through the last three samples.
+    /// The answer still due for the samples so far. Call it at the end, or when no answer may wait: with cubic, it is
+    /// one answer, by the parabola through the last three samples.
     std::optional<Propagated> flush() noexcept;
 
 private:
@@ -69,7 +72,7 @@ private:
         Eigen::Vector3d omega = Eigen::Vector3d::Zero();
     };
 
-    /// Integrates from the sample `from` to the next. Others shape the interpolation: at most one on each side.
+    /// Integrates from the sample `from` to the next.
     void advance(std::size_t from) noexcept;
     [[nodiscard]] Propagated answer() const noexcept;
 
@@ -77,8 +80,8 @@ private:
     Stepper stepper_;
     double step_error_ = 0.0;         ///< of the latest advance
     std::array<Sample, 4> samples_{}; ///< the latest, in order of time
-    std::size_t count_ = 0;           ///< how many of them there are
-    bool flushed_ = false;            ///< the latest has its answer although it was to wait
+    std::size_t count_ = 0;           ///< number of samples_
+    bool flushed_ = false;            ///< flush() has answered the latest sample
 };
 
 } // namespace rotconv

@@ -13,34 +13,34 @@
 /// the same attitude), linear kinematics, no singular attitude.
 namespace rotconv::quaternion {
 
-/// The attitude q/|q|. Exact: nothing is rounded. Defect: | |q| - 1 |, up to `reported_defect` a bound on it. Errors:
-/// not_finite, zero_quaternion, defect above the tolerance.
+/// The attitude q/|q|. Exact: nothing is rounded. The defect is | |q| - 1 |; up to `reported_defect` it may be an upper
+/// bound. Errors: not_finite, zero_quaternion, defect above the tolerance.
 [[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q, double tolerance = any_defect) noexcept;
 
 /// | |q| - 1 |.
 /// @pre to_rotation(q) has a rotation
 [[nodiscard]] double defect(const Eigen::Quaterniond& q) noexcept;
 
-/// q/|q| with w > 0, or w = 0 and the first nonzero of x, y, z positive. Within 1 eps of the attitude: each component
-/// is rounded once; a quaternion that is unit to 4 eps keeps its bits.
+/// q/|q| with w > 0, or w = 0 and the first nonzero of x, y, z positive. Worst error found: 1 eps. A quaternion that is
+/// unit to 4 eps keeps its bits.
 [[nodiscard]] Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin infinite, condition 1/2.
 [[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// The rates: q (0, w)/2, or (0, w) q/2 in reference axes (Stuelpnagel section 5, of the conjugate: udot = sigma u).
-/// Linear in a quaternion of any norm, which it keeps.
+/// Linear in q; the norm of q, whatever it is, does not change.
 [[nodiscard]] Eigen::Quaterniond rate(const Eigen::Quaterniond& q, const Eigen::Vector3d& w,
                                       Frame frame = Frame::body) noexcept;
 
-/// Vector part of 2 q* qdot/|q|^2, or 2 qdot q*/|q|^2, for any norm: a rate of the norm itself is left out.
+/// Vector part of 2 q* qdot/|q|^2, or 2 qdot q*/|q|^2, for any norm. A rate of the norm itself is left out.
 /// @pre q is not 0
 [[nodiscard]] Eigen::Vector3d angular_velocity(const Eigen::Quaterniond& q, const Eigen::Quaterniond& rates,
                                                Frame frame = Frame::body) noexcept;
 
-// What follows is short and frequent, so that callers should have it inline.
+// The rest is inline because it is short and often called.
 
-/// to_rotation() of a quaternion that is far from unit or describes no attitude.
+/// to_rotation() of a quaternion that is far from unit or does not describe an attitude.
 [[nodiscard]] Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) noexcept;
 
 inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {

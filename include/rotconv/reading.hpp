@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <string_view>
-#include <utility>
 
 #include <rotconv/rotation.hpp>
 
@@ -21,17 +21,17 @@ enum class Error : std::uint8_t {
     not_proper,      ///< a matrix with det <= 0: singular, or a reflection
     rank_deficient,  ///< two columns that do not span a plane, or a matrix of nearly rank one
     defect,          ///< further from a rotation than the tolerance allows
-    singular,        ///< the set has no rates at this attitude, or a motion has reached where it has none
-    coarse_step,     ///< the body may turn by more in one step than the set can follow
-    time_order,      ///< not later than the sample before, or by less than 1e-100 s
+    singular,        ///< the representation has no rates at this attitude, or a motion has come too near to one
+    coarse_step,     ///< the body may turn by more in one step than the representation can follow
+    time_order,      ///< not at least 1e-100 s later than the sample before
     past_half_turn,  ///< differences: the body may have turned by half a turn or more since the sample before
-    ended,           ///< an earlier row of the propagation has failed: nothing follows on it
+    ended,           ///< an earlier row of the propagation has failed
 };
 
 /// The tolerance that accepts every defect.
 inline constexpr double any_defect = std::numeric_limits<double>::infinity();
 
-/// What came of reading numbers: a rotation, or an error that says why there is none. Tests as true where there is a
+/// The result of reading numbers: a rotation, or an error that says why there is none. Tests as true if there is a
 /// rotation.
 class Reading {
 public:
@@ -39,23 +39,21 @@ public:
     Reading(Error error, double defect = 0.0) noexcept : defect_(defect), error_(error) {}
 
     [[nodiscard]] explicit operator bool() const noexcept { return error_ == Error::none; }
-    /// @throw std::logic_error where there is none
-    [[nodiscard]] const Rotation& rotation() const& {
+    /// The rotation; of a temporary by value, which a reference may outlive.
+    /// @throw std::logic_error if there is none
+    [[nodiscard]] const Rotation& operator*() const& { return *operator->(); }
+    [[nodiscard]] Rotation operator*() && { return *operator->(); }
+    [[nodiscard]] const Rotation* operator->() const {
         if (error_ != Error::none) [[unlikely]] {
             throw_no_rotation();
         }
-        return rotation_;
+        return &rotation_;
     }
-    /// Of a temporary by value, which a reference may outlive.
-    [[nodiscard]] Rotation rotation() && { return static_cast<const Reading&>(*this).rotation(); }
-    /// The same.
-    [[nodiscard]] const Rotation& operator*() const& { return rotation(); }
-    [[nodiscard]] Rotation operator*() && { return std::move(*this).rotation(); }
-    [[nodiscard]] const Rotation* operator->() const { return &rotation(); }
-    /// Error::none where there is a rotation.
+    /// Error::none if there is a rotation.
     [[nodiscard]] Error error() const noexcept { return error_; }
-    /// How far the numbers were from describing a rotation exactly: | |q| - 1 |, or the largest singular value of M -
-    /// (polar factor of M); 0 for others. Up to `reported_defect` it may be an upper bound.
+    /// How far the numbers were from describing a rotation exactly: | |q| - 1 | of a quaternion, the largest singular
+    /// value of M - (polar factor of M) of a matrix, and 0 of other representations. Up to `reported_defect` it may be
+    /// an upper bound.
     [[nodiscard]] double defect() const noexcept { return defect_; }
 
 private:
@@ -80,42 +78,63 @@ enum class DiagnosticKind : std::uint8_t {
 };
 inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::beyond) + 1;
 
-/// The kind's name as it stands in the `notes` column, such as "gimbal-lock".
+/// The kind's name in the `notes` column, such as "gimbal-lock".
 [[nodiscard]] std::string_view name_of(DiagnosticKind kind) noexcept;
 
-/// A set of kinds.
-class DiagnosticSet {
+/// A set of the values of an enumeration.
+template <class Enum> class EnumSet {
 public:
-    constexpr DiagnosticSet() noexcept = default;
-    constexpr DiagnosticSet(DiagnosticKind kind, bool present) noexcept
-        : bits_(static_cast<std::uint16_t>(present ? bit(kind) : 0U)) {}
+    constexpr EnumSet() noexcept = default;
+    constexpr EnumSet(std::initializer_list<Enum> members) noexcept {
+        for (const Enum member : members) {
+            *this |= {member, true};
+        }
+    }
+    /// The member alone if it is present, otherwise the empty set.
+    constexpr EnumSet(Enum member, bool present) noexcept
+        : bits_(static_cast<std::uint16_t>(present ? 1U << static_cast<unsigned>(member) : 0U)) {}
 
-    [[nodiscard]] constexpr bool has(DiagnosticKind kind) const noexcept { return (bits_ & bit(kind)) != 0U; }
-    [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0U; }
-    constexpr DiagnosticSet& operator|=(DiagnosticSet other) noexcept {
+    [[nodiscard]] constexpr bool has(Enum member) const noexcept {
+        return (bits_ >> static_cast<unsigned>(member) & 1U) != 0;
+    }
+    [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0; }
+    constexpr EnumSet& operator|=(EnumSet other) noexcept {
         bits_ = static_cast<std::uint16_t>(bits_ | other.bits_);
         return *this;
     }
 
 private:
-    static constexpr unsigned bit(DiagnosticKind kind) noexcept { return 1U << static_cast<unsigned>(kind); }
-    static_assert(diagnostic_kind_count <= 16, "a kind is a bit");
     std::uint16_t bits_ = 0;
 };
 
-/// How close an attitude is to where a set of parameters is singular.
+using DiagnosticSet = EnumSet<DiagnosticKind>;
+static_assert(diagnostic_kind_count <= 16, "a kind is a bit");
+
+/// How close an attitude is to a singularity of a representation.
 struct Sensitivity {
-    /// Angle in radians to the nearest attitude at which the set is singular; infinite for a set without any.
+    /// Angle in radians to the nearest attitude at which the representation is singular; infinite if there is none.
     double margin = std::numeric_limits<double>::infinity();
-    /// Largest singular value of the map from a small rotation (radians) to the parameters (radians where angles).
+    /// Largest singular value of the map from a small rotation (radians) to the numbers (angles in radians).
     double condition = 1.0;
 };
 
-/// Attitudes nearer than this (radians) to a half-turn are reported as one.
+/// The report on one row.
+struct RowReport {
+    std::size_t row = 0; ///< its index among the rows of the run
+    Error error = Error::none;
+    bool of_reference = false; ///< for rows that hold two attitudes: error and defect are those of the second
+    DiagnosticSet diagnostics{};
+    double defect = 0.0; ///< below `reported_defect` and without ConversionSettings::sensitivity only an upper bound
+    Sensitivity sensitivity{};     ///< of a row with diagnostics of its result, or with ConversionSettings::sensitivity
+    double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
+    double deviation = 0.0;        ///< radians: the angle that method_error, coarse_step and beyond are about
+};
+
+/// Attitudes nearer than this (radians) to a half-turn are reported as a half-turn.
 inline constexpr double half_turn_margin = 1e-15;
-/// A condition above this is reported as near gimbal lock.
+/// Euler angles with a greater condition are reported as near gimbal lock.
 inline constexpr double near_lock_condition = 1e6;
-/// A step of an integration whose error is estimated above this (radians) is reported.
+/// An integration step whose estimated error (radians) is above this is reported.
 inline constexpr double reported_step_error = 1e-3;
 /// A defect above this is reported.
 inline constexpr double reported_defect = 1e-6;

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The table of representations, in the order in which they are listed: a line each, `line(identifier)`. All that is
-/// known of one stands in the codec at the end of its source.
+#include <rotconv/version.hpp>
+
+/// The table of representations, in the order in which they are listed, one row `line(identifier)` for each. Everything
+/// else about a representation is in the codec at the end of its source.
 // clang-format off
 #define ROTCONV_REPRESENTATIONS(line) \
     line(dcm) \

@@ -18,12 +18,12 @@ struct RotationVector {
 /// with opposite points of its surface identified: two-valued at half-turns.
 namespace rotation_vector {
 
-/// q ~ (theta cos(theta/2), r sin(theta/2)), theta = |r| to twice the working precision: 3 eps up to |r| = 1e15; past
-/// that the error grows with |r| 2^-104 (none for a vector along a coordinate axis). Error: not_finite.
+/// q ~ (theta cos(theta/2), r sin(theta/2)), with theta = |r| in double-double. Worst error found: 3 eps up to |r| =
+/// 1e15. Beyond, the error grows with |r| 2^-104, except for a vector along a coordinate axis. Error: not_finite.
 [[nodiscard]] Reading to_rotation(const RotationVector& value) noexcept;
 
-/// r = v 2 arg(w, |v|)/|v|, norm at most pi, with |v| and the quotient to twice the working precision: 2.7 eps, where
-/// rounding r alone takes up to 1.4. Tiny angles keep their relative accuracy.
+/// r = v 2 arg(w, |v|)/|v|, with a norm of at most pi, and with |v| and the quotient in double-double. Worst error
+/// found: 2.7 eps, of which rounding r takes up to 1.4. Tiny angles keep their relative accuracy.
 [[nodiscard]] RotationVector from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
 
 /// Margin pi - theta, condition (theta/2)/sin(theta/2), between 1 and pi/2.
@@ -31,12 +31,12 @@ namespace rotation_vector {
 
 /// The rate of the vector, in its unit a second: g w + r x w/2 + (1 - g) n (n.w), the cross product negative in
 /// reference axes, with g = (theta/2) cot(theta/2), n = r/theta. This is Stuelpnagel's equation of section 6 with the
-/// sign of its second term mended (in print it solves Xdot = X Omega), for the inverse; also Bortz (1971). Regular for
-/// theta < 2 pi; a pole at every full turn, near which theta counts to twice the working precision.
+/// sign of its second term corrected (in print it solves Xdot = X Omega), for the inverse; also Bortz (1971). Regular
+/// for theta < 2 pi, with a pole at each full turn, near which theta is computed in double-double.
 [[nodiscard]] Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w,
                                    Frame frame = Frame::body) noexcept;
 
-/// The inverse of that map, regular everywhere: s r' - c r x r' + (1 - s) n (n.r') with s = sin(theta)/theta and
+/// The inverse of rate(), regular everywhere: s r' - c r x r' + (1 - s) n (n.r') with s = sin(theta)/theta and
 /// c = (1 - cos(theta))/theta^2, the cross product positive in reference axes.
 [[nodiscard]] Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vector3d& rates,
                                                Frame frame = Frame::body) noexcept;

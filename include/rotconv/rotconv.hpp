@@ -1,6 +1,7 @@
 #pragma once
 
-/// Everything of rotconv::core: the hub Rotation, a header for each representation, and conversion of rows by SPEC.
+/// Everything of rotconv::core: the class Rotation, through which each conversion goes, a header for each
+/// representation, and conversion of rows by SPEC.
 
 #include <rotconv/axis_angle.hpp>
 #include <rotconv/cayley.hpp>

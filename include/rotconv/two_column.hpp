@@ -8,7 +8,7 @@
 
 namespace rotconv {
 
-/// The first two columns of R_ref_body, one below the other in storage.
+/// The first two columns of R_ref_body, the first before the second in storage.
 using TwoColumns = Eigen::Matrix<double, 3, 2>;
 
 /// Two columns of the matrix, in nine minus three or nine minus four numbers. Both sets are one-to-one and have no
@@ -16,7 +16,7 @@ using TwoColumns = Eigen::Matrix<double, 3, 2>;
 namespace two_column {
 
 /// Gram-Schmidt that keeps the first column's direction: e1 = c1/|c1|, e2 along c2 - (e1.c2) e1, e3 = e1 x e2.
-/// TwoColumns of any length. The defect is exact only above `reported_defect`; below, it is an upper bound. See
+/// The columns may have any length. The defect is exact only above `reported_defect`; below, it is an upper bound. See
 /// defect(). Errors: not_finite, rank_deficient, defect above the tolerance.
 [[nodiscard]] Reading to_rotation(const TwoColumns& m, double tolerance = any_defect) noexcept;
 
@@ -33,9 +33,9 @@ namespace two_column {
 [[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
 /// The rates: both columns turn as a rigid pair, c' = w x c in reference axes, which is linear (Stuelpnagel section 4,
-/// of the inverse: X0dot = Omega X0). From body axes w comes by the attitude of to_rotation(), so that lengths and
-/// angle of the columns, right or wrong, have no part in the motion; it is not finite where their squares are not, or
-/// 0.
+/// of the inverse: X0dot = Omega X0). With w in body axes, w is first turned to reference axes by the attitude of
+/// to_rotation(), so that errors in the lengths of the columns and in the angle between them do not affect the motion.
+/// The result is not finite where the columns' squares are 0 or not finite.
 [[nodiscard]] TwoColumns rate(const TwoColumns& m, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
 
 /// The angular velocity whose rate() is nearest to `rates` (least squares).
@@ -44,9 +44,9 @@ namespace two_column {
 
 } // namespace two_column
 
-/// Hopf's five numbers: the six of `columns`, over sqrt 2, lie on the unit sphere of E6; this is their stereographic
-/// projection from the pole a = (1, 0, 0, 0, 0, 0), y = (r21, r31, r12, r22, r32)/(sqrt 2 - r11). The smallest set that
-/// is one-to-one and has no singular attitude (Stuelpnagel 1964, section 4; Hopf 1940).
+/// Hopf's five numbers: the entries of the two columns, over sqrt 2, are a point on the unit sphere of E6; these are
+/// its stereographic projection from the pole a = (1, 0, 0, 0, 0, 0), y = (r21, r31, r12, r22, r32)/(sqrt 2 - r11). The
+/// smallest set that is one-to-one and has no singular attitude (Stuelpnagel 1964, section 4; Hopf 1940).
 namespace five_d {
 
 using Vector5 = Eigen::Matrix<double, 5, 1>;
@@ -54,19 +54,20 @@ using Vector5 = Eigen::Matrix<double, 5, 1>;
 /// r11 = sqrt 2 (y'y - 1)/(y'y + 1), the other five 2 sqrt 2 y/(y'y + 1), then as two_column::to_rotation().
 [[nodiscard]] Reading to_rotation(const Vector5& y, double tolerance = any_defect) noexcept;
 
-/// That of the columns.
+/// The defect of the two columns.
 /// @pre to_rotation(y) has a rotation
 [[nodiscard]] double defect(const Vector5& y) noexcept;
 
-/// In the homogeneous form the denominator (sqrt 2 - 1)(w^2 + x^2) + (sqrt 2 + 1)(y^2 + z^2) has no cancellation.
+/// The projection in homogeneous form: the denominator (sqrt 2 - 1)(w^2 + x^2) + (sqrt 2 + 1)(y^2 + z^2) has no
+/// cancellation.
 [[nodiscard]] Vector5 from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin infinite, condition sqrt 2/(sqrt 2 - r11), between 0.59 and 3.41.
 [[nodiscard]] Sensitivity sensitivity(const Rotation& rotation) noexcept;
 
-/// The rates: with the columns' h = ((y'y - 1)/2, y), parallel to them, y' = V h' + y h1' with h' as in
-/// two_column::rate() and V leaving out the first entry. In reference axes this is ((y'y - 1)/2 I - y y') V A a + V A
-/// V' y, of the inverse (Stuelpnagel section 4).
+/// The rates: h = ((y'y - 1)/2, y) is parallel to the columns, and y' = V h' + y h1', with h' as in two_column::rate()
+/// and with V, which leaves out the first entry. In reference axes this is ((y'y - 1)/2 I - y y') V A a + V A V' y, of
+/// the inverse (Stuelpnagel section 4).
 [[nodiscard]] Vector5 rate(const Vector5& y, const Eigen::Vector3d& w, Frame frame = Frame::body) noexcept;
 
 /// The angular velocity whose rate() is nearest to `rates` (least squares).

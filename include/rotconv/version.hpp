@@ -1,5 +1,9 @@
 #pragma once
 
+#if __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
+#error "rotconv needs C++20: compile with -std=c++20 or later"
+#endif
+
 /// The version of rotconv; the build reads it here. Macros, so that users can ask for it with #if.
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)

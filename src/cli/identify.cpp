@@ -164,7 +164,7 @@ private:
     /// What the rows lack.
     [[nodiscard]] std::string lack(const Verdict& verdict) const {
         using Ambiguity = Verdict::Ambiguity;
-        switch (verdict.lack) {
+        switch (verdict.ambiguity) {
         case Ambiguity::rows: return "there is one row";
         case Ambiguity::attitudes: return "all rows have the same attitude";
         case Ambiguity::size: return fmt::format("all are small, at most {:.3g} {}", verdict.angle * unit_, unit_name_);

@@ -53,9 +53,9 @@ public:
                                          .continuous = attitudes_.continuous,
                                          .stop_at_error = on_error() == stream::OnError::stop};
         PropagationSettings& settings = rows.settings;
-        settings.set = spec_of("--with", with_, false);
-        require_rates("--with", settings.set);
-        settings.integrator = integrator_of(settings.set, integrator_);
+        settings.representation = spec_of("--with", with_, false);
+        require_rates("--with", settings.representation);
+        settings.integrator = integrator_of(settings.representation, integrator_);
         settings.interpolation = one_of<Interpolation>(
             "interpolation", interpolation_, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
         settings.renormalise = renormalise_;
@@ -67,7 +67,7 @@ public:
             settings.initial = attitude_of("--initial", initial_, degrees, tolerance).rotation;
         }
         auto numbers = operations::propagation_numbers();
-        messages::Subject about{"t wx wy wz", numbers.names.size(), settings.set.name, tolerance, true};
+        messages::Subject about{"t wx wy wz", numbers.names.size(), settings.representation.name, tolerance, true};
         return rows_command({.list = columns}, std::move(numbers), operations::propagate(rows), std::move(about),
                             operands);
     }

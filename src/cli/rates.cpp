@@ -49,10 +49,13 @@ public:
                                                     .sensitivity = reading.sensitivity}));
         }
         require_rates("--from", spec);
-        const RateSettings rates{
-            .inverse = inverse_, .degrees = degrees, .frame = frame, .tolerance = reading.tolerance};
+        const RateSettings rates{.inverse = inverse_,
+                                 .degrees = degrees,
+                                 .frame = frame,
+                                 .tolerance = reading.tolerance,
+                                 .sensitivity = reading.sensitivity};
         return command(inverse_ ? "{} with its rates" : "{} with wx wy wz", operations::rates_numbers(spec, rates),
-                       operations::rates(spec, rates, reading.sensitivity));
+                       operations::rates(spec, rates));
     }
 
 private:

@@ -22,8 +22,8 @@ public:
         if (is_empty) {
             print_error(messages::nothing_read);
         }
-        const SetSurvey* best = is_empty ? nullptr : survey_.smallest(condition_);
-        const std::string smallest = best != nullptr ? best->set.text() : "none";
+        const RepresentationSurvey* best = is_empty ? nullptr : survey_.smallest(condition_);
+        const std::string smallest = best != nullptr ? best->spec.text() : "none";
         std::string text = is_empty ? "" : json_ ? in_json() : in_table();
         if (json_) {
             text += json_line({{"rows", survey_.rows()}, {"smallest", smallest}});
@@ -38,9 +38,9 @@ private:
         constexpr const char* line = "{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n";
         std::string text = fmt::format(fmt::runtime(line), "SET", "n", "least margin", "at line", "greatest condition",
                                        "at line", "jumps", "first at", "serves");
-        for (const SetSurvey& each : survey_.sets()) {
+        for (const RepresentationSurvey& each : survey_.representations()) {
             text += fmt::format(
-                fmt::runtime(line), each.set.text(), each.set.size(), fmt::format("{:.6g}", each.least_margin),
+                fmt::runtime(line), each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin),
                 each.margin_row, fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
                 each.jumps == 0 ? "-" : std::to_string(each.jump_row), each.serves(condition_) ? "yes" : "no");
         }
@@ -50,9 +50,9 @@ private:
 
     [[nodiscard]] std::string in_json() const {
         std::string text;
-        for (const SetSurvey& each : survey_.sets()) {
-            text += json_line({{"set", each.set.text()},
-                               {"parameters", each.set.size()},
+        for (const RepresentationSurvey& each : survey_.representations()) {
+            text += json_line({{"set", each.spec.text()},
+                               {"parameters", each.spec.size()},
                                {"margin", each.least_margin},
                                {"margin_line", each.margin_row},
                                {"condition", each.greatest_condition},

@@ -11,7 +11,7 @@
 namespace rotconv {
 namespace {
 
-/// Takes numbers `begin` to `begin + count` of each row together.
+/// Numbers `begin` to `begin + count` of each row.
 std::array<double, batch_rows * most_numbers> part_of(const double* rows_of, std::size_t width, std::size_t begin,
                                                       std::size_t count, std::size_t rows) noexcept {
     std::array<double, batch_rows * most_numbers> part; // as many as there are
@@ -21,7 +21,7 @@ std::array<double, batch_rows * most_numbers> part_of(const double* rows_of, std
     return part;
 }
 
-/// What there is to report of a row, of both its attitudes.
+/// The report on both attitudes of a row.
 RowReport report_of(const InputBatch& input, const InputBatch& reference, std::size_t row,
                     const ConversionSettings& settings) {
     RowReport report = input.report(row, settings);
@@ -73,7 +73,15 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     }
     std::array<DiagnosticSet, batch_rows> diagnostics{};
     if (settings_.relative) {
-        write_relative(input.own(), reference.own(), rows, out, diagnostics.data());
+        const Spec& to = *settings_.relative;
+        std::array<double, batch_rows * most_numbers> own;
+        std::array<double, batch_rows * most_numbers> written;
+        kernels.write_relative({&from_, &reference_, &to, settings_.frame, settings_.reading.lock_margin}, input.own(),
+                               reference.own(), rows, own.data(), diagnostics.data());
+        to_written_order(to, own.data(), rows, written.data());
+        for (std::size_t i = 0; i < rows; ++i) {
+            std::copy_n(written.data() + i * to.size(), to.size(), out + i * width + 1);
+        }
     }
     for (std::size_t i = 0; i < rows; ++i) {
         RowReport found = report_of(input, reference, i, settings_.reading);
@@ -94,19 +102,6 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
         }
         found.row = first + i;
         reports.push_back(found);
-    }
-}
-
-void Comparison::write_relative(const double* attitudes, const double* references, std::size_t rows, double* out,
-                                DiagnosticSet* diagnostics) const noexcept {
-    const Spec& to = *settings_.relative;
-    std::array<double, batch_rows * most_numbers> own;
-    std::array<double, batch_rows * most_numbers> written;
-    kernel_table().write_relative({&from_, &reference_, &to, settings_.frame, settings_.reading.lock_margin}, attitudes,
-                                  references, rows, own.data(), diagnostics);
-    to_written_order(to, own.data(), rows, written.data());
-    for (std::size_t i = 0; i < rows; ++i) {
-        std::copy_n(written.data() + i * to.size(), to.size(), out + i * outputs() + 1);
     }
 }
 

@@ -11,23 +11,16 @@
 namespace rotconv {
 namespace {
 
-/// Sets -0 to 0.
-void drop_minus_zero(double* numbers, std::size_t count) noexcept {
-    for (std::size_t i = 0; i < count; ++i) {
-        numbers[i] += 0.0;
-    }
-}
-
-/// Whether there may be something to report of any row: one look at each column, for most batches have no such row.
+/// Whether there may be something to report: one look at each column, because most batches have no such row.
 bool any_remarkable(const AttitudeBatch<double>& attitudes, const DiagnosticSet* diagnostics, std::size_t rows,
                     double largest_defect) noexcept {
-    // Sums of bits, since compilers vectorise those.
+    // Sums of bits, because compilers vectorise those.
     std::uint64_t defects = 0;
-    std::uint8_t errors = 0;
-    DiagnosticSet kinds;
     for (std::size_t i = 0; i < rows; ++i) {
         defects |= attitudes.defect[i] <= largest_defect ? 0U : 1U;
     }
+    std::uint8_t errors = 0;
+    DiagnosticSet kinds;
     for (std::size_t i = 0; i < rows; ++i) {
         errors = static_cast<std::uint8_t>(errors | static_cast<std::uint8_t>(attitudes.error[i]));
         kinds |= diagnostics[i];
@@ -64,7 +57,7 @@ FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double
     return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
 }
 
-// Of what is written as the inverse: (L R S)' = S' R' L'
+// If the inverse is written: (L R S)' = S' R' L'
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(from), to_(to), settings_(settings), left_(to.passive ? inverse_of(settings.right) : settings.left),
       right_(to.passive ? inverse_of(settings.left) : settings.right), out_codec_(&codec_of(to.name)) {}
@@ -79,27 +72,22 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     }
 }
 
-void Conversion::convert(InputBatch& input, std::size_t rows, double* numbers, double* rest,
-                         DiagnosticSet* diagnostics) const {
-    const ExactQuaternion left = exact(left_);
-    const ExactQuaternion right = exact(right_);
-    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, left_ ? &left : nullptr,
-                                right_ ? &right : nullptr};
-    (settings_.fast ? kernel_table().convert_fast : kernel_table().convert)(batch, input.own(), rows, input.attitudes,
-                                                                            numbers, rest, diagnostics);
-}
-
 void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out, double* rest,
                            std::vector<RowReport>& reports) const {
     InputBatch input(from_, in, rows);
     std::array<DiagnosticSet, batch_rows> diagnostics;
+    const ExactQuaternion left = exact(left_);
+    const ExactQuaternion right = exact(right_);
+    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, left_ ? &left : nullptr,
+                                right_ ? &right : nullptr};
+    const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     if (to_.is_reordered()) { // and has no choice, for which `rest` is wanted
-        std::array<double, batch_rows * most_numbers> numbers;
-        convert(input, rows, numbers.data(), nullptr, diagnostics.data());
-        to_written_order(to_, numbers.data(), rows, out);
+        std::array<double, batch_rows * most_numbers> own;
+        convert(batch, input.own(), rows, input.attitudes, own.data(), nullptr, diagnostics.data());
+        to_written_order(to_, own.data(), rows, out);
     } else {
-        convert(input, rows, out, rest, diagnostics.data());
-        drop_minus_zero(out, rows * to_.size());
+        convert(batch, input.own(), rows, input.attitudes, out, rest, diagnostics.data());
+        std::for_each_n(out, rows * to_.size(), [](double& number) { number += 0.0; }); // -0 becomes 0
     }
     report(input, diagnostics.data(), first, rows, out, reports);
 }

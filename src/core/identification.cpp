@@ -17,52 +17,47 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// So many times the limit, and a candidate leaves.
+/// A candidate is dropped at an angle of more than so many times the limit.
 constexpr double far = 1e3;
-/// A share of the whole that is rounding.
+/// A smaller part of the whole is rounding.
 constexpr double rounding = 1e-7;
 
 using Columns = std::array<std::uint8_t, 9>;
 
-/// The modifiers in the order in which a candidate is rather called by them.
-constexpr std::array modifier_order{Modifier::deg, Modifier::col, Modifier::xyzw, Modifier::passive};
-
-Spec with(Spec spec, unsigned chosen) noexcept {
-    const auto has = [chosen](std::size_t i) { return (chosen >> i & 1U) != 0; };
-    spec.unit = has(0) ? AngleUnit::degrees : AngleUnit::radians;
-    spec.column_major = has(1);
-    spec.scalar_last = has(2);
-    spec.passive = has(3);
-    return spec;
-}
-
-/// All SPECs of the representation, those with the fewest modifiers first.
+/// All SPECs of the representation, those with the fewest modifiers first; of several, `passive` last.
 std::vector<Spec> specs_of(const Representation& entry) {
-    std::vector<unsigned> choices;
-    for (unsigned chosen = 0; chosen < 1U << modifier_order.size(); ++chosen) {
-        bool has_meaning = true;
-        for (std::size_t i = 0; i < modifier_order.size(); ++i) {
-            has_meaning = has_meaning && ((chosen >> i & 1U) == 0 || entry.modifiers.has(modifier_order.at(i)));
-        }
-        if (has_meaning) {
-            choices.push_back(chosen);
-        }
-    }
-    std::ranges::stable_sort(choices, {}, [](unsigned chosen) { return std::popcount(chosen); });
+    constexpr std::array modifiers{Modifier::deg, Modifier::col, Modifier::xyzw, Modifier::passive};
+    std::array<unsigned, 1U << modifiers.size()> choices{}; // a bit for each modifier
+    std::iota(choices.begin(), choices.end(), 0U);
+    std::ranges::stable_sort(choices, {}, [](unsigned choice) { return std::popcount(choice); });
     std::vector<Spec> specs;
-    for (const unsigned chosen : choices) {
+    for (const unsigned choice : choices) {
+        const auto has = [choice](std::size_t i) { return (choice >> i & 1U) != 0; };
+        bool has_meaning = true;
+        for (std::size_t i = 0; i < modifiers.size(); ++i) {
+            has_meaning = has_meaning && (!has(i) || entry.modifiers.has(modifiers.at(i)));
+        }
+        if (!has_meaning) {
+            continue;
+        }
+        Spec spec{.name = entry.name,
+                  .unit = has(0) ? AngleUnit::degrees : AngleUnit::radians,
+                  .passive = has(3),
+                  .column_major = has(1),
+                  .scalar_last = has(2)};
         if (!entry.takes_sequence) {
-            specs.push_back(with({.name = entry.name}, chosen));
+            specs.push_back(spec);
             continue;
         }
         for (const EulerSequence sequence : EulerSequence::all()) {
-            specs.push_back(with({.name = entry.name, .sequence = sequence}, chosen));
+            spec.sequence = sequence;
+            specs.push_back(spec);
         }
     }
     return specs;
 }
 
-/// All candidates, in the order in which one is rather called by them.
+/// All candidates, preferred names first.
 std::vector<Candidate> candidates_of(std::size_t count, std::optional<RepresentationId> name) {
     std::vector<Candidate> candidates;
     for (const RepresentationId id : all_representations) {
@@ -91,13 +86,13 @@ Rotation rotation_at(const std::vector<double>& quaternions, std::size_t row) no
 
 double angle_between(const Rotation& a, const Rotation& b) noexcept { return angle_of(a * b.inverse()); }
 
-/// Nearer than 3e-6 radians, which generic numbers are in no two candidates that do not mean the same.
+/// Nearer than 3e-6 radians. Generic numbers are not that near in two candidates that differ in meaning.
 bool are_same(const Rotation& a, const Rotation& b) noexcept {
     const double cosine = (a.w() * b.w() + a.x() * b.x()) + (a.y() * b.y() + a.z() * b.z());
     return std::fabs(cosine) > 1.0 - 1e-12;
 }
 
-/// Numbers whose attitudes are the same only in candidates that mean the same.
+/// Two rows of numbers whose attitudes are equal only in candidates that mean the same.
 std::vector<double> generic_numbers(const Spec& spec) {
     std::vector<double> numbers;
     for (const Rotation& rotation : {Rotation::near_unit(0.83, 0.31, -0.42, 0.17), //
@@ -109,7 +104,7 @@ std::vector<double> generic_numbers(const Spec& spec) {
     return numbers;
 }
 
-/// Takes each row's unknown numbers to the order of the candidate.
+/// Puts the unknown numbers of each row in the order of the candidate.
 void order(const Candidate& candidate, const double* numbers, std::size_t width, std::size_t rows,
            std::vector<double>& ordered) {
     const std::size_t size = candidate.spec.size();
@@ -169,7 +164,7 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
         report.of_reference = true;
         report.reference_defect = report.error == Error::none ? std::exchange(report.defect, 0.0) : 0.0;
     });
-    // Of the first rows few at a time: most candidates leave with them.
+    // Few of the first rows at a time, because most candidates are dropped there.
     for (std::size_t first = 0; first < rows.size();) {
         const std::size_t count = std::min({rows.size() - first, batch_rows, std::max<std::size_t>(rows_, 1)});
         try_rows(numbers, rows, first, count, reports);
@@ -180,27 +175,19 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
 void Identification::try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
                               std::size_t count, std::vector<RowReport>& reports) {
     const std::size_t width = count_ + known_conversion_.from().size();
-    angles_.resize(living_.size() * count);
-    for (std::size_t i = 0; i < living_.size(); ++i) {
-        measure(trials_[living_[i]], numbers, first, count, angles_.data() + i * count);
+    angles_.resize(trials_.size() * count);
+    for (const std::size_t trial : living_) {
+        measure(trials_[trial], numbers, first, count, angles_.data() + trial * count);
     }
-    constexpr auto gone = static_cast<std::size_t>(-1);
     for (std::size_t row = 0; row < count; ++row) {
         const std::size_t at = first + row;
         if (std::isnan(known_[4 * at])) {
             continue;
         }
         const double* row_numbers = numbers.data() + at * width;
-        const Trial* reader = nullptr; // some candidate that is left
-        bool is_read = false;
-        for (std::size_t i = 0; i < living_.size(); ++i) {
-            if (living_[i] != gone) {
-                reader = reader == nullptr ? &trials_[living_[i]] : reader;
-                is_read = is_read || angles_[i * count + row] != infinity;
-            }
-        }
-        if (reader != nullptr && !is_read) {
-            const RowReport refused = refusal(*reader, row_numbers);
+        const auto cannot_read = [&](std::size_t trial) { return angles_[trial * count + row] == infinity; };
+        if (!living_.empty() && std::ranges::all_of(living_, cannot_read)) {
+            const RowReport refused = refusal(trials_[living_.front()], row_numbers);
             auto place = std::ranges::lower_bound(reports, at, {}, &RowReport::row);
             if (place == reports.end() || place->row != at) {
                 place = reports.insert(place, RowReport());
@@ -210,22 +197,16 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
         }
         ++rows_;
         remember(row_numbers, rotation_at(known_, at));
-        for (std::size_t i = 0; i < living_.size(); ++i) {
-            if (living_[i] == gone) {
-                continue;
-            }
-            Candidate& candidate = trials_[living_[i]].candidate;
-            const double angle = angles_[i * count + row];
+        std::erase_if(living_, [&](std::size_t trial) {
+            Candidate& candidate = trials_[trial].candidate;
+            const double angle = angles_[trial * count + row];
             if (++candidate.rows == 1 || angle > candidate.angle) {
                 candidate.angle = angle;
                 candidate.angle_row = rows[at];
             }
-            if (angle > far * settings_.within) {
-                living_[i] = gone;
-            }
-        }
+            return angle > far * settings_.within;
+        });
     }
-    std::erase(living_, gone);
 }
 
 void Identification::measure(const Trial& trial, std::span<const double> numbers, std::size_t first, std::size_t count,
@@ -280,12 +261,12 @@ Verdict Identification::verdict() const {
     verdict.fitting = static_cast<std::size_t>(
         std::ranges::count_if(trials_, [this](const Trial& trial) { return fits(trial.candidate); }));
     if (verdict.fitting > 1) {
-        verdict.lack = lack(verdict);
+        verdict.ambiguity = ambiguity(verdict);
     }
     return verdict;
 }
 
-Verdict::Ambiguity Identification::lack(Verdict& verdict) const {
+Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     using Ambiguity = Verdict::Ambiguity;
     if (rows_ == 1) {
         return Ambiguity::rows;

@@ -13,21 +13,14 @@
 namespace rotconv::formula::dcm_to_quat {
 namespace {
 
-/// R - R' and R + R' off the diagonal: 4w(x, y, z) and 4(yz, zx, xy).
-struct Parts {
-    explicit Parts(const double* m) noexcept
-        : wx(m[7] - m[5]), wy(m[2] - m[6]), wz(m[3] - m[1]), yz(m[7] + m[5]), zx(m[2] + m[6]), xy(m[3] + m[1]) {}
+/// 4 q q': the squares are Baruh's Eqs 5-8 (1999); the others are the entries of R - R' and R + R' off the diagonal.
+struct Products {
+    explicit Products(const double* m) noexcept
+        : ww(1.0 + m[0] + m[4] + m[8]), xx(1.0 + m[0] - m[4] - m[8]), yy(1.0 - m[0] + m[4] - m[8]),
+          zz(1.0 - m[0] - m[4] + m[8]), wx(m[7] - m[5]), wy(m[2] - m[6]), wz(m[3] - m[1]), yz(m[7] + m[5]),
+          zx(m[2] + m[6]), xy(m[3] + m[1]) {}
 
-    double wx, wy, wz, yz, zx, xy;
-};
-
-/// 4 (w^2, x^2, y^2, z^2) (Baruh 1999, Eqs 5-8).
-struct Squares {
-    explicit Squares(const double* m) noexcept
-        : w(1.0 + m[0] + m[4] + m[8]), x(1.0 + m[0] - m[4] - m[8]), y(1.0 - m[0] + m[4] - m[8]),
-          z(1.0 - m[0] - m[4] + m[8]) {}
-
-    double w, x, y, z;
+    double ww, xx, yy, zz, wx, wy, wz, yz, zx, xy;
 };
 
 /// Not copysign: equal entries 0 and -0 differ by -0.
@@ -44,7 +37,7 @@ void set(double* q, double w, double x, double y, double z) noexcept {
 
 /// Baruh 1999, Eqs 1-4: w from the trace, the rest by division by it.
 void trace(const double* m, double* q) noexcept {
-    const Parts p(m);
+    const Products p(m);
     const double w = 0.5 * std::sqrt(m[0] + m[4] + m[8] + 1.0);
     const double scale = 4.0 * w;
     set(q, w, p.wx / scale, p.wy / scale, p.wz / scale);
@@ -53,16 +46,15 @@ void trace(const double* m, double* q) noexcept {
 /// Baruh 1999: the largest from Eqs 5-8, the others from Eqs 2-4. These are differences and give w first, then all by
 /// w, as in his Example 2 c): the largest does not help where w is small.
 void baruh(const double* m, double* q) noexcept {
-    const Parts p(m);
-    const Squares s(m);
-    const double largest = std::max(std::max(s.w, s.x), std::max(s.y, s.z));
+    const Products p(m);
+    const double largest = std::max(std::max(p.ww, p.xx), std::max(p.yy, p.zz));
     const double pivot = 0.5 * std::sqrt(largest);
-    if (largest == s.w) {
+    if (largest == p.ww) {
         set(q, pivot, p.wx / (4.0 * pivot), p.wy / (4.0 * pivot), p.wz / (4.0 * pivot));
-    } else if (largest == s.x) {
+    } else if (largest == p.xx) {
         const double w = p.wx / (4.0 * pivot);
         set(q, w, pivot, p.wy / (4.0 * w), p.wz / (4.0 * w));
-    } else if (largest == s.y) {
+    } else if (largest == p.yy) {
         const double w = p.wy / (4.0 * pivot);
         set(q, w, p.wx / (4.0 * w), pivot, p.wz / (4.0 * w));
     } else {
@@ -74,52 +66,49 @@ void baruh(const double* m, double* q) noexcept {
 /// Chiaverini and Siciliano 1999: four square roots of sums of the diagonal, signs from the differences. Software also
 /// cites Klumpp 1976 for it.
 void four_roots(const double* m, double* q) noexcept {
-    const Parts p(m);
-    const Squares s(m);
-    set(q, 0.5 * std::sqrt(s.w), with_sign_of(p.wx, 0.5 * std::sqrt(s.x)), with_sign_of(p.wy, 0.5 * std::sqrt(s.y)),
-        with_sign_of(p.wz, 0.5 * std::sqrt(s.z)));
+    const Products p(m);
+    set(q, 0.5 * std::sqrt(p.ww), with_sign_of(p.wx, 0.5 * std::sqrt(p.xx)), with_sign_of(p.wy, 0.5 * std::sqrt(p.yy)),
+        with_sign_of(p.wz, 0.5 * std::sqrt(p.zz)));
 }
 
 /// Klumpp 1976, by its abstract: roots protected against negative sums; the largest vector element's sign is that of
 /// its difference, and the other two take theirs from it.
 void klumpp(const double* m, double* q) noexcept {
-    const Parts p(m);
-    const Squares s(m);
+    const Products p(m);
     const auto root = [](double square) { return 0.5 * std::sqrt(std::max(square, 0.0)); };
-    const double x = root(s.x);
-    const double y = root(s.y);
-    const double z = root(s.z);
+    const double x = root(p.xx);
+    const double y = root(p.yy);
+    const double z = root(p.zz);
     if (x >= y && x >= z) {
         const double leader = with_sign_of(p.wx, 1.0);
-        set(q, root(s.w), leader * x, leader * with_sign_of(p.xy, y), leader * with_sign_of(p.zx, z));
+        set(q, root(p.ww), leader * x, leader * with_sign_of(p.xy, y), leader * with_sign_of(p.zx, z));
     } else if (y >= z) {
         const double leader = with_sign_of(p.wy, 1.0);
-        set(q, root(s.w), leader * with_sign_of(p.xy, x), leader * y, leader * with_sign_of(p.yz, z));
+        set(q, root(p.ww), leader * with_sign_of(p.xy, x), leader * y, leader * with_sign_of(p.yz, z));
     } else {
         const double leader = with_sign_of(p.wz, 1.0);
-        set(q, root(s.w), leader * with_sign_of(p.zx, x), leader * with_sign_of(p.yz, y), leader * z);
+        set(q, root(p.ww), leader * with_sign_of(p.zx, x), leader * with_sign_of(p.yz, y), leader * z);
     }
 }
 
 /// Shepperd 1978: the largest of trace and diagonal picks the square root, the rest by division by it.
 void shepperd(const double* m, double* q) noexcept {
-    const Parts p(m);
-    const Squares s(m);
+    const Products p(m);
     const double sum = m[0] + m[4] + m[8];
     if (sum >= m[0] && sum >= m[4] && sum >= m[8]) {
-        const double root = std::sqrt(s.w);
+        const double root = std::sqrt(p.ww);
         const double scale = 0.5 / root;
         set(q, 0.5 * root, scale * p.wx, scale * p.wy, scale * p.wz);
     } else if (m[0] >= m[4] && m[0] >= m[8]) {
-        const double root = std::sqrt(s.x);
+        const double root = std::sqrt(p.xx);
         const double scale = 0.5 / root;
         set(q, scale * p.wx, 0.5 * root, scale * p.xy, scale * p.zx);
     } else if (m[4] >= m[8]) {
-        const double root = std::sqrt(s.y);
+        const double root = std::sqrt(p.yy);
         const double scale = 0.5 / root;
         set(q, scale * p.wy, scale * p.xy, 0.5 * root, scale * p.yz);
     } else {
-        const double root = std::sqrt(s.z);
+        const double root = std::sqrt(p.zz);
         const double scale = 0.5 / root;
         set(q, scale * p.wz, scale * p.zx, scale * p.yz, 0.5 * root);
     }
@@ -127,17 +116,16 @@ void shepperd(const double* m, double* q) noexcept {
 
 /// Markley 2008: the column of 4 q q' with the largest diagonal element, over its norm.
 void markley(const double* m, double* q) noexcept {
-    const Parts p(m);
-    const Squares s(m);
+    const Products p(m);
     const double sum = m[0] + m[4] + m[8];
     if (sum >= m[0] && sum >= m[4] && sum >= m[8]) {
-        set(q, s.w, p.wx, p.wy, p.wz);
+        set(q, p.ww, p.wx, p.wy, p.wz);
     } else if (m[0] >= m[4] && m[0] >= m[8]) {
-        set(q, p.wx, s.x, p.xy, p.zx);
+        set(q, p.wx, p.xx, p.xy, p.zx);
     } else if (m[4] >= m[8]) {
-        set(q, p.wy, p.xy, s.y, p.yz);
+        set(q, p.wy, p.xy, p.yy, p.yz);
     } else {
-        set(q, p.wz, p.zx, p.yz, s.z);
+        set(q, p.wz, p.zx, p.yz, p.zz);
     }
     const double norm = std::sqrt((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]));
     set(q, q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm);
@@ -146,20 +134,19 @@ void markley(const double* m, double* q) noexcept {
 /// Cayley's factorisation, which the survey of Sarabandi and Thomas 2019 recommends: the norms of the four rows of
 /// 4 q q', signs from the differences.
 void cayley(const double* m, double* q) noexcept {
-    const Parts p(m);
-    const Squares s(m);
+    const Products p(m);
     const auto quarter_norm = [](double a, double b, double c, double d) {
         return 0.25 * std::sqrt((a * a + b * b) + (c * c + d * d));
     };
-    set(q, quarter_norm(s.w, p.wx, p.wy, p.wz), with_sign_of(p.wx, quarter_norm(p.wx, s.x, p.xy, p.zx)),
-        with_sign_of(p.wy, quarter_norm(p.wy, p.xy, s.y, p.yz)),
-        with_sign_of(p.wz, quarter_norm(p.wz, p.zx, p.yz, s.z)));
+    set(q, quarter_norm(p.ww, p.wx, p.wy, p.wz), with_sign_of(p.wx, quarter_norm(p.wx, p.xx, p.xy, p.zx)),
+        with_sign_of(p.wy, quarter_norm(p.wy, p.xy, p.yy, p.yz)),
+        with_sign_of(p.wz, quarter_norm(p.wz, p.zx, p.yz, p.zz)));
 }
 
 /// Sarabandi and Thomas 2018, with their threshold eta = 0: each component from the diagonal where that sum is large,
 /// else from its row's other three entries; signs from the differences.
 void sarabandi_thomas(const double* m, double* q) noexcept {
-    const Parts p(m);
+    const Products p(m);
     const auto component = [](double sum, double a, double b, double c) {
         constexpr double eta = 0.0;
         return 0.5 * std::sqrt(sum > eta ? 1.0 + sum : (a * a + b * b + c * c) / (3.0 - sum));
@@ -173,7 +160,7 @@ void sarabandi_thomas(const double* m, double* q) noexcept {
 /// Bar-Itzhack 2000, version 3: the eigenvector of his K3 to its largest eigenvalue. The paper's factor 1/3 changes no
 /// eigenvector.
 void bar_itzhack(const double* m, double* q) noexcept {
-    const Parts p(m);
+    const Products p(m);
     Eigen::Matrix4d k;
     k << m[0] + m[4] + m[8], p.wx, p.wy, p.wz, //
         p.wx, m[0] - m[4] - m[8], p.xy, p.zx,  //

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <type_traits>
-
 #include <Eigen/Core>
 
 #include <rotconv/euler.hpp>
@@ -15,20 +12,6 @@ namespace rotconv::formula {
 
 /// A matrix as nine numbers, row by row.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-/// The function of a batch for a formula for one row, which takes the Euler sequence first where it needs it.
-template <std::size_t In, std::size_t Out, auto one_row>
-void each_row([[maybe_unused]] EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
-    for (std::size_t i = 0; i < rows; ++i, in += In, out += Out) {
-        if constexpr (std::is_invocable_v<decltype(one_row), EulerSequence, const double*, double*>) {
-            static_assert(noexcept(one_row(sequence, in, out)));
-            one_row(sequence, in, out);
-        } else {
-            static_assert(noexcept(one_row(in, out)));
-            one_row(in, out);
-        }
-    }
-}
 
 /// [v]_x, so that [v]_x u = v x u.
 inline RowMajor cross_matrix(const double* v) noexcept {

@@ -43,16 +43,6 @@ ConversionSettings turns_of(const ConversionSettings& settings) {
     return {.tolerance = infinity, .left = settings.left, .right = settings.right};
 }
 
-ConversionSettings fast(ConversionSettings settings) {
-    settings.fast = true;
-    return settings;
-}
-
-/// Row i of the one is row k of the other.
-bool are_same(std::span<const double> a, std::size_t i, std::span<const double> b, std::size_t k, std::size_t size) {
-    return std::ranges::equal(a.subspan(i * size, size), b.subspan(k * size, size));
-}
-
 std::vector<double> run(const Conversion& conversion, std::span<const double> in) {
     std::vector<double> out(in.size() / conversion.from().size() * conversion.to().size());
     std::vector<RowReport> reports;
@@ -78,7 +68,9 @@ MethodConversion::MethodConversion(const Conversion& own, const Method& method) 
 
 MethodConversion MethodConversion::all(const Conversion& own) {
     MethodConversion conversion(own);
-    conversion.fast_.emplace(own.from(), own.to(), fast(own.settings()));
+    ConversionSettings fast = own.settings();
+    fast.fast = true;
+    conversion.fast_.emplace(own.from(), own.to(), fast);
     for (const Method& method : methods_of(own.from().name, own.to().name)) {
         if (method.run != nullptr) {
             conversion.published_.push_back(&method);
@@ -115,32 +107,30 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
         }
     }
     const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
-    const auto attitudes = turned_ ? std::span<const double>(turned) : in;
-    angles.resize(rows * answers.size());
-    for (std::size_t a = 0; a < answers.size(); ++a) {
-        const auto found = angles_of(attitudes, answers[a]);
-        for (std::size_t i = 0; i < rows; ++i) {
-            const std::size_t at = i * answers.size() + a;
-            angles[at] = found[i];
-            std::copy_n(answers[a].data() + i * to().size(), to().size(), out.data() + at * to().size());
-        }
+    std::vector<std::vector<double>> found; // the angle of each answer
+    for (const auto& answer : answers) {
+        found.push_back(angles_of(turned_ ? std::span<const double>(turned) : in, answer));
     }
 
+    angles.assign(rows * answers.size(), not_a_number);
     reports.clear();
     for (std::size_t i = 0, next = 0; i < rows; ++i) {
         const bool is_reported = next < own.size() && own[next].row == i;
         const RowReport of_row = is_reported ? own[next++] : RowReport{};
         const bool is_infinite = of_row.diagnostics.has(DiagnosticKind::infinite);
-        for (std::size_t at = i * answers.size(); at < (i + 1) * answers.size(); ++at) {
+        const auto numbers_of = [&, size = to().size()](std::span<const double> all) {
+            return all.subspan(i * size, size);
+        };
+        for (std::size_t a = 0; a < answers.size(); ++a) {
+            const std::size_t at = i * answers.size() + a;
+            const auto written = out.subspan(at * to().size(), to().size());
             RowReport report = of_row;
             report.row = at;
             if (report.error != Error::none) {
-                std::ranges::fill(out.subspan(at * to().size(), to().size()), not_a_number);
-                angles[at] = not_a_number;
+                std::ranges::fill(written, not_a_number);
             } else {
-                if (is_infinite && are_same(out, at, own_numbers, i, to().size())) {
-                    angles[at] = 0.0;
-                }
+                std::ranges::copy(numbers_of(answers[a]), written.begin());
+                angles[at] = is_infinite && std::ranges::equal(written, numbers_of(own_numbers)) ? 0.0 : found[a][i];
                 report.diagnostics |= {DiagnosticKind::method_error, !(angles[at] <= reported_method_error)};
             }
             report.deviation = angles[at];

@@ -11,15 +11,9 @@ void with_scale(double s, const double* q, double* m) noexcept {
     const double x = q[1];
     const double y = q[2];
     const double z = q[3];
-    m[0] = 1.0 - s * (y * y + z * z);
-    m[1] = s * (x * y - w * z);
-    m[2] = s * (x * z + w * y);
-    m[3] = s * (x * y + w * z);
-    m[4] = 1.0 - s * (x * x + z * z);
-    m[5] = s * (y * z - w * x);
-    m[6] = s * (x * z - w * y);
-    m[7] = s * (y * z + w * x);
-    m[8] = 1.0 - s * (x * x + y * y);
+    Eigen::Map<RowMajor>{m} << 1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y), //
+        s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x),                        //
+        s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y);
 }
 
 double squared_norm(const double* q) noexcept { return (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]); }
@@ -39,15 +33,10 @@ void homogeneous(const double* q, double* m) noexcept {
     const double x = q[1];
     const double y = q[2];
     const double z = q[3];
-    m[0] = (w * w + x * x - y * y - z * z) / n;
-    m[1] = 2.0 * (x * y - w * z) / n;
-    m[2] = 2.0 * (x * z + w * y) / n;
-    m[3] = 2.0 * (x * y + w * z) / n;
-    m[4] = (w * w - x * x + y * y - z * z) / n;
-    m[5] = 2.0 * (y * z - w * x) / n;
-    m[6] = 2.0 * (x * z - w * y) / n;
-    m[7] = 2.0 * (y * z + w * x) / n;
-    m[8] = (w * w - x * x - y * y + z * z) / n;
+    Eigen::Map<RowMajor>{m} << (w * w + x * x - y * y - z * z) / n, 2.0 * (x * y - w * z) / n,
+        2.0 * (x * z + w * y) / n,                                                                 //
+        2.0 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2.0 * (y * z - w * x) / n, //
+        2.0 * (x * z - w * y) / n, 2.0 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n;
 }
 
 /// Stuelpnagel 1964, section 5, of q/|q|.

@@ -16,15 +16,9 @@ void second_degree(const double* r, double a, double b, double* m) noexcept {
     const double x = r[0];
     const double y = r[1];
     const double z = r[2];
-    m[0] = 1.0 - b * (y * y + z * z);
-    m[1] = b * (x * y) - a * z;
-    m[2] = b * (x * z) + a * y;
-    m[3] = b * (x * y) + a * z;
-    m[4] = 1.0 - b * (x * x + z * z);
-    m[5] = b * (y * z) - a * x;
-    m[6] = b * (x * z) - a * y;
-    m[7] = b * (y * z) + a * x;
-    m[8] = 1.0 - b * (x * x + y * y);
+    Eigen::Map<RowMajor>{m} << 1.0 - b * (y * y + z * z), b * (x * y) - a * z, b * (x * z) + a * y, //
+        b * (x * y) + a * z, 1.0 - b * (x * x + z * z), b * (y * z) - a * x,                        //
+        b * (x * z) - a * y, b * (y * z) + a * x, 1.0 - b * (x * x + y * y);
 }
 
 } // namespace

@@ -2,19 +2,38 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "formulas.hpp"
 
 namespace rotconv {
 namespace {
 
-using formula::each_row;
+using enum RepresentationId;
+
+constexpr std::size_t size_of(RepresentationId name) noexcept { return name == dcm ? 9 : name == quat ? 4 : 3; }
+
+/// The function of a batch for a formula for one row, which takes the Euler sequence first where it needs it.
+template <std::size_t in_size, std::size_t out_size, auto one_row>
+void each_row([[maybe_unused]] EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
+    for (std::size_t i = 0; i < rows; ++i, in += in_size, out += out_size) {
+        if constexpr (std::is_invocable_v<decltype(one_row), EulerSequence, const double*, double*>) {
+            one_row(sequence, in, out);
+        } else {
+            one_row(in, out);
+        }
+    }
+}
 
 constexpr Method own(RepresentationId from, RepresentationId to) noexcept {
     return {from, to, default_method, own_reference, every_input, nullptr};
 }
 
-using enum RepresentationId;
+template <RepresentationId from, RepresentationId to, auto one_row>
+constexpr Method row(std::string_view name, std::string_view reference, std::string_view domain) noexcept {
+    return {from, to, name, reference, domain, each_row<size_of(from), size_of(to), one_row>};
+}
+
 namespace dq = formula::dcm_to_quat;
 namespace dr = formula::dcm_to_rotvec;
 namespace dc = formula::dcm_to_cayley;
@@ -27,83 +46,67 @@ namespace cd = formula::cayley_to_dcm;
 // The rows of a pair stand together, its default first.
 constexpr std::array table{
     own(dcm, quat),
-    Method{dcm, quat, "trace", "Baruh 1999, Eqs 1-4", "theta below 180 deg", each_row<9, 4, dq::trace>},
-    Method{dcm, quat, "baruh", "Baruh 1999, Eqs 2-8", "theta below 180 deg", each_row<9, 4, dq::baruh>},
-    Method{dcm, quat, "four-roots", "Chiaverini and Siciliano 1999", "theta below 180 deg, no component near 0",
-           each_row<9, 4, dq::four_roots>},
-    Method{dcm, quat, "klumpp", "Klumpp 1976, after its abstract", "no component near 0", each_row<9, 4, dq::klumpp>},
-    Method{dcm, quat, "shepperd", "Shepperd 1978", "orthogonal matrices", each_row<9, 4, dq::shepperd>},
-    Method{dcm, quat, "markley", "Markley 2008", "orthogonal matrices", each_row<9, 4, dq::markley>},
-    Method{dcm, quat, "cayley", "Cayley, in Sarabandi and Thomas 2019", "theta below 180 deg",
-           each_row<9, 4, dq::cayley>},
-    Method{dcm, quat, "sarabandi-thomas", "Sarabandi and Thomas 2018, eta = 0", "theta below 180 deg",
-           each_row<9, 4, dq::sarabandi_thomas>},
-    Method{dcm, quat, "bar-itzhack", "Bar-Itzhack 2000, version 3", "any proper matrix",
-           each_row<9, 4, dq::bar_itzhack>},
-    Method{dcm, quat, "svd", "Markley 1988, then Shepperd 1978", "any proper matrix", each_row<9, 4, dq::svd>},
-    Method{dcm, quat, "polar", "Higham 1986, then Shepperd 1978", "any proper matrix, not near-singular",
-           each_row<9, 4, dq::polar>},
-    Method{dcm, quat, "compensated", "Davenport 1968, with Dekker 1971", "near rotations, defect to 1e-8",
-           each_row<9, 4, dq::compensated>},
+    row<dcm, quat, dq::trace>("trace", "Baruh 1999, Eqs 1-4", "theta below 180 deg"),
+    row<dcm, quat, dq::baruh>("baruh", "Baruh 1999, Eqs 2-8", "theta below 180 deg"),
+    row<dcm, quat, dq::four_roots>("four-roots", "Chiaverini and Siciliano 1999",
+                                   "theta below 180 deg, no component near 0"),
+    row<dcm, quat, dq::klumpp>("klumpp", "Klumpp 1976, after its abstract", "no component near 0"),
+    row<dcm, quat, dq::shepperd>("shepperd", "Shepperd 1978", "orthogonal matrices"),
+    row<dcm, quat, dq::markley>("markley", "Markley 2008", "orthogonal matrices"),
+    row<dcm, quat, dq::cayley>("cayley", "Cayley, in Sarabandi and Thomas 2019", "theta below 180 deg"),
+    row<dcm, quat, dq::sarabandi_thomas>("sarabandi-thomas", "Sarabandi and Thomas 2018, eta = 0",
+                                         "theta below 180 deg"),
+    row<dcm, quat, dq::bar_itzhack>("bar-itzhack", "Bar-Itzhack 2000, version 3", "any proper matrix"),
+    row<dcm, quat, dq::svd>("svd", "Markley 1988, then Shepperd 1978", "any proper matrix"),
+    row<dcm, quat, dq::polar>("polar", "Higham 1986, then Shepperd 1978", "any proper matrix, not near-singular"),
+    row<dcm, quat, dq::compensated>("compensated", "Davenport 1968, with Dekker 1971",
+                                    "near rotations, defect to 1e-8"),
 
     own(dcm, rotvec),
-    Method{dcm, rotvec, "acos", "Shuster 1993, Euler axis and angle", "theta away from 0 and 180 deg",
-           each_row<9, 3, dr::acos>},
-    Method{dcm, rotvec, "atan2", "common property, the angle by atan2", "theta above 0, below 180 deg",
-           each_row<9, 3, dr::atan2>},
-    Method{dcm, rotvec, "polynomial", "Stuelpnagel 1964, section 6, corrected", "theta away from 0 and 180 deg",
-           each_row<9, 3, dr::polynomial>},
-    Method{dcm, rotvec, "quaternion", "Shepperd 1978, then Sola 2017", "orthogonal matrices",
-           each_row<9, 3, dr::quaternion>},
-    Method{dcm, rotvec, "compensated", "Davenport 1968, with Dekker 1971", "near rotations, defect to 1e-8",
-           each_row<9, 3, dr::compensated>},
+    row<dcm, rotvec, dr::acos>("acos", "Shuster 1993, Euler axis and angle", "theta away from 0 and 180 deg"),
+    row<dcm, rotvec, dr::atan2>("atan2", "common property, the angle by atan2", "theta above 0, below 180 deg"),
+    row<dcm, rotvec, dr::polynomial>("polynomial", "Stuelpnagel 1964, section 6, corrected",
+                                     "theta away from 0 and 180 deg"),
+    row<dcm, rotvec, dr::quaternion>("quaternion", "Shepperd 1978, then Sola 2017", "orthogonal matrices"),
+    row<dcm, rotvec, dr::compensated>("compensated", "Davenport 1968, with Dekker 1971",
+                                      "near rotations, defect to 1e-8"),
 
     own(dcm, cayley),
-    Method{dcm, cayley, "lu", "Stuelpnagel 1964, section 6", "theta below 180 deg", each_row<9, 3, dc::lu>},
-    Method{dcm, cayley, "polynomial", "Shuster 1993, Rodrigues vector", "theta below 180 deg",
-           each_row<9, 3, dc::polynomial>},
-    Method{dcm, cayley, "quaternion", "Shepperd 1978, then v/w", "orthogonal matrices", each_row<9, 3, dc::quaternion>},
+    row<dcm, cayley, dc::lu>("lu", "Stuelpnagel 1964, section 6", "theta below 180 deg"),
+    row<dcm, cayley, dc::polynomial>("polynomial", "Shuster 1993, Rodrigues vector", "theta below 180 deg"),
+    row<dcm, cayley, dc::quaternion>("quaternion", "Shepperd 1978, then v/w", "orthogonal matrices"),
 
     own(quat, dcm),
-    Method{quat, dcm, "unit", "Stuelpnagel 1964, section 5", "unit quaternions", each_row<4, 9, qd::unit>},
-    Method{quat, dcm, "two-over-norm", "Shoemake 1994, Eul_FromQuat", "norms from 1e-150 to 1e150",
-           each_row<4, 9, qd::two_over_norm>},
-    Method{quat, dcm, "homogeneous", "Baruh 1999, over the squared norm", "norms from 1e-150 to 1e150",
-           each_row<4, 9, qd::homogeneous>},
-    Method{quat, dcm, "normalise-first", "Stuelpnagel 1964, section 5, of q/|q|", "norms from 1e-150 to 1e150",
-           each_row<4, 9, qd::normalise_first>},
+    row<quat, dcm, qd::unit>("unit", "Stuelpnagel 1964, section 5", "unit quaternions"),
+    row<quat, dcm, qd::two_over_norm>("two-over-norm", "Shoemake 1994, Eul_FromQuat", "norms from 1e-150 to 1e150"),
+    row<quat, dcm, qd::homogeneous>("homogeneous", "Baruh 1999, over the squared norm", "norms from 1e-150 to 1e150"),
+    row<quat, dcm, qd::normalise_first>("normalise-first", "Stuelpnagel 1964, section 5, of q/|q|",
+                                        "norms from 1e-150 to 1e150"),
 
     own(quat, rotvec),
-    Method{quat, rotvec, "acos", "Shuster 1993", "unit quaternions, theta away from 0", each_row<4, 3, qr::acos>},
-    Method{quat, rotvec, "atan2", "Sola 2017, logarithmic map", "norms from 1e-150 to 1e150",
-           each_row<4, 3, qr::atan2>},
-    Method{quat, rotvec, "compensated", "logarithm, products after Dekker 1971", "norms from 1e-150 to 1e150",
-           each_row<4, 3, qr::compensated>},
+    row<quat, rotvec, qr::acos>("acos", "Shuster 1993", "unit quaternions, theta away from 0"),
+    row<quat, rotvec, qr::atan2>("atan2", "Sola 2017, logarithmic map", "norms from 1e-150 to 1e150"),
+    row<quat, rotvec, qr::compensated>("compensated", "logarithm, products after Dekker 1971",
+                                       "norms from 1e-150 to 1e150"),
 
     own(quat, euler),
-    Method{quat, euler, "classic", "Diebel 2006, the twelve sequences", "unit quaternions away from lock",
-           each_row<4, 3, qe::classic>},
-    Method{quat, euler, "matrix-threshold", "Shoemake 1994, threshold 1.9e-6", "to 4e-6 rad near lock",
-           each_row<4, 3, qe::matrix_threshold>},
-    Method{quat, euler, "bernardes-arccos", "Bernardes, Viollet 2022, limit 1e-7", "to 2e-7 rad near lock",
-           each_row<4, 3, qe::bernardes_arccos>},
-    Method{quat, euler, "bernardes-atan2", "Bernardes, Viollet 2022, by atan2", "any quaternion but 0",
-           each_row<4, 3, qe::bernardes_atan2>},
+    row<quat, euler, qe::classic>("classic", "Diebel 2006, the twelve sequences", "unit quaternions away from lock"),
+    row<quat, euler, qe::matrix_threshold>("matrix-threshold", "Shoemake 1994, threshold 1.9e-6",
+                                           "to 4e-6 rad near lock"),
+    row<quat, euler, qe::bernardes_arccos>("bernardes-arccos", "Bernardes, Viollet 2022, limit 1e-7",
+                                           "to 2e-7 rad near lock"),
+    row<quat, euler, qe::bernardes_atan2>("bernardes-atan2", "Bernardes, Viollet 2022, by atan2",
+                                          "any quaternion but 0"),
 
     own(rotvec, dcm),
-    Method{rotvec, dcm, "rodrigues", "Rodrigues 1840; Stuelpnagel 1964", "theta away from 0, moderate",
-           each_row<3, 9, rd::rodrigues>},
-    Method{rotvec, dcm, "half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate",
-           each_row<3, 9, rd::half_angle>},
-    Method{rotvec, dcm, "quaternion", "Stuelpnagel 1964, section 5", "theta above 0, moderate",
-           each_row<3, 9, rd::quaternion>},
-    Method{rotvec, dcm, "compensated", "Stuelpnagel 1964, with Dekker 1971", "lengths below 1e15",
-           each_row<3, 9, rd::compensated>},
+    row<rotvec, dcm, rd::rodrigues>("rodrigues", "Rodrigues 1840; Stuelpnagel 1964", "theta away from 0, moderate"),
+    row<rotvec, dcm, rd::half_angle>("half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate"),
+    row<rotvec, dcm, rd::quaternion>("quaternion", "Stuelpnagel 1964, section 5", "theta above 0, moderate"),
+    row<rotvec, dcm, rd::compensated>("compensated", "Stuelpnagel 1964, with Dekker 1971", "lengths below 1e15"),
 
     own(cayley, dcm),
-    Method{cayley, dcm, "inverse", "Stuelpnagel 1964, section 6", "lengths far below 1e16",
-           each_row<3, 9, cd::inverse>},
-    Method{cayley, dcm, "closed", "Shuster 1993, Rodrigues vector", "lengths below 1e150", each_row<3, 9, cd::closed>},
+    row<cayley, dcm, cd::inverse>("inverse", "Stuelpnagel 1964, section 6", "lengths far below 1e16"),
+    row<cayley, dcm, cd::closed>("closed", "Shuster 1993, Rodrigues vector", "lengths below 1e150"),
 };
 
 constexpr RepresentationId set_of(RepresentationId name) noexcept {

@@ -50,7 +50,7 @@ private:
 /// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are
 /// those of an angular velocity. `sensitivity`: a report of every row.
 [[nodiscard]] stream::RowNumbers rates_numbers(const Spec& spec, const RateSettings& settings);
-[[nodiscard]] Operation rates(const Spec& spec, const RateSettings& settings, bool sensitivity);
+[[nodiscard]] Operation rates(const Spec& spec, const RateSettings& settings);
 
 struct DifferenceSettings {
     Spec spec{};          ///< of the attitude

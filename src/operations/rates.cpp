@@ -9,8 +9,7 @@ namespace {
 
 class RatesOfNumbers final : public stream::RowOperation {
 public:
-    RatesOfNumbers(const Spec& spec, const RateSettings& settings, bool sensitivity)
-        : rates_(spec, settings), sensitivity_(sensitivity) {
+    RatesOfNumbers(const Spec& spec, const RateSettings& settings) : rates_(spec, settings) {
         names = settings.inverse ? velocity_names(settings.degrees) : names_of(spec, "_rate");
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override {
@@ -18,25 +17,11 @@ public:
     }
 
     void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        found_.resize(rows.lines.size());
-        rates_.run(rows.numbers, out, found_);
-        reports.clear();
-        for (std::size_t i = 0; i < found_.size(); ++i) {
-            const RateReport& rate = found_[i];
-            if (sensitivity_ || rate.error != Error::none || !rate.diagnostics.empty()) {
-                reports.push_back({.row = i,
-                                   .error = rate.error,
-                                   .diagnostics = rate.diagnostics,
-                                   .defect = rate.defect,
-                                   .sensitivity = rate.sensitivity});
-            }
-        }
+        rates_.run(rows.numbers, out, reports);
     }
 
 private:
     Rates rates_;
-    bool sensitivity_;
-    std::vector<RateReport> found_;
 };
 
 } // namespace
@@ -46,8 +31,8 @@ stream::RowNumbers rates_numbers(const Spec& spec, const RateSettings& settings)
             .attitude = spec};
 }
 
-Operation rates(const Spec& spec, const RateSettings& settings, bool sensitivity) {
-    return std::make_shared<RatesOfNumbers>(spec, settings, sensitivity);
+Operation rates(const Spec& spec, const RateSettings& settings) {
+    return std::make_shared<RatesOfNumbers>(spec, settings);
 }
 
 } // namespace rotconv::operations

@@ -41,8 +41,8 @@ int main(int argc, char** argv) {
     for (const auto& motion : motions::all()) {
         const auto survey = survey_of(motion);
         const auto* const smallest = survey.smallest(limit);
-        for (const auto& set : survey.sets()) {
-            csv << fmt::format("{},{},{},{:.4g},{:.4g},{},{},{}\n", motion.name, set.set.text(), set.set.size(),
+        for (const auto& set : survey.representations()) {
+            csv << fmt::format("{},{},{},{:.4g},{:.4g},{},{},{}\n", motion.name, set.spec.text(), set.spec.size(),
                                set.least_margin, set.greatest_condition, set.jumps, set.serves(limit) ? 1 : 0,
                                &set == smallest ? 1 : 0);
         }

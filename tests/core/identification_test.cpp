@@ -115,7 +115,7 @@ Verdict::Ambiguity lack_of(const std::vector<Row>& rows) {
     Identification identification(3, spec("dcm"));
     add(identification, rows);
     CHECK(identification.verdict().fitting > 1);
-    return identification.verdict().lack;
+    return identification.verdict().ambiguity;
 }
 
 /// What is made of a SPEC's name and a list of columns by the rules: intrinsic turns are the extrinsic ones read
@@ -302,19 +302,19 @@ TEST_CASE("narrow rows are ambiguous, and it is said why") {
     Identification yaw(3, spec("dcm"));
     add(yaw, of({{0, 0, 30}, {0, 0, 100}, {0, 0, -70}}));
     CHECK(yaw.verdict().fitting == (6 + 2) * 2 + 2 * 4 + 1);
-    CHECK(yaw.verdict().lack == Ambiguity::axes);
+    CHECK(yaw.verdict().ambiguity == Ambiguity::axes);
     CHECK(yaw.verdict().axis.isApprox(Eigen::Vector3d(0, 0, 1)));
     CHECK(lack_of(of({{0, 0, 30}})) == Ambiguity::rows);
     CHECK(lack_of(of({{0, 0, 30}, {0, 0, 30}})) == Ambiguity::attitudes);
     CHECK(lack_of(of({{1, 0.5, 1}, {0.3, 2, -1}, {2, -1, 0.5}})) == Ambiguity::size);
     Identification two(3, spec("dcm"));
     add(two, of({{0, 10, 30}, {0, -50, 100}, {0, 20, -70}})); // ZYX and ZYZ
-    CHECK(two.verdict().lack == Ambiguity::zero);
+    CHECK(two.verdict().ambiguity == Ambiguity::zero);
     CHECK(two.verdict().column == 0);
     Identification twins(3, spec("dcm")); // roll and yaw may change places with the order of turns
     add(twins, of({{20, 10, 20}, {30, -50, 30}, {-70, 20, -70}}));
     CHECK(twins.verdict().fitting > 1);
-    CHECK(twins.verdict().lack == Ambiguity::equal);
+    CHECK(twins.verdict().ambiguity == Ambiguity::equal);
     CHECK(twins.verdict().column == 0);
     CHECK(twins.verdict().other == 2);
     CHECK(lack_of(of({{0, 0, 0}, {0, 0, 0}})) == Ambiguity::attitudes);
@@ -326,7 +326,7 @@ TEST_CASE("narrow rows are ambiguous, and it is said why") {
     }
     add(skew, rows_of(turns, spec("rotvec"), plain, spec("quat")));
     CHECK(skew.verdict().fitting == 1); // of the vectors along the axis none is another's multiple
-    CHECK(skew.verdict().lack == Ambiguity::nothing);
+    CHECK(skew.verdict().ambiguity == Ambiguity::nothing);
     const auto wide = of({{0, 0, 30}, {0, 0, 100}, {20, -40, -70}, {-60, 10, 5}});
     CHECK(identified(wide, 3) == "euler:xyz:deg 123");
 }
@@ -341,7 +341,7 @@ TEST_CASE("numbers that fit nothing are called so") {
     Identification identification(3, spec("dcm"));
     add(identification, rows);
     CHECK(identification.verdict().fitting == 0);
-    CHECK(identification.verdict().lack == Verdict::Ambiguity::nothing);
+    CHECK(identification.verdict().ambiguity == Verdict::Ambiguity::nothing);
     CHECK(identification.rows() == 5);
     const Identification nothing(3, spec("dcm"));
     CHECK(nothing.verdict().fitting == 0);

@@ -52,25 +52,25 @@ template <class Motion> Survey survey_of(const Motion& motion, int count) {
     return survey;
 }
 
-const SetSurvey& find(const Survey& survey, std::string_view text) {
-    for (const SetSurvey& set : survey.sets()) {
-        if (set.set.name == spec(text).name &&
-            (set.set.name != RepresentationId::euler || set.set.sequence == spec(text).sequence)) {
+const RepresentationSurvey& find(const Survey& survey, std::string_view text) {
+    for (const RepresentationSurvey& set : survey.representations()) {
+        if (set.spec.name == spec(text).name &&
+            (set.spec.name != RepresentationId::euler || set.spec.sequence == spec(text).sequence)) {
             return set;
         }
     }
     FAIL("no such set");
-    return survey.sets()[0];
+    return survey.representations()[0];
 }
 
 /// The smallest set, after a look at all that serve.
-const SetSurvey& smallest(const Survey& survey, double limit) {
-    const SetSurvey* const found = survey.smallest(limit);
+const RepresentationSurvey& smallest(const Survey& survey, double limit) {
+    const RepresentationSurvey* const found = survey.smallest(limit);
     REQUIRE(found != nullptr);
     CHECK(found->serves(limit));
-    for (const SetSurvey& set : survey.sets()) {
-        if (set.serves(limit) && set.set.size() <= found->set.size()) {
-            CHECK(set.set.size() == found->set.size());
+    for (const RepresentationSurvey& set : survey.representations()) {
+        if (set.serves(limit) && set.spec.size() <= found->spec.size()) {
+            CHECK(set.spec.size() == found->spec.size());
             CHECK(set.greatest_condition >= found->greatest_condition);
         }
     }
@@ -86,11 +86,11 @@ TEST_CASE("a survey has every set once") {
         const Representation& entry = representation(id);
         std::set<std::string> sequences;
         std::size_t count = 0;
-        for (const SetSurvey& set : survey.sets()) {
-            if (set.set.name == id) {
+        for (const RepresentationSurvey& set : survey.representations()) {
+            if (set.spec.name == id) {
                 ++count;
-                sequences.insert(set.set.sequence.text());
-                CHECK((set.set.sequence.intrinsic() || !entry.takes_sequence));
+                sequences.insert(set.spec.sequence.text());
+                CHECK((set.spec.sequence.intrinsic() || !entry.takes_sequence));
             }
         }
         INFO(entry.text);
@@ -116,14 +116,14 @@ TEST_CASE("a spin about z through half-turns") {
         CHECK(find(survey, name).serves(10.0));
     }
     CHECK_FALSE(find(survey, "rotvec").serves(1e9));
-    CHECK(smallest(survey, 1e3).set.size() == 4);
+    CHECK(smallest(survey, 1e3).spec.size() == 4);
     CHECK(find(survey, "quat").serves(1e3));
 }
 
 // Would catch: margin and condition of the wrong attitude, or their row.
 TEST_CASE("figures of a slow spin about z") {
     const Survey survey = survey_of([](int i) { return about_z(0.1 * i); }, 21); // up to 2 radians
-    const SetSurvey& cayley = find(survey, "cayley");
+    const RepresentationSurvey& cayley = find(survey, "cayley");
     CHECK(cayley.least_margin == Approx(pi - 2.0).epsilon(1e-14));
     CHECK(cayley.margin_row == 21);
     CHECK(cayley.greatest_condition == Approx(0.5 / (std::cos(1.0) * std::cos(1.0))).epsilon(1e-14));
@@ -136,7 +136,7 @@ TEST_CASE("figures of a slow spin about z") {
     CHECK(find(survey, "euler:ZXZ").least_margin == 0.0);
     CHECK(find(survey, "euler:ZXZ").margin_row == 1);
     CHECK_FALSE(find(survey, "euler:ZXZ").serves(1e3));
-    CHECK(smallest(survey, 1e3).set.size() == 3);
+    CHECK(smallest(survey, 1e3).spec.size() == 3);
     CHECK(smallest(survey, 1e3).greatest_condition <= 0.25 * (1 + std::pow(std::tan(0.5), 2)) * (1 + 1e-15)); // mrp
     for (const char* name : {"dcm", "6d", "5d", "quat", "rotvec", "cayley", "mrp", "euler:ZYX", "euler:XYZ"}) {
         INFO(name);
@@ -152,7 +152,7 @@ TEST_CASE("a pitch through lock") {
         INFO(offset);
         const double step = 0.02;
         const Survey survey = survey_of([&](int i) { return turn(0, 1, 0, pi / 2 + (i - 10 + offset) * step); }, 20);
-        const SetSurvey& zyx = find(survey, "euler:ZYX");
+        const RepresentationSurvey& zyx = find(survey, "euler:ZYX");
         CHECK(zyx.greatest_condition < 1e4);
         CHECK(zyx.jumps == 1);
         CHECK(zyx.jump_row == 11);
@@ -194,7 +194,7 @@ TEST_CASE("rows exactly at a half-turn") {
     survey.add(Rotation::near_unit(0, 0, 0, 1), 2);
     survey.add(Rotation::near_unit(0, 0, 0, 1), 3);
     survey.add(Rotation::near_unit(-0.1, 0, 0, 1), 4);
-    const SetSurvey& cayley = find(survey, "cayley");
+    const RepresentationSurvey& cayley = find(survey, "cayley");
     CHECK(cayley.least_margin == 0.0);
     CHECK(std::isinf(cayley.greatest_condition));
     CHECK(cayley.condition_row == 2);
@@ -207,7 +207,7 @@ TEST_CASE("rows exactly at a half-turn") {
 TEST_CASE("no set serves a limit below its condition") {
     const Survey survey = survey_of([](int i) { return about_z(0.1 * i); }, 3);
     CHECK(survey.smallest(0.2) == nullptr);
-    CHECK(smallest(survey, 0.3).set.size() == 3);
+    CHECK(smallest(survey, 0.3).spec.size() == 3);
 }
 
 // Would catch: numbers that are not finite, served to whoever sets no limit to the condition.
@@ -286,9 +286,9 @@ TEST_CASE("jumps are those of the manual's rule") {
         survey.add(Rotation::from_components(a.w(), a.x(), a.y(), a.z()), 1);
         survey.add(Rotation::from_components(b.w(), b.x(), b.y(), b.z()), 2);
         std::size_t found = 0;
-        for (const SetSurvey& set : survey.sets()) {
-            INFO(std::string(representation(set.set.name).text));
-            CHECK(set.jumps == (PlainRule(set.set, a, b).jumps() ? 1 : 0));
+        for (const RepresentationSurvey& set : survey.representations()) {
+            INFO(std::string(representation(set.spec.name).text));
+            CHECK(set.jumps == (PlainRule(set.spec, a, b).jumps() ? 1 : 0));
             found += set.jumps;
         }
         return found;
@@ -320,8 +320,8 @@ TEST_CASE("a jump within a long step is seen") {
         for (const double yaw : {from, 360.0 - from}) {
             survey.add(*euler::to_rotation({{0, 0, yaw}, "xyz", AngleUnit::degrees}), 1);
         }
-        for (const SetSurvey& set : survey.sets()) {
-            const auto name = set.set.name;
+        for (const RepresentationSurvey& set : survey.representations()) {
+            const auto name = set.spec.name;
             INFO(from << ' ' << representation(name).text);
             if (name == RepresentationId::mrp || name == RepresentationId::rotvec) {
                 CHECK(set.jumps == 1);

@@ -68,7 +68,7 @@ TEST_CASE("the product itself is rounded once") {
     for (int i = 0; i < 20'000; ++i) {
         const auto row = random_quaternion(source);
         const auto left = random_quaternion(source);
-        const auto result = converted(Spec{}, Spec{}, turned(read_attitude(Spec{}, left).rotation(), {}), row);
+        const auto result = converted(Spec{}, Spec{}, turned(*read_attitude(Spec{}, left), {}), row);
         worst = std::max(worst, oracle::error_in_eps(oracle::attitude(Spec{}, left) * oracle::attitude(Spec{}, row),
                                                      oracle::attitude(Spec{}, result)));
     }

@@ -39,8 +39,41 @@ if ldd "$work/usr/bin/rotconv" | grep -vE 'linux-vdso|libstdc\+\+|libgcc_s|libm\
 fi
 
 cp -r "$source/examples/cpp" "$work/project"
+cp "$source/tests/package/consumer.cpp" "$work/project"
+# The consumer is compiled for a newer processor than the library, if this machine has one: no layout may depend on that.
+newer=
+! grep -qw avx2 /proc/cpuinfo 2> /dev/null || newer=-march=haswell
+cat >> "$work/project/CMakeLists.txt" <<END
+add_executable(consumer consumer.cpp)
+target_link_libraries(consumer PRIVATE rotconv::core)
+target_compile_options(consumer PRIVATE $newer)
+END
 "$cmake" -S "$work/project" -B "$work/project/build" -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}" > "$work/log"
-"$cmake" --build "$work/project/build" > "$work/log"
+"$cmake" --build "$work/project/build" > "$work/log" 2>&1 || {
+    cat "$work/log"
+    exit 1
+}
+"$work/project/build/consumer"
+for type in $(sed -nE 's/^(class|struct) ([A-Za-z]+) .*\{.*/\2/p' "$work"/usr/include/rotconv/*.hpp); do
+    grep -qw "$type" "$source/tests/package/consumer.cpp" || {
+        echo "FAILED: consumer.cpp does not use $type"
+        exit 1
+    }
+done
+
+# Each header asks for C++20 before anything else fails. Empty headers stand for Eigen's.
+mkdir -p "$work/empty/Eigen"
+: > "$work/empty/Eigen/Core"
+: > "$work/empty/Eigen/Geometry"
+compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+for header in "$work"/usr/include/rotconv/*.hpp; do
+    "$compiler" -std=c++17 -fsyntax-only -x c++ -I "$work/usr/include" -I "$work/empty" "$header" 2>&1 | grep error |
+        head -n 1 | grep -q 'rotconv needs C++20' || {
+        echo "FAILED: $header does not ask for C++20"
+        exit 1
+    }
+done
+
 cat > "$work/expected" <<'END'
  0.000000 -0.173648  0.984808
  0.000000  0.984808  0.173648
@@ -50,12 +83,13 @@ at gimbal lock: only the difference of roll and yaw is defined
 END
 "$work/project/build/attitude" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
 
-# A third of a turn about (1, 1, 1), ninety degrees about z, and a reflection.
+# A third of a turn about (1, 1, 1), ninety degrees about z, a reflection, and a matrix that is scaled by 1.01.
 cat > "$work/expected" <<'END'
 0.5 0.5 0.5 0.5
 90 90 0
  0.000000  0.000000 -1.000000
 no rotation
+no rotation, 0.01 off
 END
 "$work/project/build/conversions" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
 # What the README shows stands in a program that was built.

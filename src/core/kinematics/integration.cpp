@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 
@@ -71,22 +72,25 @@ const IntegratorEntry& entry_of(Integrator integrator) noexcept {
     return *std::ranges::find(table, integrator, &IntegratorEntry::integrator);
 }
 
-bool can_integrate(RepresentationId set, Integrator integrator) noexcept {
-    return entry_of(integrator).exponential ? set == RepresentationId::quat : has_rates(set);
+bool can_integrate(RepresentationId representation, Integrator integrator) noexcept {
+    return entry_of(integrator).exponential ? representation == RepresentationId::quat : has_rates(representation);
 }
 
-Stepper::Stepper(const Spec& set, Integrator integrator, bool renormalise) noexcept
-    : set_(set), integrator_(integrator), renormalised_(renormalise && set.size() > 3) {
-    set_.unit = AngleUnit::radians;
+Stepper::Stepper(const Spec& representation, Integrator integrator, bool renormalise)
+    : spec_(representation), integrator_(integrator), renormalised_(renormalise && representation.size() > 3) {
+    if (!can_integrate(spec_.name, integrator)) {
+        throw std::invalid_argument("rotconv: this integrator does not serve this representation");
+    }
+    spec_.unit = AngleUnit::radians;
     if (entry_of(integrator).exponential) {
-        set_.passive = false; // the conjugate would be carried on by the same exponential
+        spec_.passive = false; // the conjugate would be carried on by the same exponential
     }
 }
 
 Error Stepper::start(const Rotation& rotation) noexcept {
-    const Rotation kept = set_.passive ? rotation.inverse() : rotation;
+    const Rotation kept = spec_.passive ? rotation.inverse() : rotation;
     numbers_.setZero();
-    write_row(set_, kept, numbers_.data());
+    write_row(spec_, kept, numbers_.data());
     error_ = numbers_.allFinite() ? Error::none : Error::singular;
     return error_;
 }
@@ -100,12 +104,12 @@ Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     if (error_ != Error::none) {
         return error_;
     }
-    const Codec& codec = codec_of(set_.name);
+    const Codec& codec = codec_of(spec_.name);
     const double reach = std::fabs(h) * greatest_rate(integrator_, rates);
     if (!(reach <= pi && reach < codec.greatest_distance)) {
         return error_ = Error::coarse_step;
     }
-    const double distance = codec.distance(set_, numbers_.data());
+    const double distance = codec.distance(spec_, numbers_.data());
     if (distance <= reach) {
         return error_ = Error::singular;
     }
@@ -121,19 +125,19 @@ Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
     if (!numbers_.allFinite()) {
         return error_ = Error::not_finite;
     }
-    if (!(codec.distance(set_, numbers_.data()) > 0.0)) {
+    if (!(codec.distance(spec_, numbers_.data()) > 0.0)) {
         return error_ = Error::singular;
     }
     return error_ = renormalised_ ? renormalise() : Error::none;
 }
 
 void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
-    const auto equation = codec_of(set_.name).rate;
-    const Frame frame = set_.passive ? Frame::reference : Frame::body;
-    const double sign = set_.passive ? -1.0 : 1.0;
+    const auto equation = codec_of(spec_.name).rate;
+    const Frame frame = spec_.passive ? Frame::reference : Frame::body;
+    const double sign = spec_.passive ? -1.0 : 1.0;
     const auto rate = [&](const Numbers& numbers, const Vector3d& w) {
         Numbers result = Numbers::Zero();
-        equation(set_, numbers.data(), sign * w, frame, result.data());
+        equation(spec_, numbers.data(), sign * w, frame, result.data());
         return result;
     };
     const Numbers first = rate(numbers_, rates[0]);
@@ -155,9 +159,9 @@ void Stepper::turn_by(const Vector3d& turn) noexcept {
 }
 
 Error Stepper::renormalise() noexcept {
-    const Reading reading = read_row(set_, numbers_.data());
+    const Reading reading = read_row(spec_, numbers_.data());
     if (reading) {
-        write_row(set_, *reading, numbers_.data());
+        write_row(spec_, *reading, numbers_.data());
     }
     return reading.error();
 }
@@ -166,12 +170,12 @@ Reading Stepper::attitude() const noexcept {
     if (error_ != Error::none) {
         return error_;
     }
-    const Codec& codec = codec_of(set_.name);
-    const Reading reading = read_row(set_, numbers_.data());
+    const Codec& codec = codec_of(spec_.name);
+    const Reading reading = read_row(spec_, numbers_.data());
     if (!reading) {
         return reading;
     }
-    return {set_.passive ? reading.rotation().inverse() : *reading,
+    return {spec_.passive ? reading->inverse() : *reading,
             codec.exact_defect == nullptr ? reading.defect() : codec.exact_defect(numbers_.data())};
 }
 

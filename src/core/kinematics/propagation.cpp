@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "../representations/half_turn.hpp"
@@ -15,7 +16,7 @@ using Eigen::Vector3d;
 /// The least time between two samples: the product of three is then a normal number.
 constexpr double least_interval = 1e-100;
 
-/// A step that stretches less has an error far below what is reported, whatever the set and the integrator.
+/// A step that stretches less has an error far below what is reported, with every representation and integrator.
 constexpr double harmless_stretch = 0.1;
 
 /// The angle between the attitudes of two steppers; pi where one has none.
@@ -56,8 +57,11 @@ private:
 
 } // namespace
 
-Propagator::Propagator(const PropagationSettings& settings) noexcept
-    : settings_(settings), stepper_(settings.set, settings.integrator, settings.renormalise) {
+Propagator::Propagator(const PropagationSettings& settings)
+    : settings_(settings), stepper_(settings.representation, settings.integrator, settings.renormalise) {
+    if (settings.substeps == 0) {
+        throw std::invalid_argument("rotconv: no substeps");
+    }
     stepper_.start(settings.initial);
 }
 

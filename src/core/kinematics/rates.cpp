@@ -18,8 +18,9 @@ bool all_finite(const double* numbers, std::size_t count) noexcept {
     return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
 }
 
-/// Where the equation itself is singular. A set that switches its chart at a half-turn, where the range of its numbers
-/// ends, has an equation that goes on: the condition of a rotation vector is pi/2 there, that of an mrp 1/2.
+/// Where the equation itself is singular. A representation that switches its chart at a half-turn, where the range of
+/// its numbers ends, has an equation that goes on: the condition of a rotation vector is pi/2 there, that of an mrp
+/// 1/2.
 bool is_singular(const Codec& codec, const Sensitivity& sensitivity) noexcept {
     return sensitivity.margin <= singular_margin && (codec.switch_chart == nullptr || sensitivity.condition > 2.0);
 }
@@ -34,27 +35,30 @@ bool has_rates(RepresentationId name) noexcept { return codec_of(name).rate != n
 
 Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), settings_(settings) {
     if (!has_rates(spec.name)) {
-        throw std::invalid_argument("a set without rates");
+        throw std::invalid_argument("rotconv: this representation has no rates");
     }
 }
 
-void Rates::run(std::span<const double> in, std::span<double> out, std::span<RateReport> reports) const noexcept {
-    const double* from = in.data();
-    double* to = out.data();
-    for (RateReport& report : reports) {
-        report = run_row(from, to);
+void Rates::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
+    reports.clear();
+    const std::size_t rows = in.size() / in_size();
+    for (std::size_t row = 0; row < rows; ++row) {
+        double* const to = out.data() + row * out_size();
+        RowReport report = run_row(in.data() + row * in_size(), to);
+        report.row = row;
         if (report.error == Error::none && !all_finite(to, out_size())) {
             report.error = Error::overflow;
         }
         if (report.error != Error::none) {
             std::fill_n(to, out_size(), std::numeric_limits<double>::quiet_NaN());
         }
-        from += in_size();
-        to += out_size();
+        if (settings_.sensitivity || report.error != Error::none || !report.diagnostics.empty()) {
+            reports.push_back(report);
+        }
     }
 }
 
-RateReport Rates::run_row(const double* in, double* out) const noexcept {
+RowReport Rates::run_row(const double* in, double* out) const noexcept {
     if (!all_finite(in, in_size())) {
         return {.error = Error::not_finite};
     }
@@ -65,7 +69,7 @@ RateReport Rates::run_row(const double* in, double* out) const noexcept {
 
     const Codec& codec = codec_of(spec_.name);
     const Reading reading = read_row(spec_, numbers.data());
-    RateReport report{.error = reading.error(), .defect = reading.defect()};
+    RowReport report{.error = reading.error(), .defect = reading.defect()};
     if (!reading) {
         return report;
     }

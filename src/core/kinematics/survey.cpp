@@ -23,9 +23,9 @@ using Unit = Eigen::Vector4d; ///< a unit quaternion
 
 Rotation rotation_of(const Unit& q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
 
-Numbers numbers_of(const Spec& set, const Unit& q) noexcept {
+Numbers numbers_of(const Spec& spec, const Unit& q) noexcept {
     Numbers numbers = Numbers::Zero();
-    write_row(set, rotation_of(q), numbers.data());
+    write_row(spec, rotation_of(q), numbers.data());
     return numbers;
 }
 
@@ -47,14 +47,14 @@ struct Arc {
 
 /// As Survey says: halves the arc, keeping the half with the larger step.
 // NOLINTNEXTLINE(misc-no-recursion): a half-turn is cut twice
-bool has_jump(const Spec& set, Arc arc, Numbers from, Numbers to, double condition) noexcept {
+bool has_jump(const Spec& spec, Arc arc, Numbers from, Numbers to, double condition) noexcept {
     condition = std::min(condition, greatest_explanation);
     double angle = arc.angle();
     if (angle > longest_part) {
         const Unit middle = arc.middle();
-        const Numbers half = numbers_of(set, middle);
-        return has_jump(set, {arc.from, middle}, from, half, condition) ||
-               has_jump(set, {middle, arc.to}, half, to, condition);
+        const Numbers half = numbers_of(spec, middle);
+        return has_jump(spec, {arc.from, middle}, from, half, condition) ||
+               has_jump(spec, {middle, arc.to}, half, to, condition);
     }
     double step = (to - from).norm();
     while (step > least_jump) {
@@ -62,7 +62,7 @@ bool has_jump(const Spec& set, Arc arc, Numbers from, Numbers to, double conditi
             return true;
         }
         const Unit middle = arc.middle();
-        const Numbers half = numbers_of(set, middle);
+        const Numbers half = numbers_of(spec, middle);
         const double first = (half - from).norm();
         const double second = (to - half).norm();
         if (first >= second) {
@@ -85,23 +85,23 @@ Survey::Survey() {
         if (representation(name).takes_sequence) {
             for (const EulerSequence sequence : EulerSequence::all()) {
                 if (sequence.intrinsic()) {
-                    sets_.push_back({.set = {.name = name, .sequence = sequence}});
+                    surveys_.push_back({.spec = {.name = name, .sequence = sequence}});
                 }
             }
         } else if (!representation(name).has_gimbal_lock) { // else one of the sequences
-            sets_.push_back({.set = {.name = name}});
+            surveys_.push_back({.spec = {.name = name}});
         }
     }
-    states_.resize(sets_.size());
+    states_.resize(surveys_.size());
 }
 
 void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
     const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
     const Unit now(q.w(), q.x(), q.y(), q.z());
-    for (std::size_t i = 0; i < sets_.size(); ++i) {
-        SetSurvey& survey = sets_[i];
-        const Sensitivity sensitivity = codec_of(survey.set.name).sensitivity(survey.set, rotation_of(now));
-        const State state{numbers_of(survey.set, now), sensitivity.condition};
+    for (std::size_t i = 0; i < surveys_.size(); ++i) {
+        RepresentationSurvey& survey = surveys_[i];
+        const Sensitivity sensitivity = codec_of(survey.spec.name).sensitivity(survey.spec, rotation_of(now));
+        const State state{numbers_of(survey.spec, now), sensitivity.condition};
         if (rows_ == 0 || sensitivity.margin < survey.least_margin) {
             survey.least_margin = sensitivity.margin;
             survey.margin_row = row;
@@ -110,7 +110,7 @@ void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
             survey.greatest_condition = sensitivity.condition;
             survey.condition_row = row;
         }
-        if (rows_ > 0 && has_jump(survey.set, {Unit(latest_.data()), now}, states_[i].numbers, state.numbers,
+        if (rows_ > 0 && has_jump(survey.spec, {Unit(latest_.data()), now}, states_[i].numbers, state.numbers,
                                   std::max(states_[i].condition, state.condition))) {
             survey.jump_row = survey.jumps++ == 0 ? row : survey.jump_row;
         }
@@ -120,12 +120,12 @@ void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
     ++rows_;
 }
 
-const SetSurvey* Survey::smallest(double limit) const noexcept {
-    const SetSurvey* best = nullptr;
-    for (const SetSurvey& survey : sets_) {
+const RepresentationSurvey* Survey::smallest(double limit) const noexcept {
+    const RepresentationSurvey* best = nullptr;
+    for (const RepresentationSurvey& survey : surveys_) {
         const bool smaller =
-            best == nullptr || survey.set.size() < best->set.size() ||
-            (survey.set.size() == best->set.size() && survey.greatest_condition < best->greatest_condition);
+            best == nullptr || survey.spec.size() < best->spec.size() ||
+            (survey.spec.size() == best->spec.size() && survey.greatest_condition < best->greatest_condition);
         if (survey.serves(limit) && smaller) {
             best = &survey;
         }

@@ -1,0 +1,185 @@
+// Each public class of the library, made and used by a program that is compiled for another processor than the library
+// was. Expected results are known by hand.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <rotconv/rotconv.hpp>
+
+using namespace rotconv;
+using std::numbers::pi;
+
+// A type that holds an Eigen vector of 16 or 32 bytes by value has an alignment, and so a layout, that depends on
+// flags.
+template <class... Public> constexpr bool have_the_layout_of_doubles = ((alignof(Public) <= alignof(double)) && ...);
+static_assert(have_the_layout_of_doubles<
+              Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector,
+              Modifier, ModifierSet, Preset, PresetMeaning, Representation, Spec, SpecError, FixedRotation,
+              ConversionSettings, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison, Candidate,
+              Verdict, IdentificationSettings, Identification, IntegratorEntry, Stepper, PropagationSettings,
+              Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey, Survey>);
+
+// No reference into a Reading that is gone by the end of the line.
+static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
+
+// A function that returns an Eigen expression may return references to what is gone.
+constexpr auto expression = [](double t) { return t * Eigen::Vector3d::UnitX(); };
+constexpr auto vector = [](double t) -> Eigen::Vector3d { return t * Eigen::Vector3d::UnitX(); };
+static_assert(!AngularVelocity<decltype(expression)> && AngularVelocity<decltype(vector)>);
+
+namespace {
+
+int failures = 0;
+
+void check(bool holds, const char* what) {
+    if (!holds) {
+        std::printf("FAILED: %s\n", what);
+        ++failures;
+    }
+}
+
+bool near(double a, double b) { return std::fabs(a - b) < 1e-14; }
+
+template <class Function> bool throws_invalid_argument(const Function& function) {
+    try {
+        function();
+    } catch (const std::invalid_argument&) {
+        return true;
+    }
+    return false;
+}
+
+Spec spec_of(std::string_view text) { return std::get<Spec>(parse_spec(text)); }
+
+// Each test has the quarter turn about z, which takes x to y: q = (1, 0, 0, 1)/sqrt 2.
+
+void typed_calls() {
+    const double half = std::sqrt(0.5);
+    const Reading read = quaternion::to_rotation({half, 0, 0, half}, 1e-9);
+    check(read && read.defect() < 1e-15 && read.error() == Error::none, "Reading");
+    const Rotation& quarter = *quaternion::to_rotation({half, 0, 0, half}); // lives as long as its name
+    check((quarter * Eigen::Vector3d(1, 0, 0) - Eigen::Vector3d(0, 1, 0)).norm() < 1e-15, "Rotation times a vector");
+    check(near((quarter * quarter).z(), 1) && near((quarter * quarter.inverse()).w(), 1), "Rotation times Rotation");
+    Dcm matrix;
+    matrix << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    check((dcm::from_rotation(quarter) - matrix).norm() < 1e-15 &&
+              near(quaternion::from_rotation(*dcm::to_rotation(matrix)).z(), half),
+          "dcm");
+    const TwoColumns columns = two_column::from_rotation(quarter);
+    check((columns - matrix.leftCols<2>()).norm() < 1e-15, "TwoColumns");
+    check(near(five_d::from_rotation(quarter)[0], half), "five_d"); // r21/(sqrt 2 - r11)
+    check(near(rotation_vector::from_rotation(quarter).vector.z(), pi / 2), "RotationVector");
+    check(near(axis_angle::from_rotation(quarter, AngleUnit::degrees).angle, 90), "AxisAngle");
+    check(near(cayley::from_rotation(quarter).z(), 1) && near(mrp::from_rotation(quarter).z(), std::sqrt(2.0) - 1),
+          "cayley and mrp");
+    check(near(euler::from_rotation(quarter, "ZYX", AngleUnit::degrees).angles[0], 90), "EulerAngles");
+    check(near(quaternion::from_rotation(*euler::to_rotation({{pi / 2, 0, 0}, EulerSequence("ZYX")})).z(), half),
+          "EulerSequence");
+    const Sensitivity sensitivity = cayley::sensitivity(quarter);
+    check(near(sensitivity.margin, pi / 2) && near(sensitivity.condition, 1), "Sensitivity");
+    check(euler::diagnostics(quarter, "ZXZ").has(DiagnosticKind::gimbal_lock), "DiagnosticSet");
+    check((quaternion::rate({1, 0, 0, 0}, {0, 0, 2}).coeffs() - Eigen::Vector4d(0, 0, 1, 0)).norm() == 0, "rate");
+}
+
+void readings_have_a_tolerance() {
+    const Reading wrong = quaternion::to_rotation({1, 2, 3, 4}, 1e-3); // |q| = sqrt 30
+    check(!wrong && wrong.error() == Error::defect && near(wrong.defect(), std::sqrt(30.0) - 1), "tolerance of quat");
+    check(bool(quaternion::to_rotation({1, 2, 3, 4})), "no tolerance");
+    Dcm shear = Dcm::Identity();
+    shear(0, 1) = 1e-2;
+    check(dcm::to_rotation(shear, 1e-3).error() == Error::defect && dcm::to_rotation(shear, 1e-2), "tolerance of dcm");
+    const TwoColumns columns = shear.leftCols<2>();
+    check(two_column::to_rotation(columns, 1e-3).error() == Error::defect, "tolerance of 6d");
+    check(bool(five_d::to_rotation(five_d::from_rotation({}), 1e-15)), "tolerance of 5d");
+}
+
+void rows() {
+    std::vector<RowReport> reports;
+    const std::array<double, 6> yaw_pitch_roll{90, 0, 0, 90, 90, 0};
+    std::array<double, 8> quaternions{};
+    const FixedRotation left(*axis_angle::to_rotation({.angle = 0}));
+    ConversionSettings settings;
+    settings.left = left;
+    Conversion(spec_of("euler:ZYX:deg"), Spec{}, settings).run(yaw_pitch_roll, quaternions, reports);
+    check(near(quaternions[3], std::sqrt(0.5)) && near(quaternions[5], -0.5) && reports.empty(), "Conversion");
+    check(near(read_attitude(spec_of("quat:xyzw"), std::array<double, 4>{0, 0, 1, 0})->z(), 1), "read_attitude");
+
+    ContinuousNumbers continuous(spec_of("quat"));
+    std::array<double, 8> turned{0, 0, 0, 1, 0.6, 0, 0, -0.8};
+    continuous.run(turned, {});
+    check(turned[4] == -0.6 && turned[7] == 0.8, "ContinuousNumbers");
+
+    const Comparison comparison(spec_of("rpy:deg"), spec_of("quat"), ComparisonSettings{.unit = AngleUnit::degrees});
+    std::array<double, 1> angle{};
+    comparison.run(std::array<double, 7>{0, 0, 90, 1, 0, 0, 0}, angle, reports);
+    check(near(angle[0], 90), "Comparison");
+
+    const Rates rates(spec_of("rpy"), RateSettings{});
+    std::array<double, 3> angle_rates{};
+    rates.run(std::array<double, 6>{0, 0, 1, 0, 0, 2}, angle_rates, reports);
+    check(angle_rates[2] == 2 && reports.empty(), "Rates");
+
+    Identification identification(4, spec_of("rpy:deg"), {}, IdentificationSettings{});
+    const std::array<std::size_t, 2> numbers{1, 2}; // a quarter turn about x, one about y; w last
+    const double half = std::sqrt(0.5);
+    identification.add(std::array<double, 14>{half, 0, 0, half, 90, 0, 0, 0, half, 0, half, 0, 90, 0}, numbers,
+                       reports);
+    const Candidate best = identification.best_first().front();
+    const Verdict verdict = identification.verdict();
+    check(identification.rows() == 2 && identification.fits(best) && verdict.fitting >= 1, "Identification");
+
+    Survey survey;
+    for (std::size_t row = 0; row < 100; ++row) {
+        survey.add(*axis_angle::to_rotation({{0, 0, 1}, 0.01 * static_cast<double>(row)}), row);
+    }
+    const RepresentationSurvey* const smallest = survey.smallest(1e3);
+    check(survey.rows() == 100 && smallest != nullptr && smallest->spec.size() == 3, "Survey");
+}
+
+void motion() {
+    const auto omega = [](double t) -> Eigen::Vector3d {
+        return Eigen::Vector3d(0, 0, t);
+    }; // half a radian in a second
+    Stepper stepper(spec_of("mrp"), Integrator::rk4);
+    stepper.start({});
+    check(integrate(stepper, omega, 0, 0.01, 100) == Error::none, "integrate");
+    check(std::fabs(stepper.numbers()[2] - std::tan(0.125)) < 1e-9, "Stepper"); // tan(theta/4)
+    Propagator propagator(PropagationSettings{});
+    PushResult pushed = propagator.push(0, {0, 0, 0});
+    pushed = propagator.push(1, {0, 0, pi});
+    const Propagated& answer = *pushed.answer;
+    check(near(rotation_vector::from_rotation(*answer.attitude).vector.z(), pi / 2), "Propagator");
+
+    // The exponential steps are the quaternion's, and axis-angle has no rates.
+    const PropagationSettings matrix_by_exponentials{.representation = spec_of("dcm")};
+    check(throws_invalid_argument([&] { Propagator{matrix_by_exponentials}; }), "dcm with magnus4");
+    check(throws_invalid_argument([] { Stepper(spec_of("mrp"), Integrator::magnus6); }), "mrp with magnus6");
+    check(throws_invalid_argument([] { Stepper(spec_of("axis-angle"), Integrator::rk4); }), "axis-angle");
+    check(throws_invalid_argument([] { Rates{spec_of("axis-angle")}; }), "rates of axis-angle");
+}
+
+void tables() {
+    check(presets().size() > 5 && integrators().size() == 3 && entry_of(Integrator::magnus6).order == 6, "tables");
+    const Representation& entry = representation(RepresentationId::dcm);
+    check(entry.size == 9 && entry.modifiers.has(Modifier::col) && !entry.presets.empty(), "Representation");
+    check(std::get<SpecError>(parse_spec("quat:deg")).what == SpecError::What::meaningless_modifier, "SpecError");
+    const ModifierSet spice = modifiers_of("spice", entry);
+    check(spice.has(Modifier::passive) && entry.presets[0].modifiers.has(Modifier::passive), "PresetMeaning");
+}
+
+} // namespace
+
+int main() {
+    typed_calls();
+    readings_have_a_tolerance();
+    rows();
+    motion();
+    tables();
+    return failures == 0 ? 0 : 1;
+}
