@@ -227,9 +227,6 @@ TEST_CASE("options that do not fit rows of doubles are usage errors") {
     for (const std::string arguments : {"--columns 2-5", "--columns 2-5 --width 4", "--width 5", "--width 0",
                                         "--columns qw,qx,qy,qz", "--width x", "--input-format f32"}) {
         INFO(arguments);
-        const auto result = run("-f quat -t dcm" + binary + arguments, bytes_of({1, 0, 0, 0}));
-        CHECK(result.exit_code == 2);
-        CHECK(result.out == "");
-        CHECK(count_rows(result.err) == 1);
+        CHECK(run("-f quat -t dcm" + binary + arguments, bytes_of({1, 0, 0, 0})) == stopped(""));
     }
 }

@@ -112,6 +112,26 @@ std::ostream& operator<<(std::ostream& to, const Result& result) {
 
 Result done(std::string_view out) { return {0, std::string(out), {}}; }
 
+Failure stopped(std::optional<std::string> out, Words words) { return {2, std::move(out), std::move(words), 1}; }
+
+Failure went_on(std::optional<std::string> out, Words words) { return {1, std::move(out), std::move(words)}; }
+
+bool operator==(const Result& result, const Failure& failure) {
+    const auto has = [&](const std::string& word) { return result.err.find(word) != std::string::npos; };
+    return result.exit_code == failure.exit_code && result.out == failure.out.value_or(result.out) &&
+           result.err.starts_with("rotconv: ") && failure.lines.value_or(count_rows(result.err)) == count_rows(result.err) &&
+           std::ranges::all_of(failure.words, has);
+}
+
+std::ostream& operator<<(std::ostream& to, const Failure& failure) {
+    to << "exit " << failure.exit_code << "\nstdout: " << failure.out.value_or("any") << "\nstderr ";
+    to << (failure.lines.has_value() ? "in " + std::to_string(*failure.lines) + " lines" : "") << "with:";
+    for (const std::string& word : failure.words) {
+        to << " '" << word << "'";
+    }
+    return to;
+}
+
 Process::Process(const Words& arguments, const Surroundings& surroundings)
     : limit_(std::chrono::steady_clock::now() + time_limit) {
     std::signal(SIGPIPE, SIG_IGN); // for writes to a program that has ended

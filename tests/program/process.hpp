@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -34,6 +35,24 @@ std::ostream& operator<<(std::ostream& to, const Result& result);
 
 /// Exit 0, this output, and not a word on stderr.
 Result done(std::string_view out);
+
+/// What a run comes to that does not go well.
+struct Failure {
+    int exit_code;
+    std::optional<std::string> out;        ///< none: any
+    Words words = {};                      ///< that stderr has
+    std::optional<std::size_t> lines = {}; ///< of stderr; none: any number
+};
+
+inline constexpr std::nullopt_t any_output = std::nullopt;
+
+/// Exit 2, this output, and one line on stderr, with these words.
+Failure stopped(std::optional<std::string> out, Words words = {});
+/// Exit 1, this output, and lines on stderr with these words.
+Failure went_on(std::optional<std::string> out, Words words = {});
+
+bool operator==(const Result& result, const Failure& failure);
+std::ostream& operator<<(std::ostream& to, const Failure& failure);
 
 struct Surroundings {
     Words environment = {};                 ///< such as LC_ALL=C, over what the tests were started with

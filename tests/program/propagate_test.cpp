@@ -24,12 +24,6 @@ double last_yaw(const std::string& rows) { return std::stod(rows.substr(rows.rfi
 
 } // namespace
 
-TEST_CASE("propagate answers each row with the time as it was") {
-    // Catches times that are printed anew, and a first row that is moved.
-    const auto result = run("propagate -t rotvec -p 12 --header no", "0.50,0,0,1\n+1.5e0,0,0,1\n 2.50,0,0,1\n");
-    CHECK(result == done("0.50,0,0,0\n+1.5e0,0,0,1\n 2.50,0,0,2\n"));
-}
-
 TEST_CASE("propagate starts from the initial attitude") {
     // Catches a start that is ignored or of another convention.
     CHECK(run(Words{"propagate", "-t", "quat", "--initial", "quat: 0 1 0 0"}, "7,0,0,0\n") == done("7,0,1,0,0\n"));
@@ -40,10 +34,7 @@ TEST_CASE("propagate starts from the initial attitude") {
     for (const char* wrong :
          {"quat 1 0 0 0", "quat: 1 0 0", "quat: 1 0 0 x", "quat: 0 0 0 0", "quat: 2 0 0 0", "quax: 1"}) {
         INFO(wrong);
-        const auto refused = run(Words{"propagate", "-t", "quat", "--initial", wrong}, spin);
-        CHECK(refused.exit_code == 2);
-        CHECK(refused.out == "");
-        CHECK(missing(refused.err, {"rotconv: --initial"}) == "");
+        CHECK(run(Words{"propagate", "-t", "quat", "--initial", wrong}, spin) == stopped("", {"rotconv: --initial"}));
     }
 }
 
@@ -74,31 +65,16 @@ TEST_CASE("every set and every integrator carries a spin") {
     CHECK(count_rows(cayley.out) < 316); // 3.14 seconds
 }
 
-TEST_CASE("a step that a set cannot follow asks for substeps, which help") {
-    // Catches a half-turn that is blamed where nothing is singular.
-    for (const std::string with : {"mrp", "rotvec"}) {
-        const std::string rows = "0 0 0 1\n4 0 0 1\n";
-        const auto coarse = run("propagate -t rpy --with " + with, rows);
-        CHECK(coarse.exit_code == 2);
-        CHECK(missing(coarse.err, {"rotconv: -:2: ", with, "--substeps"}) == "");
-        CHECK(missing(coarse.err, {"half-turn"}) != "");
-        CHECK(run("propagate -t rpy --substeps 4 --with " + with, rows).exit_code == 0);
-    }
-}
-
 TEST_CASE("a step in which the body may turn by more than half a turn is an error with every set") {
     // Catches attitudes from rates that say nothing of the motion between them.
     const std::string rows = "0,1,0,0\n4,0,1,0\n8,0,0,1\n";
     for (const std::string more : {"", " --integrator magnus6", " --integrator rk4", " --with dcm", " --with 6d",
                                    " --with 5d", " --with mrp", " --interpolation cubic"}) {
         INFO(more);
-        const auto stopped = run("propagate -t quat --tolerance inf" + more, rows);
-        CHECK(stopped.exit_code == 2);
-        CHECK(stopped.out == "0,1,0,0,0\n");
-        CHECK(missing(stopped.err, {"rotconv: -:2: ", "turn by more", "--substeps", "--time-unit", "'4,0,1,0'"}) == "");
-        const auto kept = run("propagate -t quat --tolerance inf --on-error nan" + more, rows);
-        CHECK(kept.exit_code == 1);
-        CHECK(kept.out == "0,1,0,0,0\n4,nan,nan,nan,nan\n8,nan,nan,nan,nan\n");
+        CHECK(run("propagate -t quat --tolerance inf" + more, rows) ==
+              stopped("0,1,0,0,0\n", {"rotconv: -:2: ", "turn by more", "--substeps", "--time-unit", "'4,0,1,0'"}));
+        CHECK(run("propagate -t quat --tolerance inf --on-error nan" + more, rows) ==
+              went_on("0,1,0,0,0\n4,nan,nan,nan,nan\n8,nan,nan,nan,nan\n"));
         CHECK(run("propagate -t quat --substeps 8 --tolerance inf" + more, rows).exit_code == 0);
     }
     // the greatest rate is that at the end; half a turn is not more than half a turn
@@ -106,9 +82,8 @@ TEST_CASE("a step in which the body may turn by more than half a turn is an erro
     CHECK(run("propagate -t quat -d", "0 0 0 180\n1 0 0 180\n").exit_code == 0);
     // a step that no double holds, of a body that turns or rests
     for (const std::string rate : {"1", "0"}) {
-        const auto endless = run("propagate -t quat", "-1e308 0 0 " + rate + "\n1e308 0 0 " + rate + "\n");
-        CHECK(endless.exit_code == 2);
-        CHECK(missing(endless.err, {"rotconv: -:2: ", "turn by more"}) == "");
+        CHECK(run("propagate -t quat", "-1e308 0 0 " + rate + "\n1e308 0 0 " + rate + "\n") ==
+              stopped(any_output, {"rotconv: -:2: ", "turn by more"}));
     }
 }
 
@@ -174,9 +149,8 @@ TEST_CASE("the unit of the times") {
         const std::string rows = std::string("0 0 0 1\n") + step + " 0 0 1\n";
         CHECK(words_of(run(std::string("propagate -t rotvec -p 15 --time-unit ") + unit, rows).out).back() == "0.25");
     }
-    const auto refused = run("propagate -t quat --time-unit h", spin);
-    CHECK(refused.exit_code == 2);
-    CHECK(missing(refused.err, {"'h' is not a known time unit (legal: s ms us ns)"}) == "");
+    CHECK(run("propagate -t quat --time-unit h", spin) ==
+          stopped(any_output, {"'h' is not a known time unit (legal: s ms us ns)"}));
     CHECK(missing(run("propagate --help").out, {"--time-unit"}) == "");
 }
 
@@ -187,9 +161,7 @@ TEST_CASE("nanoseconds of EuRoC") {
     table << file.rdbuf();
     REQUIRE(table.str().size() > 1000);
     const std::string columns = " --columns 1,12-14 -p 6 --strict";
-    const auto taken_for_seconds = run("propagate -t rotvec" + columns, table.str());
-    CHECK(taken_for_seconds.exit_code == 2);
-    CHECK(missing(taken_for_seconds.err, {"turn by more", "--time-unit"}) == "");
+    CHECK(run("propagate -t rotvec" + columns, table.str()) == stopped(any_output, {"turn by more", "--time-unit"}));
     for (const std::string more : {"", " --interpolation cubic", " --with mrp", " --with dcm", " --with euler:ZYX"}) {
         const auto result = run("propagate -t rotvec --time-unit ns" + columns + more, table.str());
         CHECK(result.exit_code == 0);
@@ -203,27 +175,13 @@ TEST_CASE("Euler angles fail at lock by name and row") {
     for (int i = 0; i <= 300; ++i) {
         rows += std::to_string(i) + "e-2 0 1 0\n";
     }
-    const auto stopped = run("propagate -t quat --with euler:ZYX", rows);
-    CHECK(stopped.exit_code == 2);
-    CHECK(missing(stopped.err, {"euler", "gimbal lock", "rotconv: -:15"}) == "");
+    CHECK(run("propagate -t quat --with euler:ZYX", rows) ==
+          stopped(any_output, {"euler", "gimbal lock", "rotconv: -:15"}));
     const auto kept = run("propagate -t quat --with euler:ZYX --on-error nan", rows);
     CHECK(kept.exit_code == 1);
     CHECK(count_rows(kept.out) == 301);
     CHECK(kept.out.ends_with("\n300e-2 nan nan nan nan\n"));
     CHECK(run("propagate -t quat --with euler:YXZ", rows).exit_code == 0);
-}
-
-TEST_CASE("numbers that drift past the tolerance are an error, and nothing follows on it") {
-    // Catches a ruined attitude that is printed as one.
-    const std::string rows = "0 0 0 3\n1 0 0 3\n2 0 0 0\n";
-    const auto stopped = run("propagate -t quat --with dcm", rows);
-    CHECK(stopped.exit_code == 2);
-    CHECK(missing(stopped.err, {"rotconv: -:2: defect ", "--tolerance"}) == "");
-    const auto kept = run("propagate -t quat --with dcm --on-error nan", rows);
-    CHECK(kept.exit_code == 1);
-    CHECK(kept.out == "0 1 0 0 0\n1 nan nan nan nan\n2 nan nan nan nan\n");
-    CHECK(missing(kept.err, {"-:2: defect ", "-:3: no attitude follows on an earlier row's error: '2 0 0 0'"}) == "");
-    CHECK(run("propagate -t quat --with dcm --tolerance inf", rows).exit_code == 0);
 }
 
 TEST_CASE("times must increase") {
@@ -232,14 +190,9 @@ TEST_CASE("times must increase") {
     for (const std::string interpolation : {"linear", "cubic"}) {
         INFO(interpolation);
         const std::string propagate = "propagate -t rotvec -p 6 --interpolation " + interpolation;
-        const auto stopped = run(propagate, rows);
-        CHECK(stopped.exit_code == 2);
-        CHECK(stopped.out == "0,0,0,0\n1,0,0,1\n");
-        CHECK(missing(stopped.err, {"rotconv: -:3: ", "time", "'1,0,0,1'"}) == "");
-        const auto kept = run(propagate + " --on-error nan", rows);
-        CHECK(kept.exit_code == 1);
-        CHECK(kept.out == "0,0,0,0\n1,0,0,1\n1,nan,nan,nan\n0.5,nan,nan,nan\n2,0,0,2\n");
-        CHECK(missing(kept.err, {"-:3: ", "-:4: "}) == "");
+        CHECK(run(propagate, rows) == stopped("0,0,0,0\n1,0,0,1\n", {"rotconv: -:3: ", "time", "'1,0,0,1'"}));
+        CHECK(run(propagate + " --on-error nan", rows) ==
+              went_on("0,0,0,0\n1,0,0,1\n1,nan,nan,nan\n0.5,nan,nan,nan\n2,0,0,2\n", {"-:3: ", "-:4: "}));
         const auto skipped = run(propagate + " --on-error skip", rows);
         CHECK(skipped.out == "0,0,0,0\n1,0,0,1\n2,0,0,2\n");
     }
@@ -250,30 +203,13 @@ TEST_CASE("bad rows of propagate") {
     const std::string rows = "0,0,0,1\nx,0,0,1\n1,0,zero,1\n1,0,0\n1,0,0,nan\n2,0,0,1\n";
     for (const std::string interpolation : {"linear", "cubic"}) {
         const std::string propagate = "propagate -t rotvec -p 6 --header no --interpolation " + interpolation;
-        const auto stopped = run(propagate, rows);
-        CHECK(stopped.exit_code == 2);
-        CHECK(stopped.out == "0,0,0,0\n");
-        CHECK(missing(stopped.err, {"rotconv: -:2: not a number: 'x'"}) == "");
+        CHECK(run(propagate, rows) == stopped("0,0,0,0\n", {"rotconv: -:2: not a number: 'x'"}));
         const auto skipped = run(propagate + " --on-error skip", rows);
         CHECK(skipped.exit_code == 1);
         CHECK(skipped.out == "0,0,0,0\n2,0,0,2\n");
         CHECK(count_rows(skipped.err) == 4);
     }
     CHECK(missing(run("propagate -t quat", "0,0,0\n").err, {"3 fields where t wx wy wz has 4"}) == "");
-}
-
-TEST_CASE("propagate keeps the other fields and the header") {
-    // Catches a time that is replaced.
-    const std::string rows = "note,wz,wy,wx,t,more\na,1,0,0,0,x\nb,1,0,0,1,y\n";
-    const std::string columns = "propagate -t rotvec -p 6 --columns t,wx,wy,wz";
-    CHECK(run(columns, rows) == done("note,rx,ry,rz,t,more\na,0,0,0,0,x\nb,0,0,1,1,y\n"));
-    CHECK(run(columns + " --append", rows) ==
-          done("note,wz,wy,wx,t,more,rx,ry,rz\na,1,0,0,0,x,0,0,0\nb,1,0,0,1,y,0,0,1\n"));
-    CHECK(run(columns + " --format json", rows)
-              .out.starts_with("{\"note\": \"a\", \"t\": 0, \"more\": \"x\", \"rx\": 0, \"ry\": 0, \"rz\": 0}\n"));
-    CHECK(run("propagate -t rotvec -p 6", "t wx wy wz\n0 0 0 1\n") == done("t rx ry rz\n0 0 0 0\n"));
-    CHECK(run("propagate -t rotvec -p 6 --header add", "0 0 0 1\n") == done("1 rx ry rz\n0 0 0 0\n"));
-    CHECK(run("propagate -t rotvec --header add", "") == done("1,rx,ry,rz\n"));
 }
 
 TEST_CASE("with linear interpolation a row is answered before the next one is sent") {
@@ -297,10 +233,7 @@ TEST_CASE("with cubic interpolation a row is answered when the next one is there
     process.wait_until_read();
     process.write("2 0 0 1\n");
     CHECK(process.read_rows(3) == "1 0 0 1\n\nbad nan nan nan\n");
-    const auto result = process.finish();
-    CHECK(result.out == "2 0 0 2\n");
-    CHECK(result.exit_code == 1);
-    CHECK(missing(result.err, {"rotconv: -:5: not a number: 'bad'"}) == "");
+    CHECK(process.finish() == went_on("2 0 0 2\n", {"rotconv: -:5: not a number: 'bad'"}));
 }
 
 TEST_CASE("a cubic follows a rate that is one exactly") {
@@ -372,10 +305,7 @@ TEST_CASE("wrong uses of propagate are usage errors") {
           "propagate -t quat --interpolation spline", "propagate -t quat -f quat", "propagate -t quat 0 0 0 1",
           "propagate -t quat --columns 1-3", "propagate -t quat x"}) {
         INFO(arguments);
-        const auto result = run(arguments, spin);
-        CHECK(result.exit_code == 2);
-        CHECK(result.out == "");
-        CHECK(count_rows(result.err) == 1);
+        CHECK(run(arguments, spin) == stopped(""));
     }
     CHECK(missing(run("propagate --help").out, {"rotconv propagate -t SPEC", "--initial", "--with", "--substeps"}) ==
           "");
