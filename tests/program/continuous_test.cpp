@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <random>
 #include <string>
 #include <string_view>
 
 #include <catch.hpp>
+#include <fmt/format.h>
 
 #include "process.hpp"
 
@@ -81,6 +83,27 @@ TEST_CASE("yaw runs past 180 degrees to 1000, in every format") {
     CHECK(missing(run(command + "--format pretty", past_a_half_turn).out, {"1000"}) == "");
     CHECK(run("-f rpy:deg -t rpy:deg:passive --continuous -p 12", "0 0 -170\n0 0 170\n0 0 100\n") ==
           done("0 0 170\n0 0 190\n0 0 260\n"));
+}
+
+TEST_CASE("numbers of a motion come back as they went in") {
+    // Catches a result that is rounded, brought near to the last one, and rounded again.
+    std::mt19937 engine(63);
+    const auto step = [&engine] { return std::uniform_int_distribution(-90, 90)(engine); };
+    std::string angles;
+    std::string vectors;
+    int roll = 0, pitch = 0, yaw = 0, x = 2000, y = -1000, z = 1500;
+    for (int i = 0; i < 2000; ++i) {
+        angles += fmt::format("{:g} {:g} {:g}\n", roll / 10.0, pitch / 10.0, yaw / 10.0);
+        vectors += fmt::format("{:g} {:g} {:g}\n", x / 1000.0, y / 1000.0, z / 1000.0);
+        roll += step();
+        pitch = std::clamp(pitch + step(), -800, 800);
+        yaw += 60 + step(); // many turns
+        x = std::clamp(x + step(), 1000, 3000);
+        y = std::clamp(y + step(), -3000, -1000);
+        z = std::clamp(z + step(), 1000, 3000);
+    }
+    CHECK((run("-f rpy:deg -t rpy:deg --continuous", angles) == done(angles)));
+    CHECK((run("-f rotvec -t rotvec --continuous --diagnostics off", vectors) == done(vectors)));
 }
 
 TEST_CASE("a quaternion does not flip") {

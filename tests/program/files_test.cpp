@@ -159,7 +159,7 @@ TEST_CASE("a reader that leaves ends the run quietly") {
 
 TEST_CASE("a reader that left before the first row ends the run quietly") {
     // Catches help, lists and VALUEs that do not know of closed pipes.
-    for (const char* arguments : {"-f quat -t dcm", "-f quat -t dcm 1 0 0 0", "--help", "list"}) {
+    for (const char* arguments : {"-f quat -t dcm", "-f quat -t dcm 1 0 0 0", "survey -f quat", "--help", "list"}) {
         Process process(words_of(arguments));
         process.close_output();
         process.write("1 0 0 0\n");

@@ -23,7 +23,7 @@ TEST_CASE("a method's failure is shown and named") {
 TEST_CASE("a wrong method is answered with the legal ones and where they hold") {
     // Catches a message that leaves the user to guess.
     CHECK(run("-f dcm -t quat --method sheperd 1 0 0 0 1 0 0 0 1") ==
-          stopped("", {"'sheperd'", "did you mean shepperd?", "default", "bar-itzhack", "any proper matrix"}));
+          Failure{2, "", {"'sheperd'", "did you mean shepperd?", "default", "bar-itzhack", "any proper matrix"}});
     CHECK(run("-f mrp -t 6d --method shepperd 0 0 0") ==
           stopped(any_output, {"mrp to 6d", "only default, fast and all"}));
     CHECK(run("-f mrp -t 6d --method default 0 0 0").exit_code == 0);

@@ -22,6 +22,7 @@
 #include <spawn.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -119,7 +120,8 @@ Failure went_on(std::optional<std::string> out, Words words) { return {1, std::m
 bool operator==(const Result& result, const Failure& failure) {
     const auto has = [&](const std::string& word) { return result.err.find(word) != std::string::npos; };
     return result.exit_code == failure.exit_code && result.out == failure.out.value_or(result.out) &&
-           result.err.starts_with("rotconv: ") && failure.lines.value_or(count_rows(result.err)) == count_rows(result.err) &&
+           result.err.starts_with("rotconv: ") &&
+           failure.lines.value_or(count_rows(result.err)) == count_rows(result.err) &&
            std::ranges::all_of(failure.words, has);
 }
 
@@ -200,6 +202,10 @@ Process::Process(const Words& arguments, const Surroundings& surroundings)
         close_end(output_);
         close_end(errors_);
         check(error, "posix_spawn");
+    }
+    if (surroundings.memory != 0) {
+        const rlimit limit{surroundings.memory, surroundings.memory};
+        check(::prlimit(id_, RLIMIT_AS, &limit, nullptr) == 0 ? 0 : errno, "prlimit");
     }
 }
 

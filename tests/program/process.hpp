@@ -60,6 +60,7 @@ struct Surroundings {
     std::filesystem::path output_file = {}; ///< stdout; empty: a pipe
     std::filesystem::path errors_file = {}; ///< stderr; empty: a pipe
     int close_error = 0;                    ///< an errno with which closing stdout fails
+    unsigned long memory = 0;               ///< a limit in bytes, from the start of its reading; 0: none
 };
 
 /// A started program. Every wait has a time limit, after which the program is killed and the test fails.

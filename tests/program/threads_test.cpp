@@ -156,7 +156,7 @@ TEST_CASE("an error stops the stream after the rows before it with any number of
     for (const std::string bad : {"x,1,zero,0,0\n", "x,0,0,0,0\n", "x,1\n"}) {
         const auto rows = good + bad + more;
         check_threads(convert + "--columns 2-5", rows);
-        CHECK(run(convert + "--columns 2-5 --threads 8", rows) == stopped(any_output, {"rotconv: -:9001: "}));
+        CHECK(run(convert + "--columns 2-5 --threads 8", rows) == Failure{2, any_output, {"rotconv: -:9001: "}});
     }
     check_threads(convert + "--columns 2-5", "x,1,zero,0,0\n" + more);
     check_threads(convert + "--columns 2-5", good + repeated("z", 5'000'000) + "\n" + more);
@@ -273,4 +273,12 @@ TEST_CASE("memory does not grow with the stream, and little with the threads") {
     CHECK((is_sanitized || process.peak_memory_kib() - before < 4096));
     CHECK((is_sanitized || process.peak_memory_kib() < 16384));
     CHECK(process.finish().exit_code == 0);
+}
+
+TEST_CASE("memory that runs out is called so") {
+    // Catches the name of an exception, and a run that seems to have gone well.
+    if (!is_sanitized) {
+        CHECK(run("-f quat -t rpy --threads 1", std::string(4'000'000, '1'), {.memory = 14U << 20U}) ==
+              stopped("", {"out of memory"}));
+    }
 }

@@ -138,8 +138,13 @@ TEST_CASE("an option that is given twice, or a flag with an argument, is named")
 
 TEST_CASE("whatever comes from outside is shown without its control characters") {
     // Catches a name that writes lines of its own, or moves the cursor of a terminal.
-    const std::string evil = "a\x1B]0;x\x07\nrotconv: b:1: fake\xC2\x9B"
-                             "1m\xE2\x80\xAE\xFF";
+    // Beside control characters: of the direction of text, a soft hyphen, a vowel separator, an annotation, a tag.
+    const Words hidden{"\x1B",     "\x07",         "\xC2\x9B",     "\xE2\x80\xAE",     "\xD8\x9C",
+                       "\xC2\xAD", "\xE1\xA0\x8E", "\xEF\xBF\xB9", "\xF3\xA0\x80\x81", "\xFF"};
+    std::string evil = "a\x1B]0;x\x07\nrotconv: b:1: fake";
+    for (const std::string& bytes : hidden) {
+        evil += bytes;
+    }
     const Folder folder;
     const auto file = (folder / evil).string();
     write_file(file, "1 0 0 zero" + evil.substr(0, 5) + "\n");
@@ -173,7 +178,7 @@ TEST_CASE("whatever comes from outside is shown without its control characters")
         INFO(result);
         CHECK(result.exit_code == 2);
         CHECK(result.err.find("\nrotconv: b:1: fake") == std::string::npos);
-        for (const char* bytes : {"\x1B", "\x07", "\xC2\x9B", "\xE2\x80\xAE", "\xFF"}) {
+        for (const std::string& bytes : hidden) {
             CHECK(result.err.find(bytes) == std::string::npos);
         }
     }
