@@ -41,10 +41,6 @@ private:
     Folder folder_;
 };
 
-Result failing(int code, const std::string& out, const std::string& err) {
-    return {.exit_code = code, .out = out, .err = err};
-}
-
 const std::string summary_of_two_rows = "rows      2\nbeyond    0\nunpaired  0\nfailed    0\nmax       0.25 at 2\n"
                                         "rms       0.1767766952966369\nmean      0.125\n";
 
@@ -59,8 +55,10 @@ TEST_CASE("compare ends as diff does") {
     CHECK(beyond.err == "rotconv: new: beyond: 1 row, first at line 3; the attitudes differ by more than --within\n");
     CHECK(missing(beyond.out, {"beyond    1\n", "max       0.5 at 3\n"}) == "");
     CHECK(files("compare -f rotvec --within 0.25 --format csv --diagnostics rows @new @old") ==
-          failing(1, "0 0 0 0\n0 0 0.25 0.25\n0 0 0.5 0.5\n",
-                  "rotconv: new:3: beyond: angle 0.5; the attitudes differ by more than --within\n"));
+          Failure{1,
+                  "0 0 0 0\n0 0 0.25 0.25\n0 0 0.5 0.5\n",
+                  {"rotconv: new:3: beyond: angle 0.5; the attitudes differ by more than --within\n"},
+                  1});
     CHECK(missing(files("compare -f rotvec --within 0.1 --format json @new @old").out,
                   {R"("beyond": 2, "first_beyond": 2)"}) == "");
     CHECK(files("compare -f rotvec --within 0.6 @new @old").exit_code == 0);
@@ -77,7 +75,7 @@ TEST_CASE("compare ends as diff does") {
     files.add("none", "# nothing\n\n");
     const auto none = files("compare -f rotvec @none @none");
     CHECK(none ==
-          failing(1, "rows      0\nunpaired  0\nfailed    0\n", "rotconv: there was no row with an attitude\n"));
+          Failure{1, "rows      0\nunpaired  0\nfailed    0\n", {"rotconv: there was no row with an attitude\n"}, 1});
     CHECK(files("compare -f rotvec --format json @none @none").out ==
           R"({"rows": 0, "within": null, "beyond": null, "first_beyond": null, "unpaired": 0, "failed": 0, )"
           R"("max": null, "max_line": null, "rms": null, "mean": null})"
@@ -175,9 +173,7 @@ TEST_CASE("the memory of compare does not grow with the streams") {
             files.add("old", others);
             Process process(
                 words_of("compare -f quat --threads 1 --columns 2-5 " + options + "- " + files.path("old")));
-            process.write(rows);
-            process.wait_until_read();
-            peaks.push_back(process.peak_memory_kib());
+            peaks.push_back(process.peak_memory_after(rows));
             const auto result = process.finish();
             CHECK(result.exit_code == 0);
             CHECK(missing(result.out, {"rows      " + std::to_string(count) + "\n"}) == "");
@@ -197,11 +193,7 @@ TEST_CASE("the memory of compare does not grow with the streams") {
     for (const bool first : {true, false}) {
         files.add("old", first ? sparse : dense);
         Process process(words_of("compare -f quat --key 1 --columns 2-5 --threads 1 - " + files.path("old")));
-        process.write(first ? dense : sparse);
-        const auto peak = [&] {
-            process.wait_until_read();
-            return process.peak_memory_kib();
-        }();
+        const long peak = process.peak_memory_after(first ? dense : sparse);
         CHECK(missing(process.finish().out, {"rows      10\n"}) == "");
         CHECK((is_sanitized || peak < 9'000)); // of 5 MB of rows
     }
@@ -212,13 +204,8 @@ TEST_CASE("the memory of compare does not grow with the streams") {
             words_of("compare -f quat --key 1 --columns 2-5 --key-within 0.5 --on-error skip --threads 1 - " +
                      files.path("old")),
             {.errors_file = "/dev/null"});
-        process.write("1 1 0 0 0\n" + repeated(between, 5'000));
-        process.wait_until_read();
-        const long before = process.peak_memory_kib();
-        process.write(repeated(between, 200'000));
-        process.write("3 1 0 0 0\n");
-        process.wait_until_read();
-        CHECK((is_sanitized || process.peak_memory_kib() <= before + 4096));
+        const long before = process.peak_memory_after("1 1 0 0 0\n" + repeated(between, 5'000));
+        CHECK((process.peak_memory_after(repeated(between, 200'000) + "3 1 0 0 0\n") <= before + 4096 || is_sanitized));
         CHECK(missing(process.finish().out, {"rows      2\n"}) == "");
     }
 }
@@ -240,15 +227,12 @@ TEST_CASE("a pair that has arrived is answered") {
 TEST_CASE("rows of doubles are compared too") {
     // Catches fields that get into the sums.
     Files files;
-    const auto bytes = [](std::initializer_list<double> numbers) {
-        return std::string(reinterpret_cast<const char*>(std::data(numbers)), numbers.size() * sizeof(double));
-    };
-    files.add("new", bytes({7, 0, 0, 0, 8, 0, 0, 0.25})).add("old", bytes({7, 0, 0, 0, 8, 0, 0, 0}));
+    files.add("new", bytes_of({7, 0, 0, 0, 8, 0, 0, 0.25})).add("old", bytes_of({7, 0, 0, 0, 8, 0, 0, 0}));
     const std::string options = "compare -f rotvec --input-format f64 --width 4 --columns 2-4 --within 0.25 ";
     CHECK(files(options + "@new @old") == done(summary_of_two_rows));
     CHECK(files(options + "--key 1 @new @old") == done(summary_of_two_rows));
     CHECK(files(options + "--format csv @new @old") == done("7,0,0,0,0\n8,0,0,0.25,0.25\n"));
-    files.add("old", bytes({7, 0, 0, 0, 8, 0, 0}));
+    files.add("old", bytes_of({7, 0, 0, 0, 8, 0, 0}));
     CHECK(missing(files(options + "@new @old").err, {"old:2: the row that begins at byte 32 is not whole"}) == "");
     CHECK(files(options + "@new @old").exit_code == 2);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <string>
 #include <string_view>
@@ -15,13 +14,6 @@
 using namespace program;
 
 namespace {
-
-/// Doubles as they are in memory.
-std::string bytes_of(const std::vector<double>& numbers) {
-    std::string bytes(numbers.size() * sizeof(double), '\0');
-    std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    return bytes;
-}
 
 /// Rows of a quaternion that turns about a moving axis by up to 0.2 a row, with comments and, among them, bad rows.
 std::string moving_rows(std::size_t count, bool bad) {
@@ -177,12 +169,7 @@ TEST_CASE("a continuous stream has the same bytes with any number of threads and
         for (const std::string threads : {"2", "3", "8"}) {
             CHECK((run(command + threads + options, {}, {.input_file = file}) == expected));
         }
-        Process slow(words_of(command + "4" + options));
-        for (std::size_t at = 0; at < rows.size(); at += 9'973) {
-            slow.write(std::string_view(rows).substr(at, 9'973));
-            slow.wait_until_read();
-        }
-        CHECK((slow.finish() == expected));
+        CHECK((run_in_pieces(command + "4" + options, rows, 9'973) == expected));
     }
 }
 

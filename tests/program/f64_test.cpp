@@ -20,12 +20,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-std::string bytes_of(const Numbers& numbers) {
-    std::string bytes(numbers.size() * sizeof(double), '\0');
-    std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    return bytes;
-}
-
 Numbers numbers_of(std::string_view bytes) {
     REQUIRE(bytes.size() % sizeof(double) == 0);
     Numbers numbers(bytes.size() / sizeof(double));

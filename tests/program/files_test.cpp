@@ -159,7 +159,8 @@ TEST_CASE("a reader that leaves ends the run quietly") {
 
 TEST_CASE("a reader that left before the first row ends the run quietly") {
     // Catches help, lists and VALUEs that do not know of closed pipes.
-    for (const char* arguments : {"-f quat -t dcm", "-f quat -t dcm 1 0 0 0", "survey -f quat", "--help", "list"}) {
+    for (const char* arguments :
+         {"-f quat -t dcm", "-f quat -t dcm 1 0 0 0", "survey -f quat --condition 0.1", "--help", "list"}) {
         Process process(words_of(arguments));
         process.close_output();
         process.write("1 0 0 0\n");
@@ -175,6 +176,12 @@ TEST_CASE("a large file shows its progress on a terminal, whatever the command")
     const auto file = (folder / "large.csv").string();
     const std::string rows = repeated("0.5 0.5 0.5 0.5\n", 400'000);
     write_file(file, rows);
+    const auto rates = (folder / "rates").string();
+    std::string motion;
+    for (int i = 0; i < 300'000; ++i) {
+        motion += std::to_string(i) + " 0 0 1e-3\n";
+    }
+    write_file(rates, motion);
     const auto shown_by = [&](const std::string& command, std::string_view input) {
         const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
         REQUIRE(terminal >= 0);
@@ -194,9 +201,11 @@ TEST_CASE("a large file shows its progress on a terminal, whatever the command")
         return shown;
     };
     for (const std::string& shown :
-         {shown_by("-f quat -t dcm --threads 1 " + file, ""), shown_by("compare -f quat " + file + " -", rows)}) {
+         {shown_by("-f quat -t dcm --threads 1 " + file, ""), shown_by("compare -f quat " + file + " -", rows),
+          shown_by("propagate -t rpy --substeps 10 " + rates, "")}) {
         CHECK(missing(shown, {"rotconv: ", " %\r"}) == "");
         CHECK(shown.ends_with("\033[K"));
     }
     CHECK(run("-f quat -t quat -o /dev/null " + file).err == ""); // no terminal
+    CHECK(run("propagate -t rpy -o /dev/null " + rates).err == "");
 }

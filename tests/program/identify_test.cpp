@@ -1,6 +1,4 @@
-#include <catch.hpp>
-
-#include "process.hpp"
+#include "usage.hpp"
 
 using namespace program;
 
@@ -15,12 +13,6 @@ std::string with_matrix(const std::string& spec, const std::string& rows) {
 
 const std::string angles = "10 20 30\n-50 60 100\n120 -30 5\n";
 const std::string quaternions = "0.1 0.3 -0.2 0.9\n0.8 0.2 0.3 -0.1\n-0.4 0.5 0.6 0.2\n";
-
-std::string last_line(const std::string& text) {
-    const auto end = text.rfind('\n');
-    const auto begin = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-    return text.substr(begin + 1, end - begin - 1);
-}
 
 /// The answer, where all went well.
 std::string answer(const std::string& arguments, const std::string& input) {
@@ -222,14 +214,12 @@ TEST_CASE("identify takes bad rows, headers and comments as a conversion does") 
 
 TEST_CASE("wrong uses of identify are usage errors") {
     // Catches a search for something else than what was asked for.
-    for (const std::string arguments :
-         {"identify", "identify -t quatt", "identify -f quat", "identify -t quat -f quat:xyzw",
-          "identify -t quat --format csv", "identify -t quat --within x", "identify -t quat --within -1",
-          "identify -t quat -f mrp --columns 1-6", "identify -t quat --columns 1,1,2", "identify -t quat nosuchfile",
-          "identify -t quat --width 7 --columns 9 --input-format f64", "identify -t quat --tolerance x"}) {
-        INFO(arguments);
-        CHECK(run(arguments, "1 0 0 0\n") == stopped(""));
-    }
+    check_usage_errors({"identify", "identify -t quatt", "identify -f quat", "identify -t quat -f quat:xyzw",
+                        "identify -t quat --format csv", "identify -t quat --within x", "identify -t quat --within -1",
+                        "identify -t quat -f mrp --columns 1-6", "identify -t quat --columns 1,1,2",
+                        "identify -t quat nosuchfile", "identify -t quat --width 7 --columns 9 --input-format f64",
+                        "identify -t quat --tolerance x"},
+                       "1 0 0 0\n");
     CHECK(missing(run("identify --help").out, {"rotconv identify -t KNOWN", "--within", "--columns", "NAME"}) == "");
 }
 
@@ -239,13 +229,9 @@ TEST_CASE("the memory of identify does not grow with the stream, and its first r
     Process process(words_of("identify -t dcm"));
     process.write("# a");
     process.write(" remark\n");
+    const long before = process.peak_memory_after(rows);
     process.write(rows);
-    process.wait_until_read();
-    const auto before = process.peak_memory_kib();
-    process.write(rows);
-    process.write(rows);
-    process.wait_until_read();
-    CHECK((is_sanitized || process.peak_memory_kib() <= before + 256));
+    CHECK((process.peak_memory_after(rows) <= before + 256 || is_sanitized));
     CHECK(last_line(process.finish().out) == "-f euler:xyz:deg --columns 1-3");
 }
 

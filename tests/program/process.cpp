@@ -262,6 +262,12 @@ void Process::wait_until_read() {
     }
 }
 
+long Process::peak_memory_after(std::string_view bytes) {
+    write(bytes);
+    wait_until_read();
+    return peak_memory_kib();
+}
+
 std::string Process::read_rows(std::size_t count) {
     std::string_view nothing;
     std::size_t found = 0;
@@ -334,6 +340,15 @@ Result run(std::string_view arguments, std::string_view input, const Surrounding
     return run(words_of(arguments), input, surroundings);
 }
 
+Result run_in_pieces(std::string_view arguments, std::string_view input, std::size_t size) {
+    Process process(words_of(arguments));
+    for (std::size_t at = 0; at < input.size(); at += size) {
+        process.write(input.substr(at, size));
+        process.wait_until_read();
+    }
+    return process.finish();
+}
+
 Words words_of(std::string_view text) {
     std::istringstream stream{std::string(text)};
     return {std::istream_iterator<std::string>(stream), {}};
@@ -390,6 +405,17 @@ std::string repeated(std::string_view text, std::size_t times) {
         result += text;
     }
     return result;
+}
+
+std::string last_line(const std::string& text) {
+    const auto end = text.rfind('\n');
+    const auto begin = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    return text.substr(begin + 1, end - begin - 1);
+}
+
+std::string bytes_of(const std::vector<double>& numbers) {
+    const auto* const bytes = reinterpret_cast<const char*>(numbers.data());
+    return {bytes, bytes + numbers.size() * sizeof(double)};
 }
 
 std::string missing(std::string_view text, std::initializer_list<std::string_view> words) {

@@ -75,6 +75,8 @@ public:
     void write(std::string_view bytes);
     /// Waits until the program has read all that was written.
     void wait_until_read();
+    /// Writes all of it, and tells the largest amount of memory that the program has held once it has read that.
+    long peak_memory_after(std::string_view bytes);
     /// The next `count` rows of stdout, as soon as they are there; fewer where the output ends.
     std::string read_rows(std::size_t count);
     /// The reader of stdout leaves.
@@ -112,6 +114,9 @@ Result run(const Words& arguments, std::string_view input = {}, const Surroundin
 /// The same, with the arguments in one text, parted by blanks.
 Result run(std::string_view arguments, std::string_view input = {}, const Surroundings& surroundings = {});
 
+/// The same, with an input that comes `size` bytes at a time.
+Result run_in_pieces(std::string_view arguments, std::string_view input, std::size_t size);
+
 Words words_of(std::string_view text);
 
 /// A new folder, removed at the end with all that is in it.
@@ -135,6 +140,9 @@ std::size_t count_rows(std::string_view text);
 /// The fields of a row parted by one character.
 Words fields_of(std::string_view row, char delimiter);
 std::string repeated(std::string_view text, std::size_t times);
+std::string last_line(const std::string& text);
+/// Doubles as they are in memory.
+std::string bytes_of(const std::vector<double>& numbers);
 
 /// The words that a text should have and has not, with the text; empty where it has them all.
 std::string missing(std::string_view text, std::initializer_list<std::string_view> words);

@@ -1,17 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <numbers>
 #include <sstream>
 #include <utility>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <catch.hpp>
-
-#include "process.hpp"
+#include "usage.hpp"
 
 using namespace program;
 
@@ -259,12 +253,7 @@ TEST_CASE("propagate in long batches is the same as in pieces") {
         const auto whole = run(arguments, rows);
         CHECK(whole.exit_code == 0);
         CHECK(count_rows(whole.out) == 1020);
-        Process process(words_of(arguments));
-        for (std::size_t at = 0; at < rows.size(); at += 997) {
-            process.write(std::string_view(rows).substr(at, 997));
-            process.wait_until_read();
-        }
-        CHECK(process.finish().out == whole.out);
+        CHECK(run_in_pieces(arguments, rows, 997) == whole);
     }
 }
 
@@ -299,34 +288,27 @@ TEST_CASE("substeps make the steps shorter") {
 
 TEST_CASE("wrong uses of propagate are usage errors") {
     // Catches settings that are replaced in silence.
-    for (const std::string arguments :
-         {"propagate", "propagate -t quatt", "propagate -t quat --with axis-angle", "propagate -t quat --with nothing",
-          "propagate -t quat --integrator euler", "propagate -t quat --with mrp --integrator magnus4",
-          "propagate -t quat --interpolation spline", "propagate -t quat -f quat", "propagate -t quat 0 0 0 1",
-          "propagate -t quat --columns 1-3", "propagate -t quat x"}) {
-        INFO(arguments);
-        CHECK(run(arguments, spin) == stopped(""));
-    }
+    check_usage_errors({"propagate", "propagate -t quatt", "propagate -t quat --with axis-angle",
+                        "propagate -t quat --with nothing", "propagate -t quat --integrator euler",
+                        "propagate -t quat --with mrp --integrator magnus4", "propagate -t quat --interpolation spline",
+                        "propagate -t quat -f quat", "propagate -t quat 0 0 0 1", "propagate -t quat --columns 1-3",
+                        "propagate -t quat x"},
+                       spin);
     CHECK(missing(run("propagate --help").out, {"rotconv propagate -t SPEC", "--initial", "--with", "--substeps"}) ==
           "");
 }
 
 TEST_CASE("the memory of propagate does not grow with the stream") {
     // Catches a propagation that keeps its rows.
+    std::vector<std::string> parts(3);
+    for (int i = 0; i < 60000; ++i) {
+        parts[static_cast<std::size_t>(i / 20000)] += std::to_string(i) + " 0 0 1e-3\n";
+    }
     for (const std::string interpolation : {"linear", "cubic"}) {
         Process process(words_of("propagate -t quat --interpolation " + interpolation));
-        long before = 0;
-        int time = 0;
-        for (int part = 0; part < 3; ++part) {
-            std::string rows;
-            for (int i = 0; i < 20000; ++i) {
-                rows += std::to_string(++time) + " 0 0 1e-3\n";
-            }
-            process.write(rows);
-            process.wait_until_read();
-            before = part == 0 ? process.peak_memory_kib() : before;
-        }
-        CHECK((is_sanitized || process.peak_memory_kib() <= before + 256));
+        const long before = process.peak_memory_after(parts[0]);
+        process.write(parts[1]);
+        CHECK((process.peak_memory_after(parts[2]) <= before + 256 || is_sanitized));
         CHECK(count_rows(process.finish().out) == 60000);
     }
 }
@@ -335,19 +317,9 @@ TEST_CASE("rows that are refused do not keep the one before them waiting for eve
     // Catches memory, or time, that grows with a clock that stepped back, or with comments.
     for (const std::string row : {"0 0 0 1e-3\n", "# nothing\n"}) {
         Process process(words_of("propagate -t quat --interpolation cubic --on-error skip --diagnostics off"));
-        process.write("5 0 0 1e-3\n6 0 0 1e-3\n");
-        long before = 0;
-        for (int part = 0; part < 3; ++part) {
-            std::string rows;
-            for (int i = 0; i < 30000; ++i) {
-                rows += row;
-            }
-            process.write(rows);
-            process.wait_until_read();
-            before = part == 0 ? process.peak_memory_kib() : before;
-        }
-        process.write("7 0 0 1e-3\n8 0 0 1e-3\n");
-        CHECK((is_sanitized || process.peak_memory_kib() <= before + 512));
+        const long before = process.peak_memory_after("5 0 0 1e-3\n6 0 0 1e-3\n" + repeated(row, 30000));
+        process.write(repeated(row, 60000));
+        CHECK((process.peak_memory_after("7 0 0 1e-3\n8 0 0 1e-3\n") <= before + 512 || is_sanitized));
         const auto result = process.finish();
         CHECK(count_rows(result.out) == (row[0] == '#' ? 90004 : 4));
         CHECK(result.out.substr(result.out.find("\n8 ") + 1, 2) == "8 ");
@@ -356,24 +328,12 @@ TEST_CASE("rows that are refused do not keep the one before them waiting for eve
 
 TEST_CASE("cubic answers do not depend on how the rows arrive") {
     // Catches an answer that is given early because of a block's border.
-    std::string rows = "0 0 0 0.1\n1 0 0 0.2\n";
-    for (int i = 0; i < 9000; ++i) {
-        rows += "0 0 0 9\n"; // 72 kB that are refused
-    }
-    rows += "2 0 0 0.5\n";
-    for (int i = 0; i < 2000; ++i) {
-        rows += "0 0 0 9\n";
-    }
-    rows += "3 0 0 0.4\n4 0 0 -0.3\n";
-    const auto command = words_of("propagate -t quat --interpolation cubic --on-error skip --diagnostics off");
+    const std::string rows = "0 0 0 0.1\n1 0 0 0.2\n" + repeated("0 0 0 9\n", 9000) + // 72 kB that are refused
+                             "2 0 0 0.5\n" + repeated("0 0 0 9\n", 2000) + "3 0 0 0.4\n4 0 0 -0.3\n";
+    const std::string command = "propagate -t quat --interpolation cubic --on-error skip --diagnostics off";
     const auto at_once = run(command, rows);
     CHECK(count_rows(at_once.out) == 5);
-    Process process(command);
-    for (std::size_t first = 0; first < rows.size(); first += 5000) {
-        process.write(rows.substr(first, 5000));
-        process.wait_until_read();
-    }
-    CHECK(process.finish().out == at_once.out);
+    CHECK(run_in_pieces(command, rows, 5000) == at_once);
 }
 
 TEST_CASE("sampled coning is off by what the manual says") {
@@ -411,27 +371,4 @@ TEST_CASE("sampled coning is off by what the manual says") {
     CHECK(error("linear", 1000) == Approx(3.7e-5).epsilon(0.02));
     CHECK(error("cubic", 100) == Approx(2.8e-6).epsilon(0.02));
     CHECK(error("cubic", 1000) == Approx(2.8e-10).epsilon(0.02));
-}
-
-TEST_CASE("progress is shown on a terminal and nowhere else") {
-    // Catches progress in a log file, and a terminal without it.
-    std::string rows;
-    for (int i = 0; i < 300000; ++i) {
-        rows += std::to_string(i) + " 0 0 1e-3\n";
-    }
-    Folder folder;
-    const auto path = folder / "rates";
-    write_file(path, rows);
-    const Words arguments{"propagate", "-t", "rpy", "--substeps", "10", "-i", path.string()};
-    CHECK(run(arguments).err == "");
-    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
-    REQUIRE(terminal >= 0);
-    REQUIRE(::grantpt(terminal) == 0);
-    REQUIRE(::unlockpt(terminal) == 0);
-    CHECK(run(arguments, {}, {.errors_file = ::ptsname(terminal)}).exit_code == 0);
-    std::string shown(4096, '\0');
-    const auto count = ::read(terminal, shown.data(), shown.size());
-    ::close(terminal);
-    REQUIRE(count > 0);
-    CHECK(missing(shown.substr(0, static_cast<std::size_t>(count)), {"rotconv: ", " %\r"}) == "");
 }

@@ -1,9 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <catch.hpp>
-
-#include "process.hpp"
+#include "usage.hpp"
 
 using namespace program;
 
@@ -102,12 +100,9 @@ TEST_CASE("rows of rates that are none are row errors") {
 
 TEST_CASE("wrong uses of rates are usage errors") {
     // Catches a set without rates, and options of other commands.
-    for (const std::string arguments :
-         {"rates", "rates -f axis-angle", "rates -f quat -t dcm", "rates -f quat --columns 1-4", "rates -f quat x",
-          "rates -f quat --lock-margin 1", "rates -f nothing"}) {
-        INFO(arguments);
-        CHECK(run(arguments, "1 0 0 0 0 0 1\n") == stopped(""));
-    }
+    check_usage_errors({"rates", "rates -f axis-angle", "rates -f quat -t dcm", "rates -f quat --columns 1-4",
+                        "rates -f quat x", "rates -f quat --lock-margin 1", "rates -f nothing"},
+                       "1 0 0 0 0 0 1\n");
     CHECK(missing(run("rates -f axis-angle").err, {"axis-angle", "rotvec"}) == "");
     CHECK(missing(run("rates --help").out, {"rotconv rates -f SPEC", "--inverse", "--frame", "--columns"}) == "");
 }

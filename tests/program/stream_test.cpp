@@ -178,12 +178,7 @@ TEST_CASE("every split of the input gives the same bytes") {
 TEST_CASE("a stream that comes byte by byte gives the same bytes") {
     // Catches a state that is lost between reads.
     const auto rows = numbered_rows(20);
-    Process process(words_of(convert + "--columns 2-5"));
-    for (const char byte : rows.input) {
-        process.write({&byte, 1});
-        process.wait_until_read();
-    }
-    CHECK(process.finish() == done(rows.output));
+    CHECK(run_in_pieces(convert + "--columns 2-5", rows.input, 1) == done(rows.output));
 }
 
 TEST_CASE("nothing depends on the locale") {

@@ -1,8 +1,6 @@
 #include <cmath>
 
-#include <catch.hpp>
-
-#include "process.hpp"
+#include "usage.hpp"
 
 using namespace program;
 
@@ -15,12 +13,6 @@ std::string yawing(int first, int step, int count) {
         rows += std::to_string(first + i * step) + " 10 5\n";
     }
     return rows;
-}
-
-std::string last_line(const std::string& text) {
-    const auto end = text.rfind('\n');
-    const auto begin = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-    return text.substr(begin + 1, end - begin - 1);
 }
 
 /// The line of a set in the table.
@@ -137,12 +129,9 @@ TEST_CASE("survey of nothing names no set") {
 
 TEST_CASE("wrong uses of survey are usage errors") {
     // Catches a survey of something else than what was asked for.
-    for (const std::string arguments :
-         {"survey", "survey -f quatt", "survey -f quat 1 0 0 0", "survey -f quat -t dcm", "survey -f quat --format csv",
-          "survey -f quat x", "survey -f quat --columns 1-3"}) {
-        INFO(arguments);
-        CHECK(run(arguments, "1 0 0 0\n") == stopped(""));
-    }
+    check_usage_errors({"survey", "survey -f quatt", "survey -f quat 1 0 0 0", "survey -f quat -t dcm",
+                        "survey -f quat --format csv", "survey -f quat x", "survey -f quat --columns 1-3"},
+                       "1 0 0 0\n");
     CHECK(missing(run("survey --help").out, {"rotconv survey -f SPEC", "--condition", "--columns"}) == "");
 }
 
@@ -150,12 +139,8 @@ TEST_CASE("the memory of survey does not grow with the stream") {
     // Catches a survey that keeps its rows.
     const std::string rows = repeated("1 0 0 0\n0.8 0 0 0.6\n", 8000);
     Process process(words_of("survey -f quat"));
+    const long before = process.peak_memory_after(rows);
     process.write(rows);
-    process.wait_until_read();
-    const auto before = process.peak_memory_kib();
-    process.write(rows);
-    process.write(rows);
-    process.wait_until_read();
-    CHECK((is_sanitized || process.peak_memory_kib() <= before + 256));
+    CHECK((process.peak_memory_after(rows) <= before + 256 || is_sanitized));
     CHECK(last_line(process.finish().out) == "mrp");
 }

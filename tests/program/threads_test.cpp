@@ -141,12 +141,7 @@ TEST_CASE("commands that remember rows give the same bytes with any number of th
     // survey has no --threads: against rows that come slowly, to which one thread is given.
     rows = made_rows(8'000, {});
     const std::string survey = "survey -f quat --on-error skip --tolerance inf --columns 2-5";
-    Process slow(words_of(survey));
-    for (std::size_t at = 0; at < rows.size(); at += 10'000) {
-        slow.write(std::string_view(rows).substr(at, 10'000));
-        slow.wait_until_read();
-    }
-    CHECK((run(survey, rows) == slow.finish()));
+    CHECK((run_in_pieces(survey, rows, 10'000) == run(survey, rows)));
 }
 
 TEST_CASE("an error stops the stream after the rows before it with any number of threads") {
