@@ -58,33 +58,6 @@ TEST_CASE("differences of a constant rate are that rate, at every row") {
     CHECK(rest.empty());
 }
 
-TEST_CASE("differences know their unit, their frame and the unit of times") {
-    // Catches a header that does not tell radians from degrees, and a factor.
-    const std::string rows = "0 0 0 0\n500 0 0 30\n1000 0 0 60\n";
-    CHECK(run(differences + "-f rpy -d --time-unit ms --header add", rows) ==
-          done("1 wx_deg_s wy_deg_s wz_deg_s\n0 0 0 60\n500 0 0 60\n1000 0 0 60\n"));
-    CHECK(run(differences + "-f rpy:deg --time-unit ms -p 6", rows) ==
-          done("0 0 0 1.0472\n500 0 0 1.0472\n1000 0 0 1.0472\n"));
-    CHECK(run(rounded + "-f rpy -d --time-unit ms --format pretty", rows.substr(0, 19)).out ==
-          "line 1\n  wx_deg_s   0\n  wy_deg_s   0\n  wz_deg_s   60\n\nline 2\n  wx_deg_s   0\n  wy_deg_s   0\n"
-          "  wz_deg_s   60\n\n");
-    // After a yaw of 90 degrees the body's x axis is the reference's y.
-    const std::string rolls = "0 0 0 90\n1 30 0 90\n";
-    CHECK(run(rounded + "-f rpy -d", rolls) == done("0 30 0 0\n1 30 0 0\n"));
-    const auto reference = run(differences + "-f rpy -d --decimals 6 --frame reference", rolls);
-    CHECK(reference == done("0 0.000000 30.000000 0.000000\n1 0.000000 30.000000 0.000000\n"));
-    CHECK(run("rates -f rpy -d --inverse --header add 0 0 30 0 0 90") == done("wx_deg_s wy_deg_s wz_deg_s\n0 0 90\n"));
-    CHECK(run("rates -f rpy --inverse --header add 0 0 0 0 0 1") == done("wx wy wz\n0 0 1\n"));
-}
-
-TEST_CASE("differences keep the digits of small turns and of long times") {
-    // Catches attitudes that are rounded before they are compared, and nanoseconds in a double.
-    CHECK(run(differences + "-f quat", "0 1 0 0 1e-20\n1 1 0 0 2e-20\n2 1 0 0 4e-20\n") ==
-          done("0 0 0 2e-20\n1 0 0 2e-20\n2 0 0 4e-20\n"));
-    CHECK(run(rounded + "-f quat --time-unit ns", "1403715524907143168 1 0 0 0\n1403715524907143169 1 0 0 1e-9\n") ==
-          done("1403715524907143168 0 0 2\n1403715524907143169 0 0 2\n"));
-}
-
 TEST_CASE("a step that may be past half a turn is a row error") {
     // Catches the shorter way round, taken in silence; and a gap after which nothing is known any more.
     const auto gap = run(rounded + "-f rpy -d --on-error nan", "0 0 0 0\n1 0 0 100\n2 0 0 200\n4 0 0 40\n5 0 0 50\n");
@@ -92,9 +65,8 @@ TEST_CASE("a step that may be past half a turn is a row error") {
     CHECK(gap.out == "0 0 0 100\n1 0 0 100\n2 0 0 100\n4 nan nan nan\n5 0 0 10\n");
     CHECK(gap.err == "rotconv: -:4: the body may have turned by half a turn or more since the row before (a gap?): "
                      "'4 0 0 40'\n");
-    const auto half = run(differences + "-f quat --on-error skip", "0 1 0 0 0\n1 1 0 0 0\n2 0 0 1 0\n3 0 0 1 0\n");
-    CHECK(half.exit_code == 1);
-    CHECK(half.out == "0 0 0 0\n1 0 0 0\n3 0 0 0\n");
+    CHECK(run(differences + "-f quat --on-error skip", "0 1 0 0 0\n1 1 0 0 0\n2 0 0 1 0\n3 0 0 1 0\n") ==
+          went_on("0 0 0 0\n1 0 0 0\n3 0 0 0\n"));
     CHECK(run(differences + "-f quat", "0 1 0 0 0\n1 0 0 1 0\n").exit_code == 2);
 }
 
@@ -107,9 +79,7 @@ TEST_CASE("differences go on over bad rows") {
     CHECK(missing(result.err, {"-:3: time does not increase", "-:4: time does not increase", "-:5: not finite",
                                "-:6: not finite", "-:7: not a number: 'x'"}) == "");
     CHECK(count_rows(result.err) == 5);
-    const auto stopped = run(rounded + "-f rpy -d", rows);
-    CHECK(stopped.exit_code == 2);
-    CHECK(stopped.out == "0 0 0 10\n1 0 0 10\n");
+    CHECK(run(rounded + "-f rpy -d", rows) == stopped("0 0 0 10\n1 0 0 10\n"));
     CHECK(missing(run(differences + "-f quat:tum", "0 0 0 0 2\n").err, {"-:1: defect 1", "its norm is 2"}) == "");
     // A first row that has no second says so, and no more.
     CHECK(run(differences + "-f rpy", "0 0 0 1\n") == done("0 nan nan nan\n"));

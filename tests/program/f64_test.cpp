@@ -20,12 +20,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-std::string bytes_of(const Numbers& numbers) {
-    std::string bytes(numbers.size() * sizeof(double), '\0');
-    std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    return bytes;
-}
-
 Numbers numbers_of(std::string_view bytes) {
     REQUIRE(bytes.size() % sizeof(double) == 0);
     Numbers numbers(bytes.size() / sizeof(double));
@@ -227,9 +221,6 @@ TEST_CASE("options that do not fit rows of doubles are usage errors") {
     for (const std::string arguments : {"--columns 2-5", "--columns 2-5 --width 4", "--width 5", "--width 0",
                                         "--columns qw,qx,qy,qz", "--width x", "--input-format f32"}) {
         INFO(arguments);
-        const auto result = run("-f quat -t dcm" + binary + arguments, bytes_of({1, 0, 0, 0}));
-        CHECK(result.exit_code == 2);
-        CHECK(result.out == "");
-        CHECK(count_rows(result.err) == 1);
+        CHECK(run("-f quat -t dcm" + binary + arguments, bytes_of({1, 0, 0, 0})) == stopped(""));
     }
 }

@@ -22,6 +22,7 @@
 #include <spawn.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -112,6 +113,27 @@ std::ostream& operator<<(std::ostream& to, const Result& result) {
 
 Result done(std::string_view out) { return {0, std::string(out), {}}; }
 
+Failure stopped(std::optional<std::string> out, Words words) { return {2, std::move(out), std::move(words), 1}; }
+
+Failure went_on(std::optional<std::string> out, Words words) { return {1, std::move(out), std::move(words)}; }
+
+bool operator==(const Result& result, const Failure& failure) {
+    const auto has = [&](const std::string& word) { return result.err.find(word) != std::string::npos; };
+    return result.exit_code == failure.exit_code && result.out == failure.out.value_or(result.out) &&
+           result.err.starts_with("rotconv: ") &&
+           failure.lines.value_or(count_rows(result.err)) == count_rows(result.err) &&
+           std::ranges::all_of(failure.words, has);
+}
+
+std::ostream& operator<<(std::ostream& to, const Failure& failure) {
+    to << "exit " << failure.exit_code << "\nstdout: " << failure.out.value_or("any") << "\nstderr ";
+    to << (failure.lines.has_value() ? "in " + std::to_string(*failure.lines) + " lines" : "") << "with:";
+    for (const std::string& word : failure.words) {
+        to << " '" << word << "'";
+    }
+    return to;
+}
+
 Process::Process(const Words& arguments, const Surroundings& surroundings)
     : limit_(std::chrono::steady_clock::now() + time_limit) {
     std::signal(SIGPIPE, SIG_IGN); // for writes to a program that has ended
@@ -181,6 +203,10 @@ Process::Process(const Words& arguments, const Surroundings& surroundings)
         close_end(errors_);
         check(error, "posix_spawn");
     }
+    if (surroundings.memory != 0) {
+        const rlimit limit{surroundings.memory, surroundings.memory};
+        check(::prlimit(id_, RLIMIT_AS, &limit, nullptr) == 0 ? 0 : errno, "prlimit");
+    }
 }
 
 Process::~Process() {
@@ -234,6 +260,12 @@ void Process::wait_until_read() {
         }
         step(nothing, std::chrono::milliseconds(1));
     }
+}
+
+long Process::peak_memory_after(std::string_view bytes) {
+    write(bytes);
+    wait_until_read();
+    return peak_memory_kib();
 }
 
 std::string Process::read_rows(std::size_t count) {
@@ -308,6 +340,15 @@ Result run(std::string_view arguments, std::string_view input, const Surrounding
     return run(words_of(arguments), input, surroundings);
 }
 
+Result run_in_pieces(std::string_view arguments, std::string_view input, std::size_t size) {
+    Process process(words_of(arguments));
+    for (std::size_t at = 0; at < input.size(); at += size) {
+        process.write(input.substr(at, size));
+        process.wait_until_read();
+    }
+    return process.finish();
+}
+
 Words words_of(std::string_view text) {
     std::istringstream stream{std::string(text)};
     return {std::istream_iterator<std::string>(stream), {}};
@@ -364,6 +405,17 @@ std::string repeated(std::string_view text, std::size_t times) {
         result += text;
     }
     return result;
+}
+
+std::string last_line(const std::string& text) {
+    const auto end = text.rfind('\n');
+    const auto begin = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    return text.substr(begin + 1, end - begin - 1);
+}
+
+std::string bytes_of(const std::vector<double>& numbers) {
+    const auto* const bytes = reinterpret_cast<const char*>(numbers.data());
+    return {bytes, bytes + numbers.size() * sizeof(double)};
 }
 
 std::string missing(std::string_view text, std::initializer_list<std::string_view> words) {

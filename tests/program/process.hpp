@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -35,12 +36,31 @@ std::ostream& operator<<(std::ostream& to, const Result& result);
 /// Exit 0, this output, and not a word on stderr.
 Result done(std::string_view out);
 
+/// What a run comes to that does not go well.
+struct Failure {
+    int exit_code;
+    std::optional<std::string> out;        ///< none: any
+    Words words = {};                      ///< that stderr has
+    std::optional<std::size_t> lines = {}; ///< of stderr; none: any number
+};
+
+inline constexpr std::nullopt_t any_output = std::nullopt;
+
+/// Exit 2, this output, and one line on stderr, with these words.
+Failure stopped(std::optional<std::string> out, Words words = {});
+/// Exit 1, this output, and lines on stderr with these words.
+Failure went_on(std::optional<std::string> out, Words words = {});
+
+bool operator==(const Result& result, const Failure& failure);
+std::ostream& operator<<(std::ostream& to, const Failure& failure);
+
 struct Surroundings {
     Words environment = {};                 ///< such as LC_ALL=C, over what the tests were started with
     std::filesystem::path input_file = {};  ///< stdin; empty: a pipe
     std::filesystem::path output_file = {}; ///< stdout; empty: a pipe
     std::filesystem::path errors_file = {}; ///< stderr; empty: a pipe
     int close_error = 0;                    ///< an errno with which closing stdout fails
+    unsigned long memory = 0;               ///< a limit in bytes, from the start of its reading; 0: none
 };
 
 /// A started program. Every wait has a time limit, after which the program is killed and the test fails.
@@ -55,6 +75,8 @@ public:
     void write(std::string_view bytes);
     /// Waits until the program has read all that was written.
     void wait_until_read();
+    /// Writes all of it, and tells the largest amount of memory that the program has held once it has read that.
+    long peak_memory_after(std::string_view bytes);
     /// The next `count` rows of stdout, as soon as they are there; fewer where the output ends.
     std::string read_rows(std::size_t count);
     /// The reader of stdout leaves.
@@ -92,6 +114,9 @@ Result run(const Words& arguments, std::string_view input = {}, const Surroundin
 /// The same, with the arguments in one text, parted by blanks.
 Result run(std::string_view arguments, std::string_view input = {}, const Surroundings& surroundings = {});
 
+/// The same, with an input that comes `size` bytes at a time.
+Result run_in_pieces(std::string_view arguments, std::string_view input, std::size_t size);
+
 Words words_of(std::string_view text);
 
 /// A new folder, removed at the end with all that is in it.
@@ -115,6 +140,9 @@ std::size_t count_rows(std::string_view text);
 /// The fields of a row parted by one character.
 Words fields_of(std::string_view row, char delimiter);
 std::string repeated(std::string_view text, std::size_t times);
+std::string last_line(const std::string& text);
+/// Doubles as they are in memory.
+std::string bytes_of(const std::vector<double>& numbers);
 
 /// The words that a text should have and has not, with the text; empty where it has them all.
 std::string missing(std::string_view text, std::initializer_list<std::string_view> words);

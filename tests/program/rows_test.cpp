@@ -20,23 +20,7 @@ TEST_CASE("the first data row settles the delimiter") {
     CHECK(run(convert, "1\t0\t0\t0\n0\t1\t0\t0\n") == done("0\t0\t0\t1\n1\t0\t0\t0\n"));
     CHECK(run(convert, "1;0;0;0\n0;1;0;0\n") == done("0;0;0;1\n1;0;0;0\n"));
     CHECK(run(convert, "1 0 0 0\n0 1 0 0\n") == done("0 0 0 1\n1 0 0 0\n"));
-    const auto changing = run(convert, "1,0,0,0\n0;1;0;0\n");
-    CHECK(changing.exit_code == 2);
-    CHECK(changing.out == "0,0,0,1\n");
-    CHECK(missing(changing.err, {"rotconv: -:2: "}) == "");
-}
-
-TEST_CASE("comma goes before tab before semicolon before blanks") {
-    // Catches another order of the delimiters.
-    CHECK(run(convert + "--columns 1-4", "1,0,0,0,a\tb;c d\n") == done("0,0,0,1,a\tb;c d\n"));
-    CHECK(run(convert + "--columns 1-4", "1\t0\t0\t0\tb;c d\n") == done("0\t0\t0\t1\tb;c d\n"));
-    CHECK(run(convert + "--columns 1-4", "1;0;0;0;c d\n") == done("0;0;0;1;c d\n"));
-}
-
-TEST_CASE("runs of blanks part one field from the next and become one blank") {
-    // Catches empty fields between blanks.
-    CHECK(run(convert, "  1   0 0  0\n0    1  0 0  \n") == done("0 0 0 1\n1 0 0 0\n"));
-    CHECK(run(convert + "--columns 2-5", "  a   1 0  0 0   b\n") == done("a 0 0 0 1 b\n"));
+    CHECK(run(convert, "1,0,0,0\n0;1;0;0\n") == stopped("0,0,0,1\n", {"rotconv: -:2: "}));
 }
 
 TEST_CASE("the delimiter option goes before the first data row") {
@@ -50,71 +34,12 @@ TEST_CASE("the delimiter option goes before the first data row") {
     CHECK(run(convert + "--delimiter :", "1:0:0:0\n") == done("0:0:0:1\n"));
 }
 
-TEST_CASE("blanks around a number are no part of it") {
-    // Catches a reader that wants bare numbers.
-    CHECK(run(convert, "1, 0 ,\t0, +0\n 0 , 1 , 0 , 0 \n") == done("0,0,0,1\n1,0,0,0\n"));
-}
-
-TEST_CASE("a delimiter in quotes parts nothing") {
-    // Catches a splitter that does not know quotes, or an output that loses them.
-    CHECK(run(convert + "--columns 2-5", "\"a,b\",1,0,0,0,\"c,\"\"d\"\"\"\n") ==
-          done("\"a,b\",0,0,0,1,\"c,\"\"d\"\"\"\n"));
-    CHECK(run(convert, "\"1\",\"0\",0,0\n") == done("0,0,0,1\n"));
-    CHECK(run(convert + "--columns 2-5", "\"a,b\";1;0;0;0\n") == done("\"a,b\";0;0;0;1\n"));
-}
-
-TEST_CASE("a quote that is left open is a row error of its own line") {
-    // Catches a field that swallows the rest of the file.
-    const std::string rows = "a,1,0,0,0\n\"a,1,0,0,0\nb,0,1,0,0\n";
-    const auto stopped = run(convert + "--columns 2-5", rows);
-    CHECK(stopped.exit_code == 2);
-    CHECK(stopped.out == "a,0,0,0,1\n");
-    CHECK(missing(stopped.err, {"rotconv: -:2: ", "\"a"}) == "");
-    const auto skipped = run(convert + "--columns 2-5 --on-error skip", rows);
-    CHECK(skipped.exit_code == 1);
-    CHECK(skipped.out == "a,0,0,0,1\nb,1,0,0,0\n");
-}
-
-TEST_CASE("under blank a quote is a character like any other") {
-    // Catches quoting that reaches over blanks.
-    CHECK(run(convert + "--delimiter blank --columns 2-5", "\"a 1 0 0 0 b\"\n") == done("\"a 0 0 0 1 b\"\n"));
-    CHECK(run(convert + "--columns 3-6", "5\" x 1 0 0 0\n") == done("5\" x 0 0 0 1\n"));
-}
-
 TEST_CASE("line ends are kept row by row") {
     // Catches CRLF that is lost or taken for part of the last number.
     CHECK(run(convert, "1,0,0,0\r\n0,1,0,0\r\n") == done("0,0,0,1\r\n1,0,0,0\r\n"));
     CHECK(run(convert, "1 0 0 0\r\n0 1 0 0\n") == done("0 0 0 1\r\n1 0 0 0\n"));
     CHECK(run(convert, "# note\r\n\r\n1 0 0 0\r\n") == done("# note\r\n\r\n0 0 0 1\r\n"));
     CHECK(run(convert + "--append", "1,0,0,0\r\n") == done("1,0,0,0,0,0,0,1\r\n"));
-}
-
-TEST_CASE("a last row without a newline counts") {
-    // Catches a reader that loses it.
-    const auto result = run(convert, "1 0 0 0\n0 1 0 0");
-    CHECK(result.exit_code == 0);
-    CHECK(result.err == "");
-    CHECK((result.out == "0 0 0 1\n1 0 0 0\n" || result.out == "0 0 0 1\n1 0 0 0"));
-    const auto broken = run(convert, "1 0 0 0\n0 1 0");
-    CHECK(broken.exit_code == 2);
-    CHECK(missing(broken.err, {"rotconv: -:2: "}) == "");
-}
-
-TEST_CASE("a byte order mark is skipped") {
-    // Catches a first number or name that begins with three odd bytes.
-    CHECK(run(convert, "\xEF\xBB\xBF"
-                       "1,0,0,0\n") == done("0,0,0,1\n"));
-    CHECK(run(convert + "--columns qw,qx,qy,qz", "\xEF\xBB\xBF"
-                                                 "qw,qx,qy,qz\n1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
-    CHECK(run(convert, "\xEF\xBB\xBF") == done(""));
-}
-
-TEST_CASE("a byte order mark later on is no mark") {
-    // Catches a skip that is not limited to the beginning.
-    const auto result = run(convert, "1,0,0,0\n\xEF\xBB\xBF"
-                                     "1,0,0,0\n");
-    CHECK(result.exit_code == 2);
-    CHECK(result.out == "0,0,0,1\n");
 }
 
 TEST_CASE("blank rows and comments pass through as they are") {
@@ -128,26 +53,8 @@ TEST_CASE("blank rows and comments pass through as they are") {
 
 TEST_CASE("line numbers count every physical line") {
     // Catches numbers that leave out comments, blank rows or the header.
-    const auto result = run(convert, "# one\n\nqw,qx,qy,qz\n1,0,0,0\n\n# six\n1,0,0,bad\n");
-    CHECK(result.exit_code == 2);
-    CHECK(missing(result.err, {"rotconv: -:7: ", "bad"}) == "");
-}
-
-TEST_CASE("empty input gives empty output") {
-    // Catches a complaint, or a line out of nothing.
-    CHECK(run(convert, "") == done(""));
-    CHECK(run(convert + "--columns 2-5", "") == done(""));
-    CHECK(run(convert + "--format json", "") == done(""));
-    CHECK(run(convert + "--diagnostics columns --strict", "") == done(""));
-}
-
-TEST_CASE("a row of 17 columns keeps the other 13") {
-    // Catches a limit on the columns, or fields that change place.
-    CHECK(run(convert + "--columns 5-8",
-              "1403636580838555648,4.688319,-1.786938,0.783338,0.5,-0.5,0.5,0.5,-0.027876,"
-              "0.033207,0.800006,-0.003172,0.021267,0.078502,-0.025266,0.136696,0.075593\n") ==
-          done("1403636580838555648,4.688319,-1.786938,0.783338,-0.5,0.5,0.5,0.5,-0.027876,"
-               "0.033207,0.800006,-0.003172,0.021267,0.078502,-0.025266,0.136696,0.075593\n"));
+    CHECK(run(convert, "# one\n\nqw,qx,qy,qz\n1,0,0,0\n\n# six\n1,0,0,bad\n") ==
+          stopped(any_output, {"rotconv: -:7: ", "bad"}));
 }
 
 TEST_CASE("a row of 10000 columns is converted") {

@@ -1,8 +1,6 @@
 #include <cmath>
 
-#include <catch.hpp>
-
-#include "process.hpp"
+#include "usage.hpp"
 
 using namespace program;
 
@@ -15,12 +13,6 @@ std::string yawing(int first, int step, int count) {
         rows += std::to_string(first + i * step) + " 10 5\n";
     }
     return rows;
-}
-
-std::string last_line(const std::string& text) {
-    const auto end = text.rfind('\n');
-    const auto begin = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-    return text.substr(begin + 1, end - begin - 1);
 }
 
 /// The line of a set in the table.
@@ -135,10 +127,7 @@ TEST_CASE("survey takes columns, headers and bad rows as a conversion does") {
     const std::string good = "t,qx,qy,qz,qw\n0,0,0,0,1\n1,0,0,0.6,0.8\n";
     CHECK(last_line(run("survey -f quat:xyzw --columns qx,qy,qz,qw", good).out) == "mrp");
     const std::string bad = good + "2,0,0,zero,1\n3,0,0,0,0\n4,0,0,0.8,0.6\n";
-    const auto stopped = run("survey -f quat:xyzw --columns 2-5", bad);
-    CHECK(stopped.exit_code == 2);
-    CHECK(stopped.out == "");
-    CHECK(missing(stopped.err, {"rotconv: -:4: not a number: 'zero'"}) == "");
+    CHECK(run("survey -f quat:xyzw --columns 2-5", bad) == stopped("", {"rotconv: -:4: not a number: 'zero'"}));
     for (const std::string policy : {"skip", "nan"}) {
         const auto skipped = run("survey -f quat:xyzw --columns 2-5 --on-error " + policy, bad);
         CHECK(skipped.exit_code == 1);
@@ -152,46 +141,25 @@ TEST_CASE("survey takes columns, headers and bad rows as a conversion does") {
 TEST_CASE("survey of nothing names no set") {
     // Catches a set that serves no attitude at all.
     for (const char* input : {"", "# comment\n", "\n"}) {
-        const auto result = run("survey -f quat", input);
-        CHECK(result.exit_code == 1);
-        CHECK(result.out == "none\n");
-        CHECK(missing(result.err, {"there was no row with an attitude"}) == "");
+        CHECK(run("survey -f quat", input) == went_on("none\n", {"there was no row with an attitude"}));
         CHECK(run("survey -f quat --format json", input).out == "{\"rows\": 0, \"smallest\": \"none\"}\n");
     }
 }
 
 TEST_CASE("wrong uses of survey are usage errors") {
     // Catches a survey of something else than what was asked for.
-    for (const std::string arguments :
-         {"survey", "survey -f quatt", "survey -f quat 1 0 0 0", "survey -f quat -t dcm", "survey -f quat --format csv",
-          "survey -f quat x", "survey -f quat --columns 1-3"}) {
-        INFO(arguments);
-        const auto result = run(arguments, "1 0 0 0\n");
-        CHECK(result.exit_code == 2);
-        CHECK(result.out == "");
-        CHECK(count_rows(result.err) == 1);
-    }
+    check_usage_errors({"survey", "survey -f quatt", "survey -f quat 1 0 0 0", "survey -f quat -t dcm",
+                        "survey -f quat --format csv", "survey -f quat x", "survey -f quat --columns 1-3"},
+                       "1 0 0 0\n");
     CHECK(missing(run("survey --help").out, {"rotconv survey -f SPEC", "--condition", "--columns"}) == "");
-}
-
-TEST_CASE("survey writes its table to a file") {
-    // Catches an option that is ignored.
-    Folder folder;
-    const auto path = folder / "table";
-    CHECK(run(Words{"survey", "-f", "quat", "-o", path.string()}, "1 0 0 0\n") == done(""));
-    CHECK(last_line(read_file(path)) == "mrp");
 }
 
 TEST_CASE("the memory of survey does not grow with the stream") {
     // Catches a survey that keeps its rows.
     const std::string rows = repeated("1 0 0 0\n0.8 0 0 0.6\n", 8000);
     Process process(words_of("survey -f quat"));
+    const long before = process.peak_memory_after(rows);
     process.write(rows);
-    process.wait_until_read();
-    const auto before = process.peak_memory_kib();
-    process.write(rows);
-    process.write(rows);
-    process.wait_until_read();
-    CHECK((is_sanitized || process.peak_memory_kib() <= before + 256));
+    CHECK((process.peak_memory_after(rows) <= before + 256 || is_sanitized));
     CHECK(last_line(process.finish().out) == "mrp");
 }

@@ -33,25 +33,6 @@ TEST_CASE("north, east, down becomes east, north, up") {
     CHECK(from_ned("quat:xyzw", "0 0 90\n") == done("0 0 0 1\n"));
 }
 
-TEST_CASE("a turn alone is on its own side, and an inverse on the other") {
-    // Catches a product in the wrong order, and the inverse of either side taken before the turn.
-    const auto turned = [](const Words& options, const std::string& to) {
-        Words words{"-f", "rpy:deg", "-t", to, "-p", "12", "90", "0", "0"};
-        words.insert(words.end(), options.begin(), options.end());
-        return run(words);
-    };
-    // Rx(90): columns x, z, -y. Turned about the reference z by 90: x -> y. About the body's z: the columns turn round.
-    CHECK(turned({"--left", "rpy:deg: 0 0 90"}, "dcm") == done("0 0 1 1 0 0 0 1 0\n"));
-    CHECK(turned({"--right", "rpy:deg: 0 0 90"}, "dcm") == done("0 -1 0 0 0 -1 1 0 0\n"));
-    CHECK(turned({"--left", "rpy:deg: 0 0 90"}, "dcm:passive") == done("0 1 0 0 0 1 1 0 0\n"));
-    CHECK(turned({"--left", "rpy:deg:passive: 0 0 -90"}, "dcm") == done("0 0 1 1 0 0 0 1 0\n"));
-    CHECK(turned({"--left", "rpy: 0 0 90", "-d"}, "dcm") == done("0 0 1 1 0 0 0 1 0\n"));
-    CHECK(turned({"--left", "rpy:deg: 0 0 90", "--right", "rpy:deg: 0 0 -90"}, "dcm") == done("0 0 1 0 1 0 -1 0 0\n"));
-    // 30 - 2 atan(4/3) degrees
-    CHECK(run(Words{"-f", "quat:passive", "-t", "rotvec:deg", "-p", "12", "--left", "rpy:deg: 0 0 30", "0.6", "0", "0",
-                    "0.8"}) == done("0 0 -76.2602047083\n"));
-}
-
 TEST_CASE("propagate and published methods turn attitudes too") {
     // Catches an option that one of them ignores.
     CHECK(run(Words{"propagate", "-t", "rpy", "-d", "-p", "12", "--left", to_enu, "--right", to_flu},
@@ -73,18 +54,15 @@ TEST_CASE("a turn that is none is a usage error that names its option") {
     for (const std::string option : {"--left", "--right"}) {
         for (const std::string wrong : {"1 0 0 0", "quat", "quat: 1 0 0", "quat: 1 0 0 x", "quat: 0 0 0 0",
                                         "quat: 2 0 0 0", "kwat: 1 0 0 0", "quat: 1e999 0 0 0", "euler: 1 0 0"}) {
-            const auto result = run(Words{"-f", "quat", "-t", "rpy", option, wrong, "1", "0", "0", "0"});
             INFO(wrong);
-            CHECK(result.exit_code == 2);
-            CHECK(result.out == "");
-            CHECK(missing(result.err, {"rotconv: " + option}) == "");
+            CHECK(run(Words{"-f", "quat", "-t", "rpy", option, wrong, "1", "0", "0", "0"}) ==
+                  stopped("", {"rotconv: " + option}));
         }
     }
     CHECK(run(Words{"-f", "quat", "-t", "rpy:deg", "--left", "quat: 2 0 0 0", "--tolerance", "inf", "1", "0", "0",
                     "0"}) == done("0 0 0\n"));
     for (const std::string command : {"rates", "survey"}) {
-        const auto result = run(Words{command, "-f", "quat", "--left", "quat: 1 0 0 0"}, "1 0 0 0 0 0 1\n");
-        CHECK(result.exit_code == 2);
-        CHECK(missing(result.err, {"'--left' is not a known option"}) == "");
+        CHECK(run(Words{command, "-f", "quat", "--left", "quat: 1 0 0 0"}, "1 0 0 0 0 0 1\n") ==
+              stopped(any_output, {"'--left' is not a known option"}));
     }
 }
