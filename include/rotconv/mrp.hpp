@@ -12,7 +12,7 @@ namespace rotconv::mrp {
 /// q ~ (1 - |m|^2, 2m), for m of any length. Error: not_finite.
 [[nodiscard]] Reading to_rotation(const Eigen::Vector3d& m) noexcept;
 
-/// m = v/(|q| + w), w >= 0, norm at most 1; each component rounded once, 0.94 eps.
+/// m = v/(|q| + w), w >= 0, norm at most 1; each component rounded once. Worst found: 0.99 eps.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (1 + |m|^2)/4.

@@ -70,7 +70,7 @@ public:
     /// The inverse rotation (reference to body). Exact.
     [[nodiscard]] Rotation inverse() const noexcept { return {q_[0], -q_[1], -q_[2], -q_[3]}; }
 
-    /// The composition, R_ref_body = R_ref_a * R_a_body. At most 2 eps, in a hundred thousand pairs.
+    /// The composition, R_ref_body = R_ref_a * R_a_body. Limit: 4.25 eps; the worst found is 3.63.
     friend Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
         return from_components((a.w() * b.w() - a.x() * b.x()) - (a.y() * b.y() + a.z() * b.z()),
                                (a.w() * b.x() + a.x() * b.w()) + (a.y() * b.z() - a.z() * b.y()),
@@ -78,8 +78,8 @@ public:
                                (a.w() * b.z() + a.z() * b.w()) + (a.x() * b.y() - a.y() * b.x()));
     }
 
-    /// Turns a vector, v_ref = R_ref_body * v_body, to 5 eps of its length: v + 2 (w u x v + u x (u x v))/|q|^2 with u
-    /// = (x, y, z).
+    /// Turns a vector, v_ref = R_ref_body * v_body: v + 2 (w u x v + u x (u x v))/|q|^2 with u = (x, y, z).
+    /// Limit: 10.75 eps of its length; the worst found is 9.24.
     friend Eigen::Vector3d operator*(const Rotation& rotation, const Eigen::Vector3d& v) noexcept {
         const Eigen::Vector3d u{rotation.x(), rotation.y(), rotation.z()};
         const Eigen::Vector3d across = u.cross(v);
