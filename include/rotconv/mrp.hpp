@@ -12,7 +12,7 @@ namespace rotconv::mrp {
 /// q ~ (1 - |m|^2, 2m), for m of any length. Error: not_finite.
 [[nodiscard]] Reading to_rotation(const Eigen::Vector3d& m) noexcept;
 
-/// m = v/(|q| + w) with w >= 0; the norm is at most 1. Worst error found: 0.94 eps.
+/// m = v/(|q| + w) with w >= 0; the norm is at most 1. Worst error found: 0.99 eps.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (1 + |m|^2)/4.

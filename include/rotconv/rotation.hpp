@@ -72,7 +72,7 @@ public:
     /// The inverse rotation (reference to body). Exact.
     [[nodiscard]] Rotation inverse() const noexcept { return {q_[0], -q_[1], -q_[2], -q_[3]}; }
 
-    /// The composition, R_ref_body = R_ref_a * R_a_body. Worst error found: 2 eps.
+    /// The composition, R_ref_body = R_ref_a * R_a_body. Worst error found: 3.63 eps, limit 4.25.
     friend Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
         return from_components((a.w() * b.w() - a.x() * b.x()) - (a.y() * b.y() + a.z() * b.z()),
                                (a.w() * b.x() + a.x() * b.w()) + (a.y() * b.z() - a.z() * b.y()),
@@ -81,7 +81,7 @@ public:
     }
 
     /// Turns a vector: v_ref = R_ref_body * v_body = v + 2 (w u x v + u x (u x v))/|q|^2 with u = (x, y, z). Worst
-    /// error found: 5 eps of the vector's length.
+    /// error found: 9.24 eps of the vector's length, limit 10.75.
     friend Eigen::Vector3d operator*(const Rotation& rotation, const Eigen::Vector3d& v) noexcept {
         const Eigen::Vector3d u{rotation.x(), rotation.y(), rotation.z()};
         const Eigen::Vector3d across = u.cross(v);

@@ -46,24 +46,12 @@ std::vector<Spec> all_of(const std::string& name, rotconv::AngleUnit unit) {
 
 const std::vector<Way>& ways() {
     static const std::vector<Way> table{
-        {"quat", "quat", 1, 0.8},
-        {"quat", "dcm", 1, 0.82},
-        {"quat", "6d", 1.5, 0.96},
-        {"quat", "5d", 4, 2.4},
-        {"quat", "rotvec", 3, 1.49},
-        {"quat", "axis-angle", 3.5, 1.38},
-        {"quat", "cayley", 1, 0.88},
-        {"quat", "mrp", 1.5, 0.94},
-        {"quat", "euler", 4, 2.66},
-        {"dcm", "quat", 2.5, 2.21},
-        {"6d", "quat", 2.5, 2},
-        {"5d", "quat", 4, 2.14},
-        {"cayley", "quat", 1.5, 0.82},
-        {"mrp", "quat", 2, 1.13},
-        {"euler", "quat", 2.5, 1.97},
-        {"rotvec", "quat", 2.5, 2.09},
-        {"axis-angle", "quat", 2.5, 1.82},
-        {"rotvec", "dcm", 2.5, 1.81},
+        {"quat", "quat", 1, 0.89},     {"quat", "dcm", 1.75, 1.4},         {"quat", "6d", 2.25, 1.9},
+        {"quat", "5d", 5, 4.34},       {"quat", "rotvec", 2, 1.58},        {"quat", "axis-angle", 2, 1.64},
+        {"quat", "cayley", 1, 1},      {"quat", "mrp", 1.25, 0.99},        {"quat", "euler", 5.5, 4.25},
+        {"dcm", "quat", 5, 4.27},      {"6d", "quat", 4.25, 3.53},         {"5d", "quat", 5.25, 4.54},
+        {"cayley", "quat", 1, 0.89},   {"mrp", "quat", 1.5, 1.31},         {"euler", "quat", 4, 3.41},
+        {"rotvec", "quat", 2.5, 2.19}, {"axis-angle", "quat", 2.75, 2.36}, {"rotvec", "dcm", 2.5, 2.14},
     };
     return table;
 }

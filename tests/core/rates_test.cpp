@@ -300,6 +300,63 @@ TEST_CASE("rates of all Euler angles are those of the oracle") {
     }
 }
 
+// Would catch: limits in rates.hpp below what is known. The rows are of a search that changes the numbers of a row as
+// long as the error grows; random rows stay below 3 eps.
+TEST_CASE("the worst rates that are known stay within the limits") {
+    struct KnownRow {
+        std::string text;
+        bool inverse;
+        Frame frame;
+        std::vector<double> numbers, given;
+        double worst; ///< eps; over the condition where that is above 10, and past a half-turn
+    };
+    for (const auto& row : std::vector<KnownRow>{
+             {"mrp",
+              true,
+              Frame::reference,
+              {-0.06234666214334348, 16.046403856227901, -0.50145011303495568},
+              {-0.0039671934617094553, 0.99950040043580612, -0.031349510735469752},
+              10.1},
+             {"euler:yzx:deg",
+              false,
+              Frame::body,
+              {-133.69694812460784, 81.848846435546875, -201.02683303939193},
+              {0.023184532082624481, 0.0040977826959500132, -0.021860536836647845},
+              8.44},
+             {"euler:zyz:deg",
+              false,
+              Frame::reference,
+              {-128, -188.06273980537375, 135.00000022076532},
+              {-1.4251951604271675, -1.4252473281779536, -0.08522054864757074},
+              0.845},
+             {"rotvec",
+              false,
+              Frame::reference,
+              {0.67735858398116577, 4.1138619131270433, 0.015707286338142473},
+              {0.14246707912696455, 0.98763846869451699, 0.0034640189608567363},
+              4.46},
+         }) {
+        const Spec s = spec(row.text);
+        RateReport report;
+        const auto found =
+            run(Rates(s, {.inverse = row.inverse, .frame = row.frame}), joined(row.numbers, row.given), report);
+        const oracle::Vector3 given(row.given[0], row.given[1], row.given[2]);
+        const Vector exact = row.inverse ? Vector(velocity_map(s, row.numbers, row.frame) * given)
+                                         : exact_rates(s, row.numbers, given, row.frame);
+        const double error = relative_error(found, exact);
+        const double condition = std::max(1.0, report.sensitivity.condition);
+        const double length = Eigen::Map<const Eigen::Vector3d>(row.numbers.data()).norm();
+        INFO(row.text << (row.inverse ? " inverse " : " forward ") << condition);
+        if (s.name == RepresentationId::rotvec && length > (s.unit == AngleUnit::degrees ? 180.0 : std::numbers::pi)) {
+            CHECK(error / condition == Approx(row.worst).margin(0.006));
+            CHECK(error <= 5.25 * condition);
+        } else {
+            CHECK(error / (condition > 10 ? condition : 1.0) == Approx(row.worst).margin(0.006));
+            CHECK(error <= std::max(11.75, condition));
+        }
+    }
+}
+
 TEST_CASE("at a singularity there are no rates, and the report says so") {
     const auto error = [](const char* text, const std::vector<double>& numbers, const RateSettings& settings = {}) {
         const Spec s = spec(text);
