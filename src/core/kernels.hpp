@@ -11,6 +11,9 @@ namespace rotconv {
 
 // NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
 
+/// No representation has more.
+inline constexpr std::size_t most_numbers = 9;
+
 /// A quaternion of 106 bits: w, x, y, z in two parts each, as those of Rotation.
 struct ExactQuaternion {
     double hi[4];
@@ -59,8 +62,8 @@ struct KernelTable {
     /// One row to the last bit.
     void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
     /// One row in plain double, q as w, x, y, z.
-    Error (*read_one)(const Spec& spec, const double* numbers, double* q, double& defect) noexcept;
-    DiagnosticSet (*write_one)(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept;
+    Error (*read_one)(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept;
+    DiagnosticSet (*write_one)(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept;
 };
 
 /// That of this processor. All give the same numbers.

@@ -67,9 +67,6 @@ void to_own_order(const Spec& spec, const double* written, std::size_t rows, dou
 /// And back; -0 becomes 0.
 void to_written_order(const Spec& spec, const double* own, std::size_t rows, double* written) noexcept;
 
-/// No representation has more.
-inline constexpr std::size_t most_numbers = 9;
-
 // Codec functions from those for one row, which take what `value_of` makes of the numbers: by default one Eigen matrix
 // of fixed size, which knows neither unit nor sequence.
 
