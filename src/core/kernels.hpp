@@ -44,12 +44,11 @@ struct KernelTable {
     /// From one representation to the other, each number rounded once. `attitudes` become those that are written,
     /// rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers have beside
     /// those written.
-    void (*convert)(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& attitudes,
-                    double* out, double* rest, DiagnosticSet* diagnostics) noexcept;
-    /// The same in plain double.
-    void (*convert_fast)(const ConversionBatch& batch, const double* in, std::size_t rows,
+    using Convert = void(const ConversionBatch& batch, const double* in, std::size_t rows,
                          AttitudeBatch<double>& attitudes, double* out, double* rest,
                          DiagnosticSet* diagnostics) noexcept;
+    Convert* convert;
+    Convert* convert_fast; ///< in plain double
     /// The attitudes that rows describe, rounded once.
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes) noexcept;
     /// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal

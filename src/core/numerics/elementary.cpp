@@ -95,31 +95,13 @@ Steps steps_in_large_radians(double angle) noexcept {
     return binary.is_negative ? Steps{-count, -rest} : Steps{count, rest};
 }
 
-/// Less whole multiples of 360; exact.
-double without_turns(double degrees) noexcept {
-    if (!(__builtin_fabs(degrees) >= 0x1p44)) {
-        return degrees;
-    }
-    const Binary binary(degrees);
-    // 2^exponent is whole from 0 on; below, the digits behind the point are few and stay
-    const unsigned behind = binary.exponent < 0 ? static_cast<unsigned>(-binary.exponent) : 0U;
-    std::uint64_t rest = (binary.digits >> behind) % 360U;
-    for (int i = 0; i < binary.exponent; ++i) {
-        rest = rest * 2 % 360U;
-    }
-    const std::uint64_t fraction = binary.digits & ((std::uint64_t{1} << behind) - 1);
-    const double value =
-        static_cast<double>(rest) + static_cast<double>(fraction) * power_of_two(-static_cast<int>(behind));
-    return binary.is_negative ? -value : value;
-}
-
 Steps steps_in_large(DoubleDouble angle, AngleUnit unit) noexcept {
     if (!(__builtin_fabs(angle.hi) <= 0x1.fffffffffffffp1023)) {
         return {0.0, angle.hi - angle.hi}; // nan
     }
     if (unit == AngleUnit::degrees) {
-        // each part alone, then the sum, which may be a turn more
-        return steps_in_degrees(two_sum(without_turns(angle.hi), without_turns(angle.lo)));
+        // each part alone, exactly, then the sum, which may be a turn more
+        return steps_in_degrees(two_sum(__builtin_fmod(angle.hi, 360.0), __builtin_fmod(angle.lo, 360.0)));
     }
     const Steps high = steps_in_large_radians(angle.hi);
     const Steps low =

@@ -62,17 +62,13 @@ public:
     }
 
     [[nodiscard]] double operator()(double value) const noexcept { return (value * first_) * second_; }
-    [[nodiscard]] double undone(double value) const noexcept { return (value * first_back_) * second_back_; }
+    [[nodiscard]] double undone(double value) const noexcept { return (value / first_) / second_; }
 
 private:
-    PowerOfTwo(int first, int second) noexcept
-        : first_(power_of_two(first)), second_(power_of_two(second)), first_back_(power_of_two(-first)),
-          second_back_(power_of_two(-second)) {}
+    PowerOfTwo(int first, int second) noexcept : first_(power_of_two(first)), second_(power_of_two(second)) {}
 
     double first_;
     double second_;
-    double first_back_;
-    double second_back_;
 };
 
 } // namespace ROTCONV_TARGET

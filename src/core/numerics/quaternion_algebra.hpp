@@ -52,7 +52,7 @@ template <class T> ROTCONV_INLINE void multiply(const T (&a)[4], const T (&b)[4]
     const double square = (w * w + x * x) + (y * y + z * z);
     const double factor = square < 0.25 ? 2.0 : (square >= 4.0 ? 0.5 : 1.0);
     for (std::size_t k = 0; k < 4; ++k) {
-        product[k] = scaled(narrowed<T>(parts[k]), factor);
+        product[k] = scaled(rounded_to<T>(parts[k]), factor);
     }
 }
 

@@ -33,7 +33,7 @@ template <class T> struct AxisVector {
 /// (|v| cos, v sin) of the half angle; of no axis the identity.
 template <class T>
 ROTCONV_INLINE void quaternion_of(const AxisVector<T>& v, const SineCosine<T>& half, T (&q)[4]) noexcept {
-    q[0] = select(sign_of(v.length) == 0.0, T(1.0), narrowed<T>(v.length * half.cosine));
+    q[0] = select(sign_of(v.length) == 0.0, T(1.0), rounded_to<T>(v.length * half.cosine));
     for (std::size_t k = 0; k < 3; ++k) {
         q[k + 1] = half.sine * v.along[k];
     }
@@ -152,11 +152,11 @@ template <class Formula> struct AxisAndAngle {
     template <class T>
     static DiagnosticSet write_one(const Spec& spec, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
         const AxisHalfAngle<T> part(q);
-        const Precise<T> half = angle_of(part.q[0], narrowed<T>(part.length), spec.unit);
+        const Precise<T> half = angle_of(part.q[0], rounded_to<T>(part.length), spec.unit);
         Precise<T> result[size];
         Formula::numbers_of(part.q, part.length, scaled(half, 2.0), result);
         for (std::size_t k = 0; k < size; ++k) {
-            numbers[k] = narrowed<T>(result[k]);
+            numbers[k] = rounded_to<T>(result[k]);
         }
         return Formula::diagnostics_of(part.q);
     }

@@ -86,10 +86,6 @@ angular_velocity_of(const Spec& spec, const double* numbers, const double* rates
     return angular_velocity(value_of(spec, numbers), Eigen::Map<const Numbers>(rates), frame);
 }
 
-template <class Numbers, auto defect> double defect_of(const double* numbers) noexcept {
-    return defect(Eigen::Map<const Numbers>(numbers));
-}
-
 /// A reading, or the error `defect` where its defect, `exact_defect()` in full, is above the tolerance.
 template <class Defect> Reading within(const Reading& reading, double tolerance, const Defect& exact_defect) noexcept {
     if (!reading || reading.defect() <= tolerance) {

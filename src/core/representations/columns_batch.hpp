@@ -9,11 +9,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-/// The sum of the squares of what columns lack of being orthonormal, up to which their defect is not worked out.
-inline constexpr double clean_square = 0x1p-58;
-/// A bound on that defect.
-inline constexpr double clean_defect = 0x1p-27;
-
 // NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
 
 /// Kernels that read two columns, by Gram-Schmidt, of a class Formula as of kernel.hpp with the functions
@@ -45,7 +40,7 @@ template <class Formula> struct ColumnsKernel {
         return normal[0].is_zero() && normal[1].is_zero() && normal[2].is_zero();
     }
 
-    /// See clean_square.
+    /// The sum of the squares of what the columns lack of being orthonormal.
     ROTCONV_INLINE static double lacking(const double (&numbers)[size]) noexcept {
         double m[6];
         Formula::columns(numbers, m);

@@ -17,9 +17,6 @@ struct Matrix {
 
 /// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
 constexpr double near_rotation = 0.05;
-/// The square of the distance below up to which one power step serves, and a bound on the defect of such a matrix.
-constexpr double clean_square = 0x1p-58;
-constexpr double clean_defect = 0x1p-27;
 
 /// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
 /// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.

@@ -21,8 +21,8 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBat
         }
         sine_cosine(half, rows, spec.unit, cosines[turn], sines[turn]);
     }
-    Column<T>* const columns[] = {&attitudes[0], &attitudes[1 + axes.i], &attitudes[1 + axes.j],
-                                  &attitudes[1 + axes.k]};
+    Column<T>* const columns[] = {&attitudes.columns[0], &attitudes.columns[1 + axes.i], &attitudes.columns[1 + axes.j],
+                                  &attitudes.columns[1 + axes.k]};
     for (std::size_t i = 0; i < rows; ++i) {
         const SineCosine<T> turns[3] = {
             {sines[0][i], cosines[0][i]}, {sines[1][i], cosines[1][i]}, {sines[2][i], cosines[2][i]}};
@@ -62,8 +62,8 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
                               double* numbers, double* rest, DiagnosticSet* diagnostics) noexcept {
     const FixedAxes axes(spec.sequence);
     const LockLimit limit(lock_margin);
-    const Column<T>* const columns[] = {&attitudes[0], &attitudes[1 + axes.i], &attitudes[1 + axes.j],
-                                        &attitudes[1 + axes.k]};
+    const Column<T>* const columns[] = {&attitudes.columns[0], &attitudes.columns[1 + axes.i],
+                                        &attitudes.columns[1 + axes.j], &attitudes.columns[1 + axes.k]};
     const auto get = [&](std::size_t i, T(&q)[4]) {
         for (std::size_t k = 0; k < 4; ++k) {
             q[k] = (*columns[k])[i];
@@ -133,9 +133,9 @@ template <class T> DiagnosticSet write_one(const Spec& spec, double lock_margin,
     const auto angle = [&](const Vector<T>& vector) { return angle_of(vector.x, vector.y, spec.unit); };
     const auto middle = lock.locked ? Precise<T>(lock.upper ? ranges.upper : ranges.lower)
                                     : scaled(angle(vectors.middle), ranges.middle_factor);
-    numbers[axes.places[0]] = narrowed<T>(ranges.outer(angle(vectors.first)));
-    numbers[1] = narrowed<T>(middle);
-    numbers[axes.places[2]] = narrowed<T>(ranges.outer(angle(vectors.third)));
+    numbers[axes.places[0]] = rounded_to<T>(ranges.outer(angle(vectors.first)));
+    numbers[1] = rounded_to<T>(middle);
+    numbers[axes.places[2]] = rounded_to<T>(ranges.outer(angle(vectors.third)));
     return lock.diagnostics();
 }
 

@@ -11,7 +11,7 @@ struct Mrp {
     /// (1 - |m|^2, 2 m).
     template <class T> ROTCONV_INLINE static void quaternion_of(const double* m, T (&q)[4]) noexcept {
         const Precise<T> square = sum_of_squares(T(m[0]), T(m[1]), T(m[2]));
-        q[0] = narrowed<T>(Precise<T>(1.0) - square);
+        q[0] = rounded_to<T>(Precise<T>(1.0) - square);
         for (std::size_t k = 0; k < 3; ++k) {
             q[k + 1] = scaled(T(m[k]), 2.0);
         }
@@ -28,7 +28,7 @@ struct Mrp {
         const Precise<T> norm = root(sloppy_sum(square(w), square(length)));
         const Precise<T> inverse = scaled(Precise<T>(1.0) / sloppy_sum(norm, w), sign);
         for (std::size_t k = 0; k < 3; ++k) {
-            m[k] = narrowed<T>(inverse * q[k + 1]);
+            m[k] = rounded_to<T>(inverse * q[k + 1]);
         }
     }
     template <class T> ROTCONV_INLINE static DiagnosticSet complete(const T (&q)[4], double* /*m*/) noexcept {
