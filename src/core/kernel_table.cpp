@@ -1,5 +1,3 @@
-#include <array>
-
 #include "kernels.hpp"
 
 namespace rotconv {
@@ -19,16 +17,20 @@ const KernelTable& kernel_table() noexcept {
 #endif
 }
 
+// NOLINTBEGIN(*-avoid-c-arrays)
+
 Reading read_row(const Spec& spec, const double* numbers) noexcept {
-    std::array<double, 4> q{};
+    double q[4];
     double defect = 0.0;
-    const Error error = kernel_table().read_one(spec, numbers, q.data(), defect);
+    const Error error = kernel_table().read_one(spec, numbers, q, defect);
     return error == Error::none ? Reading(Rotation::near_unit(q[0], q[1], q[2], q[3]), defect) : Reading(error);
 }
 
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin) noexcept {
-    const std::array<double, 4> q{rotation.w(), rotation.x(), rotation.y(), rotation.z()};
-    return kernel_table().write_one(spec, lock_margin, q.data(), numbers);
+    const double q[] = {rotation.w(), rotation.x(), rotation.y(), rotation.z()};
+    return kernel_table().write_one(spec, lock_margin, q, numbers);
 }
+
+// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace rotconv

@@ -7,7 +7,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-constexpr std::size_t most_numbers = 9;
+// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
 
 const Kernel& kernel_of(RepresentationId name) noexcept {
 #define ROTCONV_LINE(id) &kernels::id,
@@ -24,83 +24,104 @@ template <class T> const BatchKernel<T>& batch_kernel_of(RepresentationId name) 
     }
 }
 
-template <class T> T component_of(const ExactQuaternion& q, std::size_t k) noexcept {
-    return rounded_to<T>(DoubleDouble(q.hi[k], q.lo[k]));
+// Of one attitude, in any scalar.
+
+/// b q or q b.
+template <class T> ROTCONV_INLINE void turn(const T (&by)[4], bool from_the_left, T (&q)[4]) noexcept {
+    const T own[4] = {q[0], q[1], q[2], q[3]};
+    multiply(from_the_left ? by : own, from_the_left ? own : by, q);
+}
+/// By what there may be.
+template <class T> ROTCONV_INLINE void turn(const ExactQuaternion* by, bool from_the_left, T (&q)[4]) noexcept {
+    if (by != nullptr) {
+        T constant[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            constant[k] = rounded_to<T>(DoubleDouble(by->hi[k], by->lo[k]));
+        }
+        turn(constant, from_the_left, q);
+    }
+}
+/// R_REF' R or R R_REF'.
+template <class T> ROTCONV_INLINE void relate(const T (&reference)[4], Frame frame, T (&q)[4]) noexcept {
+    turn({-reference[0], reference[1], reference[2], reference[3]}, frame == Frame::body, q);
 }
 
+// Of a batch.
+
 template <class T>
-void turn(const ExactQuaternion& by, bool from_the_left, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
-    const T constant[4] = {component_of<T>(by, 0), component_of<T>(by, 1), component_of<T>(by, 2),
-                           component_of<T>(by, 3)};
-    for (std::size_t i = 0; i < rows; ++i) {
-        T own[4];
-        T product[4];
-        attitudes.get(i, own);
-        multiply(from_the_left ? constant : own, from_the_left ? own : constant, product);
-        attitudes.set(i, product);
+void turn(const ExactQuaternion* by, bool from_the_left, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
+    for (std::size_t i = 0; i < rows && by != nullptr; ++i) {
+        T q[4];
+        attitudes.get(i, q);
+        turn(by, from_the_left, q);
+        attitudes.set(i, q);
     }
 }
 
 template <class T> void invert(AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
-        attitudes.w.set(i, -attitudes.w[i]);
+        attitudes[0].set(i, -attitudes[0][i]);
     }
 }
 
-/// The attitudes that rows describe.
+template <class T> void relate(const AttitudeBatch<T>& attitudes, const AttitudeBatch<T>& references, Frame frame,
+                               std::size_t rows, AttitudeBatch<T>& relative) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        T q[4];
+        T reference[4];
+        attitudes.get(i, q);
+        references.get(i, reference);
+        relate(reference, frame, q);
+        relative.set(i, q);
+        relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
+    }
+}
+
 template <class T>
-void read_upright(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
-    batch_kernel_of<T>(spec.name).read(spec, numbers, rows, attitudes);
-    if (spec.passive) {
-        invert(attitudes, rows);
+void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<double>& rounded) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            rounded[k].set(i, attitudes[k].hi[i]);
+        }
+        rounded.defect[i] = attitudes.defect[i];
+        rounded.error[i] = attitudes.error[i];
     }
 }
 
-bool all_plain_numbers(const double* numbers, std::size_t count) noexcept {
-    bool all = true;
+// Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
+
+/// No branch: the loop vectorises.
+template <bool (*is_plain)(double) noexcept> bool all(const double* numbers, std::size_t count) noexcept {
+    bool found = true;
     for (std::size_t i = 0; i < count; ++i) {
-        all = all & is_plain_number(numbers[i]); // no branch: the loop vectorises
+        found = found & is_plain(numbers[i]);
     }
-    return all;
+    return found;
 }
 
-bool all_plain_components(const double* components, std::size_t count) noexcept {
-    bool all = true;
-    for (std::size_t i = 0; i < count; ++i) {
-        all = all & is_plain_component(components[i]);
-    }
-    return all;
+bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows) noexcept {
+    return kernel_of(spec.name).reading_is_exact || all<is_plain_number>(numbers, rows * spec.size());
 }
 
-template <class T> bool is_plain(const AttitudeBatch<T>& attitudes, std::size_t row) noexcept {
-    return is_plain_component(attitudes.w.hi[row]) && is_plain_component(attitudes.x.hi[row]) &&
-           is_plain_component(attitudes.y.hi[row]) && is_plain_component(attitudes.z.hi[row]);
+template <class T> bool all_plain(const AttitudeBatch<T>& attitudes, std::size_t first, std::size_t rows) noexcept {
+    const auto is_plain = [&](std::size_t k) { return all<is_plain_component>(attitudes[k].hi + first, rows); };
+    return is_plain(0) && is_plain(1) && is_plain(2) && is_plain(3);
 }
 
-/// All rows of a batch, of which most have nothing but plain numbers and attitudes.
-template <class T> bool all_plain(const AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
-    return all_plain_components(attitudes.w.hi, rows) && all_plain_components(attitudes.x.hi, rows) &&
-           all_plain_components(attitudes.y.hi, rows) && all_plain_components(attitudes.z.hi, rows);
-}
-
-/// Calls careful(i) for each row without error that the batch kernels do not serve, because one of its numbers or the
-/// attitude that came of them is not plain.
-template <class T, class Careful> void for_each_careful_row(const Spec& spec, const double* numbers,
-                                                            const AttitudeBatch<T>& attitudes, std::size_t rows,
-                                                            const Careful& careful) noexcept {
-    const std::size_t size = kernel_of(spec.name).reading_is_exact ? 0 : spec.size();
-    if (all_plain(attitudes, rows) && all_plain_numbers(numbers, rows * size)) {
+/// Calls careful(i) for each row without error that is one of them.
+template <class T, class Function> void for_each_careful_row(const Spec& spec, const double* numbers,
+                                                             const AttitudeBatch<T>& attitudes, std::size_t rows,
+                                                             const Function& careful) noexcept {
+    if (all_plain(attitudes, 0, rows) && all_plain_numbers(spec, numbers, rows)) {
         return;
     }
     for (std::size_t i = 0; i < rows; ++i) {
         if (attitudes.error[i] == Error::none &&
-            !(is_plain(attitudes, i) && all_plain_numbers(numbers + i * size, size))) {
+            !(all_plain(attitudes, i, 1) && all_plain_numbers(spec, numbers + i * spec.size(), 1))) {
             careful(i);
         }
     }
 }
-
-using Careful = ScaledDoubleDouble;
 
 /// The attitude of a row, or its inverse, its largest component of size 1/2 to 1.
 void read_carefully(const Spec& spec, const double* numbers, bool inverse, Careful (&q)[4]) noexcept {
@@ -113,16 +134,6 @@ void read_carefully(const Spec& spec, const double* numbers, bool inverse, Caref
         component = component.shifted(-1 - largest);
     }
     q[0] = inverse ? -q[0] : q[0];
-}
-
-void turn_carefully(const ExactQuaternion* by, bool from_the_left, Careful (&q)[4]) noexcept {
-    if (by == nullptr) {
-        return;
-    }
-    const Careful constant[4] = {component_of<Careful>(*by, 0), component_of<Careful>(*by, 1),
-                                 component_of<Careful>(*by, 2), component_of<Careful>(*by, 3)};
-    const Careful own[4] = {q[0], q[1], q[2], q[3]};
-    multiply(from_the_left ? constant : own, from_the_left ? own : constant, q);
 }
 
 DiagnosticSet write_carefully(const Spec& spec, double lock_margin, const Careful (&q)[4], double* numbers,
@@ -139,18 +150,11 @@ DiagnosticSet write_carefully(const Spec& spec, double lock_margin, const Carefu
     return diagnostics;
 }
 
-void set_rounded(AttitudeBatch<double>& attitudes, std::size_t row, const Careful (&q)[4]) noexcept {
-    attitudes.set(row, q[0].rounded(), q[1].rounded(), q[2].rounded(), q[3].rounded());
+void set_rounded(const Careful (&q)[4], std::size_t row, AttitudeBatch<double>& attitudes) noexcept {
+    attitudes.set(row, {q[0].rounded(), q[1].rounded(), q[2].rounded(), q[3].rounded()});
 }
 
-template <class T>
-void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<double>& rounded) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        rounded.set(i, attitudes.w.hi[i], attitudes.x.hi[i], attitudes.y.hi[i], attitudes.z.hi[i]);
-        rounded.defect[i] = attitudes.defect[i];
-        rounded.error[i] = attitudes.error[i];
-    }
-}
+// The functions of the table.
 
 template <class T> void convert(const ConversionBatch& batch, const double* in, std::size_t rows,
                                 AttitudeBatch<double>& rounded, double* out, double* rest,
@@ -163,12 +167,8 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     if (inverse) {
         invert(attitudes, rows);
     }
-    if (batch.left != nullptr) {
-        turn(*batch.left, true, attitudes, rows);
-    }
-    if (batch.right != nullptr) {
-        turn(*batch.right, false, attitudes, rows);
-    }
+    turn(batch.left, true, attitudes, rows);
+    turn(batch.right, false, attitudes, rows);
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
     round(attitudes, rows, rounded);
     for_each_careful_row(from, in, attitudes, rows, [&](std::size_t i) {
@@ -177,11 +177,25 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
         }
         Careful q[4];
         read_carefully(from, in + i * from.size(), inverse, q);
-        turn_carefully(batch.left, true, q);
-        turn_carefully(batch.right, false, q);
+        turn(batch.left, true, q);
+        turn(batch.right, false, q);
         diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
                                          rest == nullptr ? nullptr : rest + i * to.size());
-        set_rounded(rounded, i, q);
+        set_rounded(q, i, rounded);
+    });
+}
+
+/// The attitudes that rows describe, to 106 bits.
+void read_upright(const Spec& spec, const double* numbers, std::size_t rows,
+                  AttitudeBatch<DoubleDouble>& attitudes) noexcept {
+    kernel_of(spec.name).exact.read(spec, numbers, rows, attitudes);
+    if (spec.passive) {
+        invert(attitudes, rows);
+    }
+    for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
+        Careful q[4];
+        read_carefully(spec, numbers + i * spec.size(), spec.passive, q);
+        attitudes.set(i, {q[0].rounded_parts(), q[1].rounded_parts(), q[2].rounded_parts(), q[3].rounded_parts()});
     });
 }
 
@@ -189,104 +203,60 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBat
     AttitudeBatch<DoubleDouble> attitudes;
     read_upright(spec, numbers, rows, attitudes);
     round(attitudes, rows, rounded);
-    for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
-        Careful q[4];
-        read_carefully(spec, numbers + i * spec.size(), spec.passive, q);
-        set_rounded(rounded, i, q);
-    });
 }
 
-/// The factors of R_REF' R or R R_REF', of which the reference's is inverted.
-template <class T> void relate_row(const T (&own)[4], T (&reference)[4], Frame frame, T (&relative)[4]) noexcept {
-    reference[0] = -reference[0];
-    const bool from_the_left = frame == Frame::body;
-    multiply(from_the_left ? reference : own, from_the_left ? own : reference, relative);
+void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept {
+    AttitudeBatch<DoubleDouble> attitudes;
+    read_upright(spec, numbers, 1, attitudes);
+    for (std::size_t k = 0; k < 4; ++k) {
+        attitude.hi[k] = attitudes[k].hi[0];
+        attitude.lo[k] = attitudes[k].lo[0];
+    }
 }
 
-void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
-            std::size_t rows, AttitudeBatch<double>& relative) noexcept {
+void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
+                    std::size_t rows, AttitudeBatch<double>& relative) noexcept {
+    relate(attitudes, references, frame, rows, relative);
     for (std::size_t i = 0; i < rows; ++i) {
-        double own[4];
-        double reference[4];
-        double product[4];
-        attitudes.get(i, own);
-        references.get(i, reference);
-        relate_row(own, reference, frame, product);
-        relative.set(i, product);
-    }
-    if (all_plain(attitudes, rows) && all_plain(references, rows)) {
-        return;
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        if (!is_plain(attitudes, i) || !is_plain(references, i)) {
-            Careful own[4] = {attitudes.w[i], attitudes.x[i], attitudes.y[i], attitudes.z[i]};
-            Careful reference[4] = {references.w[i], references.x[i], references.y[i], references.z[i]};
-            Careful product[4];
-            relate_row(own, reference, frame, product);
-            set_rounded(relative, i, product);
+        if (!all_plain(attitudes, i, 1) || !all_plain(references, i, 1)) {
+            Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};
+            const Careful other[4] = {references[0][i], references[1][i], references[2][i], references[3][i]};
+            relate(other, frame, q);
+            set_rounded(q, i, relative);
         }
     }
 }
 
 void write_relative(const RelativeBatch& batch, const double* in, const double* reference, std::size_t rows,
                     double* out, DiagnosticSet* diagnostics) noexcept {
+    const Spec& from = *batch.from;
     const Spec& to = *batch.to;
     AttitudeBatch<DoubleDouble> attitudes;
     AttitudeBatch<DoubleDouble> references;
     AttitudeBatch<DoubleDouble> relative;
-    read_upright(*batch.from, in, rows, attitudes);
+    read_upright(from, in, rows, attitudes);
     read_upright(*batch.reference, reference, rows, references);
-    for (std::size_t i = 0; i < rows; ++i) {
-        DoubleDouble own[4];
-        DoubleDouble other[4];
-        DoubleDouble product[4];
-        attitudes.get(i, own);
-        references.get(i, other);
-        relate_row(own, other, batch.frame, product);
-        relative.set(i, product);
-        relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
-    }
+    relate(attitudes, references, batch.frame, rows, relative);
     if (to.passive) {
         invert(relative, rows);
     }
-    batch_kernel_of<DoubleDouble>(to.name).write(to, batch.lock_margin, relative, rows, out, nullptr, diagnostics);
+    kernel_of(to.name).exact.write(to, batch.lock_margin, relative, rows, out, nullptr, diagnostics);
     const auto careful = [&](std::size_t i) {
-        Careful own[4];
+        Careful q[4];
         Careful other[4];
-        Careful product[4];
-        read_carefully(*batch.from, in + i * batch.from->size(), batch.from->passive, own);
+        read_carefully(from, in + i * from.size(), from.passive, q);
         read_carefully(*batch.reference, reference + i * batch.reference->size(), batch.reference->passive, other);
-        relate_row(own, other, batch.frame, product);
-        product[0] = to.passive ? -product[0] : product[0];
-        diagnostics[i] = write_carefully(to, batch.lock_margin, product, out + i * to.size(), nullptr);
+        relate(other, batch.frame, q);
+        q[0] = to.passive ? -q[0] : q[0];
+        diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(), nullptr);
     };
-    for_each_careful_row(*batch.from, in, relative, rows, careful);
+    for_each_careful_row(from, in, relative, rows, careful);
     for_each_careful_row(*batch.reference, reference, relative, rows, careful);
 }
 
-void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept {
-    AttitudeBatch<DoubleDouble> attitudes;
-    read_upright(spec, numbers, 1, attitudes);
-    DoubleDouble q[4];
-    attitudes.get(0, q);
-    for_each_careful_row(spec, numbers, attitudes, 1, [&](std::size_t /*row*/) {
-        Careful careful[4];
-        read_carefully(spec, numbers, spec.passive, careful);
-        for (std::size_t k = 0; k < 4; ++k) {
-            q[k] = careful[k].rounded_parts();
-        }
-    });
-    for (std::size_t k = 0; k < 4; ++k) {
-        attitude.hi[k] = q[k].hi;
-        attitude.lo[k] = q[k].lo;
-    }
-}
-
-Error read_one(const Spec& spec, const double* numbers, double* q, double& defect) noexcept {
-    const Kernel& kernel = kernel_of(spec.name);
-    const Error error = kernel.one.read(spec, numbers, q, defect);
-    const bool is_plain = kernel.reading_is_exact || all_plain_numbers(numbers, spec.size());
-    if (error == Error::none && !is_plain) [[unlikely]] {
+Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
+    const Error error = kernel_of(spec.name).one.read(spec, numbers, q, defect);
+    if (error == Error::none && !all_plain_numbers(spec, numbers, 1)) [[unlikely]] {
         Careful careful[4];
         read_carefully(spec, numbers, false, careful);
         for (std::size_t k = 0; k < 4; ++k) {
@@ -296,12 +266,14 @@ Error read_one(const Spec& spec, const double* numbers, double* q, double& defec
     return error;
 }
 
-DiagnosticSet write_one(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept {
-    if (!all_plain_components(q, 4)) [[unlikely]] {
+DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept {
+    if (!all<is_plain_component>(q, 4)) [[unlikely]] {
         return write_carefully(spec, lock_margin, {q[0], q[1], q[2], q[3]}, numbers, nullptr);
     }
     return kernel_of(spec.name).one.write(spec, lock_margin, q, numbers);
 }
+
+// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace
 } // namespace ROTCONV_TARGET
@@ -313,7 +285,7 @@ extern const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET);
 constinit const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET){.convert = convert<DoubleDouble>,
                                                                .convert_fast = convert<double>,
                                                                .read = read,
-                                                               .relate = relate,
+                                                               .relate = relate_rounded,
                                                                .write_relative = write_relative,
                                                                .read_exactly = read_exactly,
                                                                .read_one = read_one,

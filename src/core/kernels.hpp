@@ -11,6 +11,9 @@ namespace rotconv {
 
 // NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
 
+/// No representation has more.
+inline constexpr std::size_t most_numbers = 9;
+
 /// A quaternion of 106 bits: w, x, y, z in two parts each, as those of Rotation.
 struct ExactQuaternion {
     double hi[4];
@@ -41,12 +44,11 @@ struct KernelTable {
     /// From one representation to the other, each number rounded once. `attitudes` become those that are written,
     /// rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers have beside
     /// those written.
-    void (*convert)(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& attitudes,
-                    double* out, double* rest, DiagnosticSet* diagnostics) noexcept;
-    /// The same in plain double.
-    void (*convert_fast)(const ConversionBatch& batch, const double* in, std::size_t rows,
+    using Convert = void(const ConversionBatch& batch, const double* in, std::size_t rows,
                          AttitudeBatch<double>& attitudes, double* out, double* rest,
                          DiagnosticSet* diagnostics) noexcept;
+    Convert* convert;
+    Convert* convert_fast; ///< in plain double
     /// The attitudes that rows describe, rounded once.
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes) noexcept;
     /// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal
@@ -59,8 +61,8 @@ struct KernelTable {
     /// One row to the last bit.
     void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
     /// One row in plain double, q as w, x, y, z.
-    Error (*read_one)(const Spec& spec, const double* numbers, double* q, double& defect) noexcept;
-    DiagnosticSet (*write_one)(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept;
+    Error (*read_one)(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept;
+    DiagnosticSet (*write_one)(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept;
 };
 
 /// That of this processor. All give the same numbers.

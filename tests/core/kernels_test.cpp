@@ -88,8 +88,8 @@ bool are_same(const Answers& a, const Answers& b, std::size_t row, std::size_t s
     const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0 || (x == 0.0 && y == 0.0); };
     bool all =
         a.attitudes.error[row] != rotconv::Error::none ||
-        (same(a.attitudes.defect[row], b.attitudes.defect[row]) && same(a.attitudes.w.hi[row], b.attitudes.w.hi[row]) &&
-         same(a.attitudes.x.hi[row], b.attitudes.x.hi[row]));
+        (same(a.attitudes.defect[row], b.attitudes.defect[row]) &&
+         same(a.attitudes[0].hi[row], b.attitudes[0].hi[row]) && same(a.attitudes[1].hi[row], b.attitudes[1].hi[row]));
     for (std::size_t k = 0; k < size && a.attitudes.error[row] == rotconv::Error::none; ++k) {
         all = all && same(a.numbers.at(row * size + k), b.numbers.at(row * size + k));
     }

@@ -1,46 +1,32 @@
 #include "determinant_sign.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "power_of_two.hpp"
 
 namespace rotconv {
 namespace {
 
 __extension__ using Uint128 = unsigned __int128;
 
-/// A double as whole digits times a power of two.
-struct Digits {
-    explicit Digits(double value) noexcept {
-        const auto bits = std::bit_cast<std::uint64_t>(value);
-        const auto biased = static_cast<unsigned>(bits >> 52U) & 0x7ffU;
-        const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52U) - 1);
-        whole = biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52U);
-        place = biased == 0 ? 1 : biased;
-        negative = (bits >> 63U) != 0;
-    }
-
-    std::uint64_t whole;
-    unsigned place; ///< the power, from that of the smallest number on, at 1
-    bool negative;
-};
-
 /// The exact sum of products of three doubles: a number wide enough for all of them (Kulisch 1981), as two's complement
 /// in words of rising weight.
 class ExactSum {
 public:
     void add_product(double a, double b, double c, bool subtracts) noexcept {
-        const Digits x(a);
-        const Digits y(b);
-        const Digits z(c);
-        const Uint128 xy = static_cast<Uint128>(x.whole) * y.whole;
-        const Uint128 low = static_cast<Uint128>(static_cast<std::uint64_t>(xy)) * z.whole;
-        const Uint128 high = (xy >> 64U) * z.whole + (low >> 64U);
+        const Binary x(a);
+        const Binary y(b);
+        const Binary z(c);
+        const Uint128 xy = static_cast<Uint128>(x.digits) * y.digits;
+        const Uint128 low = static_cast<Uint128>(static_cast<std::uint64_t>(xy)) * z.digits;
+        const Uint128 high = (xy >> 64U) * z.digits + (low >> 64U);
         const std::array<std::uint64_t, 3> product{static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high),
                                                    static_cast<std::uint64_t>(high >> 64U)};
-        add(product, x.place + y.place + z.place, (x.negative != y.negative) != (z.negative != subtracts));
+        add(product, static_cast<unsigned>(x.exponent + y.exponent + z.exponent + 3 * 1074),
+            (x.is_negative != y.is_negative) != (z.is_negative != subtracts));
     }
     [[nodiscard]] int sign() const noexcept {
         if ((words_.back() >> 63U) != 0) {
@@ -50,7 +36,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t words = (3 * 2046 + 3 * 53) / 64 + 2;
+    static constexpr std::size_t words = (3 * 2046 + 3 * 53) / 64 + 2; // from a third power of the smallest number on
 
     void add(const std::array<std::uint64_t, 3>& digits, unsigned place, bool negative) noexcept {
         const unsigned shift = place % 64U;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 // The kernels (../representations/*_batch.cpp, ../kernels.cpp) and the elementary functions are compiled twice where
 // that pays: for every processor, and for those that have fused multiply-add as an instruction. Each time they have a
@@ -154,15 +155,10 @@ ROTCONV_INLINE DoubleDouble select(bool condition, DoubleDouble yes, DoubleDoubl
 // The same for doubles, so that a formula may be written once for both: each rounds once.
 
 ROTCONV_INLINE double sloppy_sum(double a, double b) noexcept { return a + b; }
-ROTCONV_INLINE double sloppy_sum_ordered(double a, double b) noexcept { return a + b; }
 ROTCONV_INLINE double scaled(double a, double power_of_two) noexcept { return a * power_of_two; }
 ROTCONV_INLINE double root(double a) noexcept { return __builtin_sqrt(a); }
 ROTCONV_INLINE double square(double a) noexcept { return a * a; }
 ROTCONV_INLINE double select(bool condition, double yes, double no) noexcept { return condition ? yes : no; }
-
-/// a^2 to 106 bits; of a double exactly.
-ROTCONV_INLINE DoubleDouble exact_square(double a) noexcept { return two_prod(a, a); }
-ROTCONV_INLINE DoubleDouble exact_square(DoubleDouble a) noexcept { return a * a; }
 
 /// The nearest double.
 ROTCONV_INLINE double to_double(double a) noexcept { return a; }
@@ -179,9 +175,13 @@ ROTCONV_INLINE bool is_at_most(DoubleDouble a, DoubleDouble b) noexcept {
 }
 
 /// A number in as many digits as T has.
-template <class T> ROTCONV_INLINE T rounded_to(DoubleDouble a) noexcept = delete;
-template <> ROTCONV_INLINE double rounded_to<double>(DoubleDouble a) noexcept { return a.hi; }
-template <> ROTCONV_INLINE DoubleDouble rounded_to<DoubleDouble>(DoubleDouble a) noexcept { return a; }
+template <class T, class Number> ROTCONV_INLINE T rounded_to(const Number& a) noexcept {
+    if constexpr (std::is_same_v<T, double>) {
+        return to_double(a);
+    } else {
+        return a;
+    }
+}
 
 /// The scalars of a formula over T.
 template <class T> struct Scalars {
@@ -192,10 +192,6 @@ template <class T> struct Scalars {
 template <class T> using Precise = typename Scalars<T>::Precise;
 /// Of the numbers that are read.
 template <class T> using Given = typename Scalars<T>::Given;
-
-/// A precise result in as many digits as T has.
-template <class T> ROTCONV_INLINE T narrowed(const Precise<T>& a) noexcept { return a; }
-template <> ROTCONV_INLINE double narrowed<double>(const DoubleDouble& a) noexcept { return a.hi; }
 
 /// a b, of doubles without a rounding.
 ROTCONV_INLINE DoubleDouble precise_product(double a, double b) noexcept { return two_prod(a, b); }

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-#include "trigonometric_tables.hpp"
+#include "power_of_two.hpp"
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-constexpr SineTable sine_table;
+constexpr TurnTable turn_table;
 constexpr ArcTangentTable arc_tangent_table;
 
 /// The binary digits of 1/pi behind the point.
@@ -61,24 +61,10 @@ ROTCONV_INLINE Steps steps_in_degrees(DoubleDouble angle) noexcept {
     return {count, two_sum(angle.hi - count * step_in_degrees, angle.lo) * exact_radians_per_degree};
 }
 
-struct Binary {
-    std::uint64_t digits; ///< below 2^53
-    int exponent;         ///< |value| = digits 2^exponent
-    bool negative;
-};
-
-/// Of a normal number.
-Binary binary_of(double value) noexcept {
-    std::uint64_t bits = 0;
-    __builtin_memcpy(&bits, &value, sizeof bits);
-    return {(bits & ((std::uint64_t{1} << 52U) - 1)) | (std::uint64_t{1} << 52U),
-            static_cast<int>((bits >> 52U) & 0x7ffU) - 1075, (bits >> 63U) != 0};
-}
-
 /// Of any double of 1 or more: the digits of angle/(2 pi) behind the point, by way of 320 digits of 1/pi (Payne and
 /// Hanek 1983).
 Steps steps_in_large_radians(double angle) noexcept {
-    const Binary binary = binary_of(angle);
+    const Binary binary(angle);
     constexpr int words = 5;
     std::uint64_t fraction[words]; // of 1/(2 pi) times 2^exponent, in words of falling weight
     for (int i = 0; i < words; ++i) {
@@ -97,54 +83,30 @@ Steps steps_in_large_radians(double angle) noexcept {
         carry = static_cast<std::uint64_t>(product >> 64U);
     }
     const auto count = static_cast<double>(((fraction[0] >> 1U) + (std::uint64_t{1} << 55U)) >> 56U);
-    const auto signed_first = static_cast<std::int64_t>(fraction[0] << 7U); // of the rest, in units of 2^-64 step
-    DoubleDouble rest = 0.0;
-    for (int i = words - 1; i > 0; --i) {
-        const std::uint64_t shifted =
-            i + 1 < words ? (fraction[i] << 7U) | (fraction[i + 1] >> 57U) : fraction[i] << 7U;
-        rest = rest +
-               scaled(two_sum(static_cast<double>(shifted >> 32U) * 0x1p32, static_cast<double>(shifted & 0xffffffffU)),
-                      power_of_two(-64 * (i + 1)));
+    DoubleDouble rest = 0.0; // in steps, from half a step below 0 on
+    for (int i = words - 1; i >= 0; --i) {
+        const std::uint64_t word = (fraction[i] << 7U) | (i + 1 < words ? fraction[i + 1] >> 57U : 0U);
+        const double high =
+            i == 0 ? static_cast<double>(static_cast<std::int64_t>(word) >> 32U) : static_cast<double>(word >> 32U);
+        rest =
+            rest + scaled(two_sum(high * 0x1p32, static_cast<double>(word & 0xffffffffU)), power_of_two(-64 * (i + 1)));
     }
-    const auto with_carry = static_cast<std::int64_t>(static_cast<std::uint64_t>(signed_first) | (fraction[1] >> 57U));
-    rest = rest + scaled(two_sum(static_cast<double>(with_carry >> 32) * 0x1p32,
-                                 static_cast<double>(static_cast<std::uint64_t>(with_carry) & 0xffffffffU)),
-                         0x1p-64);
     rest = rest * step;
-    return binary.negative ? Steps{-count, -rest} : Steps{count, rest};
+    return binary.is_negative ? Steps{-count, -rest} : Steps{count, rest};
 }
-
-/// Less whole multiples of 360; exact.
-double without_turns(double degrees) noexcept {
-    if (!(__builtin_fabs(degrees) >= 0x1p44)) {
-        return degrees;
-    }
-    const Binary binary = binary_of(degrees);
-    // 2^exponent is whole from 0 on; below, the digits behind the point are few and stay
-    const unsigned behind = binary.exponent < 0 ? static_cast<unsigned>(-binary.exponent) : 0U;
-    std::uint64_t rest = (binary.digits >> behind) % 360U;
-    for (int i = 0; i < binary.exponent; ++i) {
-        rest = rest * 2 % 360U;
-    }
-    const std::uint64_t fraction = binary.digits & ((std::uint64_t{1} << behind) - 1);
-    const double value =
-        static_cast<double>(rest) + static_cast<double>(fraction) * power_of_two(-static_cast<int>(behind));
-    return binary.negative ? -value : value;
-}
-
-Steps sum_of(Steps a, Steps b) noexcept { return {a.count + b.count, a.rest + b.rest}; }
 
 Steps steps_in_large(DoubleDouble angle, AngleUnit unit) noexcept {
     if (!(__builtin_fabs(angle.hi) <= 0x1.fffffffffffffp1023)) {
         return {0.0, angle.hi - angle.hi}; // nan
     }
     if (unit == AngleUnit::degrees) {
-        // each part alone, then the sum, which may be a turn more
-        return steps_in_degrees(two_sum(without_turns(angle.hi), without_turns(angle.lo)));
+        // each part alone, exactly, then the sum, which may be a turn more
+        return steps_in_degrees(two_sum(__builtin_fmod(angle.hi, 360.0), __builtin_fmod(angle.lo, 360.0)));
     }
     const Steps high = steps_in_large_radians(angle.hi);
-    return sum_of(high, __builtin_fabs(angle.lo) >= 1.0 ? steps_in_large_radians(angle.lo)
-                                                        : steps_in_radians(angle.lo, DoubleDouble()));
+    const Steps low =
+        __builtin_fabs(angle.lo) >= 1.0 ? steps_in_large_radians(angle.lo) : steps_in_radians(angle.lo, DoubleDouble());
+    return {high.count + low.count, high.rest + low.rest};
 }
 
 /// Of any angle.
@@ -198,26 +160,8 @@ ROTCONV_INLINE SineCosine<double> turned(const SineCosine<DoubleDouble>& steps, 
             cosine + ((steps.cosine.lo - sine * beyond) + (cosine * less - sine * r))};
 }
 
-/// Of all numbers of steps in a turn.
-struct TurnTable {
-    constexpr TurnTable() noexcept {
-        for (int i = 0; i < 128; ++i) {
-            const int in_half_turn = i & 63;
-            const bool obtuse = in_half_turn > 32;
-            const int from_axis = obtuse ? 64 - in_half_turn : in_half_turn;
-            const DoubleDouble sine = sine_table.values[from_axis];
-            const DoubleDouble cosine = sine_table.values[32 - from_axis];
-            const double sine_sign = i > 63 ? -1.0 : 1.0;
-            const double cosine_sign = obtuse == (i > 63) ? 1.0 : -1.0;
-            steps[i] = {{sine_sign * sine.hi, sine_sign * sine.lo}, {cosine_sign * cosine.hi, cosine_sign * cosine.lo}};
-        }
-    }
-    SineCosine<DoubleDouble> steps[128];
-};
-constexpr TurnTable turn_table;
-
 ROTCONV_INLINE const SineCosine<DoubleDouble>& sine_cosine_of_steps(double count) noexcept {
-    return turn_table.steps[static_cast<unsigned>(static_cast<std::int64_t>(count)) & 127U];
+    return turn_table.values[static_cast<unsigned>(static_cast<std::int64_t>(count)) & 127U];
 }
 
 /// A tangent's numerator and denominator, of an angle of at most an eighth of a turn, and how many steps of 1/64 are in
@@ -314,35 +258,31 @@ template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::siz
     double count[batch_rows];
     Column<DoubleDouble> rest;
     const double largest = unit == AngleUnit::degrees ? 0x1p44 : 0x1p12;
+    const auto set = [&](std::size_t i, const Steps& steps) {
+        count[i] = steps.count;
+        rest.set(i, steps.rest);
+    };
     if (unit == AngleUnit::degrees) {
         for (std::size_t i = 0; i < rows; ++i) {
-            const Steps steps = steps_in_degrees(angles[i]);
-            count[i] = steps.count;
-            rest.set(i, steps.rest);
+            set(i, steps_in_degrees(angles[i]));
         }
     } else {
         for (std::size_t i = 0; i < rows; ++i) {
-            const Steps steps = steps_in_radians(angles[i], T());
-            count[i] = steps.count;
-            rest.set(i, steps.rest);
+            set(i, steps_in_radians(angles[i], T()));
         }
     }
     for (std::size_t i = 0; i < rows; ++i) {
         if (!(__builtin_fabs(angles.hi[i]) < largest)) [[unlikely]] {
-            const Steps steps = steps_in_large(angles[i], unit);
-            count[i] = steps.count;
-            rest.set(i, steps.rest);
+            set(i, steps_in_large(angles[i], unit));
         }
     }
-    Column<DoubleDouble> cosine_of_steps;
-    Column<DoubleDouble> sine_of_steps;
+    Columns<DoubleDouble, 2> steps;
     for (std::size_t i = 0; i < rows; ++i) {
-        const SineCosine<DoubleDouble> steps = sine_cosine_of_steps(count[i]);
-        sine_of_steps.set(i, steps.sine);
-        cosine_of_steps.set(i, steps.cosine);
+        const SineCosine<DoubleDouble> both = sine_cosine_of_steps(count[i]);
+        steps.set(i, {both.sine, both.cosine});
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const SineCosine<T> both = turned(SineCosine<DoubleDouble>{sine_of_steps[i], cosine_of_steps[i]}, rest[i], T());
+        const SineCosine<T> both = turned(SineCosine<DoubleDouble>{steps[0][i], steps[1][i]}, rest[i], T());
         cosines.set(i, both.cosine);
         sines.set(i, both.sine);
     }

@@ -6,6 +6,7 @@
 
 #include "row_batch.hpp"
 #include "scaled_double_double.hpp"
+#include "trigonometric_tables.hpp"
 
 // The project's own sine, cosine and arc tangent: plain sums and products of doubles, the same bits on every machine. T
 // is the scalar of their accuracy, double or DoubleDouble.
@@ -26,8 +27,6 @@ inline constexpr DoubleDouble exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x
 [[nodiscard]] ROTCONV_INLINE DoubleDouble unit_in_radians(AngleUnit unit) noexcept {
     return unit == AngleUnit::degrees ? exact_radians_per_degree : DoubleDouble(1.0);
 }
-
-template <class T> struct SineCosine { T sine, cosine; };
 
 /// The sine and cosine of an angle in radians or degrees: as DoubleDouble each to 2^-103 of itself, where the angle is
 /// a double of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.5. Multiples of

@@ -25,6 +25,21 @@ template <class... Rest> [[nodiscard]] ROTCONV_INLINE double largest_magnitude(d
     return sum == 0.0;
 }
 
+/// A finite double as a whole number times a power of two.
+struct Binary {
+    ROTCONV_INLINE explicit Binary(double value) noexcept {
+        const auto bits = __builtin_bit_cast(std::uint64_t, value);
+        const auto biased = static_cast<int>((bits >> 52U) & 0x7ffU);
+        digits = (bits & 0xfffffffffffffU) | (biased == 0 ? 0U : 0x10000000000000U);
+        exponent = (biased == 0 ? 1 : biased) - 1075;
+        is_negative = (bits >> 63U) != 0;
+    }
+
+    std::uint64_t digits; ///< below 2^53
+    int exponent;         ///< from -1074 on
+    bool is_negative;
+};
+
 /// The power of two that brings a plain magnitude into [1/2, 1).
 [[nodiscard]] ROTCONV_INLINE double unit_scale(double magnitude) noexcept {
     const std::uint64_t exponent = __builtin_bit_cast(std::uint64_t, magnitude) & 0x7ff0000000000000U;
@@ -47,17 +62,13 @@ public:
     }
 
     [[nodiscard]] double operator()(double value) const noexcept { return (value * first_) * second_; }
-    [[nodiscard]] double undone(double value) const noexcept { return (value * first_back_) * second_back_; }
+    [[nodiscard]] double undone(double value) const noexcept { return (value / first_) / second_; }
 
 private:
-    PowerOfTwo(int first, int second) noexcept
-        : first_(power_of_two(first)), second_(power_of_two(second)), first_back_(power_of_two(-first)),
-          second_back_(power_of_two(-second)) {}
+    PowerOfTwo(int first, int second) noexcept : first_(power_of_two(first)), second_(power_of_two(second)) {}
 
     double first_;
     double second_;
-    double first_back_;
-    double second_back_;
 };
 
 } // namespace ROTCONV_TARGET

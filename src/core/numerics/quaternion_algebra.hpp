@@ -23,10 +23,10 @@ template <class T> [[nodiscard]] ROTCONV_INLINE Precise<T> sum_of_squares(const 
 
 /// 1 or -1: the factor that gives a quaternion the sign that is printed, w > 0, or w = 0 and the first nonzero of x, y,
 /// z positive.
-ROTCONV_INLINE double canonical_sign(double w, double x, double y, double z) noexcept {
-    const double leader_of_two = y != 0.0 ? y : z;
-    const double leader_of_three = x != 0.0 ? x : leader_of_two;
-    return (w != 0.0 ? w : leader_of_three) < 0.0 ? -1.0 : 1.0;
+template <class T> ROTCONV_INLINE double canonical_sign(const T (&q)[4]) noexcept {
+    const double leader_of_two = sign_of(q[2]) != 0.0 ? sign_of(q[2]) : sign_of(q[3]);
+    const double leader_of_three = sign_of(q[1]) != 0.0 ? sign_of(q[1]) : leader_of_two;
+    return (sign_of(q[0]) != 0.0 ? sign_of(q[0]) : leader_of_three) < 0.0 ? -1.0 : 1.0;
 }
 
 /// a b, its length kept in [1/2, 2) by a power of two where those of a and b are: to 2^-100 of its length, or of
@@ -52,7 +52,7 @@ template <class T> ROTCONV_INLINE void multiply(const T (&a)[4], const T (&b)[4]
     const double square = (w * w + x * x) + (y * y + z * z);
     const double factor = square < 0.25 ? 2.0 : (square >= 4.0 ? 0.5 : 1.0);
     for (std::size_t k = 0; k < 4; ++k) {
-        product[k] = scaled(narrowed<T>(parts[k]), factor);
+        product[k] = scaled(rounded_to<T>(parts[k]), factor);
     }
 }
 

@@ -4,17 +4,6 @@
 
 #include "double_double.hpp"
 
-/// For a function that loops over columns of numbers: it is compiled twice, for every x86-64 processor and for those
-/// with AVX2, and the program's start chooses. Nothing is contracted, so that both give the same bytes.
-#ifndef ROTCONV_TARGET_CLONES
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&                           \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define ROTCONV_TARGET_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define ROTCONV_TARGET_CLONES
-#endif
-#endif
-
 namespace rotconv {
 
 // NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
@@ -29,7 +18,6 @@ template <> struct Column<double> {
     double hi[batch_rows];
 
     ROTCONV_INLINE double operator[](std::size_t row) const noexcept { return hi[row]; }
-    ROTCONV_INLINE double& operator[](std::size_t row) noexcept { return hi[row]; }
     ROTCONV_INLINE void set(std::size_t row, double value) noexcept { hi[row] = value; }
 };
 
@@ -44,14 +32,40 @@ template <> struct Column<DoubleDouble> {
     }
 };
 
-using BatchColumn = Column<double>;
+/// N numbers of each row.
+template <class T, std::size_t N> struct Columns {
+    Column<T> columns[N];
+
+    ROTCONV_INLINE Column<T>& operator[](std::size_t k) noexcept { return columns[k]; }
+    ROTCONV_INLINE const Column<T>& operator[](std::size_t k) const noexcept { return columns[k]; }
+    ROTCONV_INLINE void set(std::size_t row, const T (&numbers)[N]) noexcept {
+        for (std::size_t k = 0; k < N; ++k) {
+            columns[k].set(row, numbers[k]);
+        }
+    }
+    ROTCONV_INLINE void get(std::size_t row, T (&numbers)[N]) const noexcept {
+        for (std::size_t k = 0; k < N; ++k) {
+            numbers[k] = columns[k][row];
+        }
+    }
+};
 
 /// Takes rows of N numbers apart, since compilers do not gather numbers that stand far from each other.
 template <std::size_t N>
-ROTCONV_INLINE void to_columns(const double* numbers, std::size_t rows, double (&columns)[N][batch_rows]) noexcept {
+ROTCONV_INLINE void to_columns(const double* numbers, std::size_t rows, Columns<double, N>& columns) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t k = 0; k < N; ++k) {
-            columns[k][i] = numbers[N * i + k];
+            columns[k].hi[i] = numbers[N * i + k];
+        }
+    }
+}
+
+/// And puts them together.
+template <std::size_t N>
+ROTCONV_INLINE void to_rows(const Columns<double, N>& columns, std::size_t rows, double* numbers) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t k = 0; k < N; ++k) {
+            numbers[N * i + k] = columns[k].hi[i];
         }
     }
 }

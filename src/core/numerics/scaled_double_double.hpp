@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "double_double.hpp"
 
 namespace rotconv {
@@ -33,14 +31,13 @@ public:
         if (exponent_ < -1080) {
             return 0.0;
         }
-        // In units of 2^-1074: below 2^52, and to the nearest integer, of two the even one.
+        // In units of 2^-1074: to the nearest whole number, of two the even one unless the low part says which.
         const DoubleDouble units = scaled(scaled(part_, power_of_two(exponent_ + 600)), 0x1p474);
-        const double sign = units.hi < 0.0 ? -1.0 : 1.0;
-        const auto whole = static_cast<std::int64_t>(sign * units.hi);
-        const double rest = sign * units.hi - static_cast<double>(whole);
-        const double beyond = sign * units.lo;
-        const bool up = rest > 0.5 || (rest == 0.5 && (beyond > 0.0 || (beyond == 0.0 && (whole & 1) != 0)));
-        return sign * static_cast<double>(whole + (up ? 1 : 0)) * 0x1p-537 * 0x1p-537;
+        const double rounding = __builtin_copysign(0x1p52, units.hi);
+        const double whole = (units.hi + rounding) - rounding;
+        const double rest = units.hi - whole;
+        const bool is_tie = __builtin_fabs(rest) == 0.5 && rest * units.lo > 0.0;
+        return (whole + (is_tie ? 2.0 * rest : 0.0)) * 0x1p-537 * 0x1p-537;
     }
     /// What is too small for the parts is rounded away.
     [[nodiscard]] DoubleDouble rounded_parts() const noexcept {
@@ -89,7 +86,6 @@ public:
         return {root(scaled(a.part_, odd != 0 ? 2.0 : 1.0)), (a.exponent_ - odd) / 2};
     }
     friend ScaledDoubleDouble square(const ScaledDoubleDouble& a) noexcept { return a * a; }
-    friend ScaledDoubleDouble exact_square(const ScaledDoubleDouble& a) noexcept { return a * a; }
     friend ScaledDoubleDouble scaled(const ScaledDoubleDouble& a, double power) noexcept {
         return a * ScaledDoubleDouble(power);
     }
@@ -125,7 +121,6 @@ private:
     int exponent_ = 0;  ///< of 2
 };
 
-template <> inline ScaledDoubleDouble rounded_to<ScaledDoubleDouble>(DoubleDouble a) noexcept { return a; }
 template <> struct Scalars<ScaledDoubleDouble> {
     using Precise = ScaledDoubleDouble;
     using Given = ScaledDoubleDouble;

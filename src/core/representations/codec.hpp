@@ -67,9 +67,6 @@ void to_own_order(const Spec& spec, const double* written, std::size_t rows, dou
 /// And back; -0 becomes 0.
 void to_written_order(const Spec& spec, const double* own, std::size_t rows, double* written) noexcept;
 
-/// No representation has more.
-inline constexpr std::size_t most_numbers = 9;
-
 // Codec functions from those for one row, which take what `value_of` makes of the numbers: by default one Eigen matrix
 // of fixed size, which knows neither unit nor sequence.
 
@@ -87,10 +84,6 @@ void rate_of(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, 
 template <class Numbers, auto angular_velocity, auto value_of = plain<Numbers>> Eigen::Vector3d
 angular_velocity_of(const Spec& spec, const double* numbers, const double* rates, Frame frame) noexcept {
     return angular_velocity(value_of(spec, numbers), Eigen::Map<const Numbers>(rates), frame);
-}
-
-template <class Numbers, auto defect> double defect_of(const double* numbers) noexcept {
-    return defect(Eigen::Map<const Numbers>(numbers));
 }
 
 /// A reading, or the error `defect` where its defect, `exact_defect()` in full, is above the tolerance.

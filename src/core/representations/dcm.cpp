@@ -22,10 +22,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-struct Extremes {
-    double least, greatest;
-};
-
 /// The largest root of x^3 - 3 x = 2 c for c in [-1, 1], 2 cos(acos(c)/3) to 4e-12: in the cosine of half the angle it
 /// has no singularity near, and this polynomial meets it in the Chebyshev points of [0, 1].
 double largest_root(double c) noexcept {
@@ -40,18 +36,6 @@ double largest_root(double c) noexcept {
         sum = sum * u + coefficient;
     }
     return sum;
-}
-
-/// Of the eigenvalues of a symmetric matrix, by the roots of its cubic as cosines of a third of an angle (Smith 1961).
-Extremes extreme_eigenvalues(const Matrix3d& m) noexcept {
-    const double mean = m.trace() / 3.0;
-    const Matrix3d rest = m - mean * Matrix3d::Identity();
-    const double size = std::sqrt(rest.squaredNorm() / 6.0);
-    if (size == 0.0) {
-        return {mean, mean};
-    }
-    const double cosine = std::clamp(0.5 * (rest * (1.0 / size)).determinant(), -1.0, 1.0);
-    return {mean - size * largest_root(-cosine), mean + size * largest_root(cosine)};
 }
 
 /// The singular values of a matrix, the largest first, with their vectors: plane rotations of two columns at a time,
@@ -148,12 +132,14 @@ double defect_of_matrix(const double* matrix) noexcept {
         const auto scale = PowerOfTwo::to_unit(m.cwiseAbs().maxCoeff());
         return defect_of(SingularValues(m.unaryExpr(scale)), scale);
     }
-    // s^2 - 1 for the singular values s, without cancellation
-    const Extremes extremes = extreme_eigenvalues(excess);
-    const auto from_one = [](double square_excess) {
-        return std::fabs(square_excess) / (1.0 + std::sqrt(1.0 + square_excess));
-    };
-    return std::max(from_one(extremes.least), from_one(extremes.greatest));
+    // The eigenvalues are s^2 - 1 for the singular values s, without cancellation: the roots of a cubic, as cosines of
+    // a third of an angle (Smith 1961).
+    const double mean = excess.trace() / 3.0;
+    const Matrix3d rest = excess - mean * Matrix3d::Identity();
+    const double size = std::sqrt(rest.squaredNorm() / 6.0);
+    const double cosine = size == 0.0 ? 0.0 : std::clamp(0.5 * (rest * (1.0 / size)).determinant(), -1.0, 1.0);
+    return std::max(distance_from_one(mean - size * largest_root(-cosine)),
+                    distance_from_one(mean + size * largest_root(cosine)));
 }
 
 namespace dcm {

@@ -1,8 +1,6 @@
 #include "../numerics/davenport.hpp"
-#include "../numerics/power_of_two.hpp"
 #include "kernel.hpp"
 #include "matrices.hpp"
-#include "write_rows.hpp"
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
@@ -11,7 +9,7 @@ namespace {
 struct Matrix {
     static constexpr std::size_t size = 9;
 
-    template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[9]) noexcept {
+    template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[9]) noexcept {
         scaled_matrix_of(q, numbers);
         divide_entries(numbers, squared_norm(q));
     }
@@ -19,9 +17,6 @@ struct Matrix {
 
 /// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
 constexpr double near_rotation = 0.05;
-/// The square of the distance below up to which one power step serves, and a bound on the defect of such a matrix.
-constexpr double clean_square = 0x1p-58;
-constexpr double clean_defect = 0x1p-27;
 
 /// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
 /// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
@@ -52,18 +47,13 @@ ROTCONV_INLINE double residual(DoubleDouble k0, double q0, DoubleDouble k1, doub
                      (((first.lo + fifth.lo) + (second.lo + third.lo)) +
                       ((fourth.lo + k0.lo * q0) + ((k1.lo * q1 + k2.lo * q2) + k3.lo * q3))));
 }
-inline ScaledDoubleDouble residual(const ScaledDoubleDouble& k0, const ScaledDoubleDouble& q0,
-                                   const ScaledDoubleDouble& k1, const ScaledDoubleDouble& q1,
-                                   const ScaledDoubleDouble& k2, const ScaledDoubleDouble& q2,
-                                   const ScaledDoubleDouble& k3, const ScaledDoubleDouble& q3, double mu,
-                                   const ScaledDoubleDouble& q) noexcept {
-    return ((k0 * q0 - ScaledDoubleDouble(mu) * q) + k1 * q1) + (k2 * q2 + k3 * q3);
+inline Careful residual(const Careful& k0, const Careful& q0, const Careful& k1, const Careful& q1, const Careful& k2,
+                        const Careful& q2, const Careful& k3, const Careful& q3, double mu, const Careful& q) noexcept {
+    return ((k0 * q0 - Careful(mu) * q) + k1 * q1) + (k2 * q2 + k3 * q3);
 }
 
 /// The inverse of a symmetric matrix.
 struct Inverse {
-    double xx, yy, zz, xy, xz, yz;
-
     ROTCONV_INLINE Inverse(double a_xx, double a_yy, double a_zz, double a_xy, double a_xz, double a_yz) noexcept
         : xx(a_yy * a_zz - a_yz * a_yz), yy(a_xx * a_zz - a_xz * a_xz), zz(a_xx * a_yy - a_xy * a_xy),
           xy(a_xz * a_yz - a_xy * a_zz), xz(a_xy * a_yz - a_xz * a_yy), yz(a_xy * a_xz - a_yz * a_xx) {
@@ -75,6 +65,8 @@ struct Inverse {
         xz *= factor;
         yz *= factor;
     }
+
+    double xx, yy, zz, xy, xz, yz;
 };
 
 /// One Newton step towards the unit quaternion that maximises trace(R(q)' M), where q is near it: the correction, in
@@ -125,21 +117,19 @@ newton_step(const double (&m)[9], const Small (&q)[4], const double (&near)[4], 
 }
 
 /// Any proper matrix, from a quaternion near its own on, until nothing is left to correct.
-void refine(const double* numbers, ScaledDoubleDouble (&q)[4]) noexcept {
-    double largest = 0.0;
-    for (std::size_t k = 0; k < 9; ++k) {
-        largest = larger_of(largest, __builtin_fabs(numbers[k]));
-    }
-    const PowerOfTwo to_unit = PowerOfTwo::to_unit(largest);
+void refine(const double* numbers, Careful (&q)[4]) noexcept {
     double m[9];
-    for (std::size_t k = 0; k < 9; ++k) {
-        m[k] = to_unit(numbers[k]);
+    take(numbers, m);
+    const PowerOfTwo to_unit = PowerOfTwo::to_unit(
+        larger_of(largest_magnitude(m[0], m[1], m[2], m[3], m[4]), largest_magnitude(m[5], m[6], m[7], m[8])));
+    for (double& entry : m) {
+        entry = to_unit(entry);
     }
     double last = 1.0;
     for (int step = 0; step < 100; ++step) {
         const double near[4] = {q[0].rounded(), q[1].rounded(), q[2].rounded(), q[3].rounded()};
-        ScaledDoubleDouble correction[4];
-        newton_step<ScaledDoubleDouble>(m, q, near, correction);
+        Careful correction[4];
+        newton_step<Careful>(m, q, near, correction);
         double size = 0.0;
         bool is_small = true; // beside each component
         for (std::size_t k = 0; k < 4; ++k) {
@@ -159,35 +149,7 @@ void refine(const double* numbers, ScaledDoubleDouble (&q)[4]) noexcept {
     }
 }
 
-/// A matrix of which one power step is not known to serve, in double. `is_near`: power steps were enough.
-Error read_unclean(const double* numbers, double square, double (&q)[4], double& defect, bool& is_near) noexcept {
-    if (!all_finite(numbers, 9)) {
-        return Error::not_finite;
-    }
-    const double bound = 3.0 * root(square);
-    is_near = bound <= near_rotation;
-    if (!is_near) {
-        return read_far_matrix(numbers, q, defect);
-    }
-    double m[9];
-    for (std::size_t k = 0; k < 9; ++k) {
-        m[k] = numbers[k];
-    }
-    const Davenport<double> k(m);
-    k.take_pivot_column(q);
-    k.take_power_step(q);
-    for (double remaining = bound * bound; remaining > 0x1p-56; remaining *= bound) {
-        k.take_power_step(q);
-    }
-    const double scale = unit_scale(root(squared_norm(q)));
-    for (double& component : q) {
-        component *= scale;
-    }
-    defect = bound <= reported_defect ? bound : defect_of_matrix(numbers);
-    return Error::none;
-}
-
-/// The steps of a clean matrix.
+/// One power step; the squared distance of the matrix.
 ROTCONV_INLINE double read_clean(const double (&m)[9], double (&q)[4]) noexcept {
     const Davenport<double> k(m);
     k.take_pivot_column(q);
@@ -195,109 +157,116 @@ ROTCONV_INLINE double read_clean(const double (&m)[9], double (&q)[4]) noexcept 
     return squared_distance(m);
 }
 
-Error read_one(const Spec& /*spec*/, const double* numbers, double* q, double& defect) noexcept {
+/// A matrix, after read_clean(), of which one power step is not known to serve. `is_far`: to be refined.
+Error read_unclean(const double (&m)[9], double square, double (&q)[4], double& defect, bool& is_far) noexcept {
+    if (!all_finite(m, 9)) {
+        return Error::not_finite;
+    }
+    const double bound = 3.0 * root(square);
+    is_far = !(bound <= near_rotation);
+    if (is_far) {
+        return read_far_matrix(m, q, defect);
+    }
+    const Davenport<double> k(m);
+    for (double remaining = bound * bound; remaining > 0x1p-56; remaining *= bound) {
+        k.take_power_step(q);
+    }
+    const double scale = unit_scale(root(squared_norm(q)));
+    for (double& component : q) {
+        component *= scale;
+    }
+    defect = bound <= reported_defect ? bound : defect_of_matrix(m);
+    return Error::none;
+}
+
+/// Any matrix, in double.
+Error read_near(const double* numbers, double (&q)[4], double& defect, bool& is_far) noexcept {
     double m[9];
-    for (std::size_t k = 0; k < 9; ++k) {
-        m[k] = numbers[k];
-    }
-    double own[4];
-    Error error = Error::none;
-    const double square = read_clean(m, own);
+    take(numbers, m);
     defect = clean_defect;
-    if (!(square <= clean_square)) [[unlikely]] {
-        bool is_near = false;
-        error = read_unclean(numbers, square, own, defect, is_near);
-        if (error == Error::none && !is_near) {
-            ScaledDoubleDouble exact[4] = {own[0], own[1], own[2], own[3]};
-            refine(numbers, exact);
-            for (std::size_t k = 0; k < 4; ++k) {
-                own[k] = exact[k].rounded();
-            }
+    const double square = read_clean(m, q);
+    return square <= clean_square ? Error::none : read_unclean(m, square, q, defect, is_far);
+}
+
+Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
+    bool is_far = false;
+    const Error error = read_near(numbers, q, defect, is_far);
+    if (is_far && error == Error::none) [[unlikely]] {
+        Careful exact[4] = {q[0], q[1], q[2], q[3]};
+        refine(numbers, exact);
+        for (std::size_t k = 0; k < 4; ++k) {
+            q[k] = exact[k].rounded();
         }
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-        q[k] = own[k];
     }
     return error;
 }
 
-void read_carefully(const Spec& /*spec*/, const double* numbers, ScaledDoubleDouble* q) noexcept {
+void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
     double near[4];
     double defect = 0.0;
-    bool is_near = false;
-    double m[9];
-    for (std::size_t k = 0; k < 9; ++k) {
-        m[k] = numbers[k];
-    }
-    const double square = read_clean(m, near);
-    if (!(square <= clean_square)) {
-        read_unclean(numbers, square, near, defect, is_near);
-    }
-    ScaledDoubleDouble own[4] = {near[0], near[1], near[2], near[3]};
-    refine(numbers, own);
-    for (std::size_t k = 0; k < 4; ++k) {
-        q[k] = own[k];
-    }
+    bool is_far = false;
+    read_near(numbers, near, defect, is_far);
+    take(near, q);
+    refine(numbers, q);
 }
 
 template <class T>
 void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
-    double columns[9][batch_rows];
-    to_columns(numbers, rows, columns);
-    double near[4][batch_rows];
+    Columns<double, 9> columns;
+    Columns<double, 4> near;
     double square[batch_rows];
-    bool is_near[batch_rows];
+    bool is_far[batch_rows] = {};
+    to_columns(numbers, rows, columns);
     for (std::size_t i = 0; i < rows; ++i) {
-        const double m[9] = {columns[0][i], columns[1][i], columns[2][i], columns[3][i], columns[4][i],
-                             columns[5][i], columns[6][i], columns[7][i], columns[8][i]};
+        double m[9];
         double q[4];
+        columns.get(i, m);
         square[i] = read_clean(m, q);
-        for (std::size_t k = 0; k < 4; ++k) {
-            near[k][i] = q[k];
-        }
+        near.set(i, q);
         attitudes.defect[i] = clean_defect;
     }
     for (std::size_t i = 0; i < rows; ++i) {
         attitudes.error[i] = Error::none;
-        is_near[i] = true;
         if (!(square[i] <= clean_square)) [[unlikely]] {
-            double q[4] = {1.0, 0.0, 0.0, 0.0};
-            attitudes.error[i] = read_unclean(numbers + 9 * i, square[i], q, attitudes.defect[i], is_near[i]);
-            for (std::size_t k = 0; k < 4; ++k) {
-                near[k][i] = q[k];
-            }
+            double m[9];
+            double q[4];
+            columns.get(i, m);
+            near.get(i, q);
+            attitudes.error[i] = read_unclean(m, square[i], q, attitudes.defect[i], is_far[i]);
+            near.set(i, q);
         }
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const double q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
+        double q[4];
+        near.get(i, q);
         if constexpr (std::is_same_v<T, double>) {
             attitudes.set(i, q);
         } else {
-            const double m[9] = {columns[0][i], columns[1][i], columns[2][i], columns[3][i], columns[4][i],
-                                 columns[5][i], columns[6][i], columns[7][i], columns[8][i]};
+            double m[9];
             double correction[4];
+            columns.get(i, m);
             newton_step<DoubleDouble>(m, q, q, correction);
-            attitudes.set(i, two_sum(q[0], correction[0]), two_sum(q[1], correction[1]), two_sum(q[2], correction[2]),
-                          two_sum(q[3], correction[3]));
+            attitudes.set(i, {two_sum(q[0], correction[0]), two_sum(q[1], correction[1]), two_sum(q[2], correction[2]),
+                              two_sum(q[3], correction[3])});
         }
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        if (!is_near[i] && attitudes.error[i] == Error::none) [[unlikely]] {
-            ScaledDoubleDouble q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
+        if (is_far[i] && attitudes.error[i] == Error::none) [[unlikely]] {
+            Careful q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
             refine(numbers + 9 * i, q);
-            attitudes.set(i, rounded_to<T>(q[0].rounded_parts()), rounded_to<T>(q[1].rounded_parts()),
-                          rounded_to<T>(q[2].rounded_parts()), rounded_to<T>(q[3].rounded_parts()));
+            for (std::size_t k = 0; k < 4; ++k) {
+                attitudes[k].set(i, rounded_to<T>(q[k].rounded_parts()));
+            }
         }
     }
 }
 
 } // namespace
 
-constinit const Kernel kernels::dcm{
-    .fast = {.read = read<double>, .write = write_rows_by<Matrix, double>},
-    .exact = {.read = read<DoubleDouble>, .write = write_rows_by<Matrix, DoubleDouble>},
-    .one = {.read = read_one, .write = write_row_by<Matrix, double>},
-    .careful = {.read = read_carefully, .write = write_row_by<Matrix, ScaledDoubleDouble>}};
+constinit const Kernel kernels::dcm{.fast = {.read = read<double>, .write = write_rows<Matrix, double>},
+                                    .exact = {.read = read<DoubleDouble>, .write = write_rows<Matrix, DoubleDouble>},
+                                    .one = {.read = read_one, .write = write_row<Matrix, double>},
+                                    .careful = {.read = read_carefully, .write = write_row<Matrix, Careful>}};
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

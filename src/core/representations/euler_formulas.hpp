@@ -2,15 +2,31 @@
 
 #include <cstddef>
 
-#include <rotconv/reading.hpp>
+#include <rotconv/euler.hpp>
 
 #include "../numerics/elementary.hpp"
-#include "fixed_axes.hpp"
 
 // The formulas of Euler angles for one row, over a scalar: double, DoubleDouble or ScaledDoubleDouble.
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
+
+// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
+
+/// The axes i, j, k of a sequence read as turns about fixed axes, the first turn about i. Intrinsic turns are the same
+/// turns about fixed axes in reverse order. For a proper sequence k is the axis that does not occur.
+struct FixedAxes {
+    ROTCONV_INLINE explicit FixedAxes(EulerSequence sequence) noexcept
+        : proper(sequence.proper()),
+          intrinsic(sequence.intrinsic()), places{intrinsic ? 2U : 0U, 1, intrinsic ? 0U : 2U},
+          i(sequence.axis(places[0])), j(sequence.axis(1)), k(proper ? 3 - i - j : sequence.axis(places[2])),
+          sign((j - i + 3) % 3 == 1 ? 1.0 : -1.0) {}
+
+    bool proper, intrinsic;
+    std::size_t places[3]; ///< where the angles of the three turns stand among the numbers
+    int i, j, k;
+    double sign; ///< +1 where (i, j, k) is an even permutation of (x, y, z)
+};
 
 /// a - b, and 0 where so much cancels that the rest is the operands' own error: 0 and gimbal lock are exact.
 template <class T> ROTCONV_INLINE T clean_difference(const T& a, const T& b) noexcept {
@@ -43,11 +59,7 @@ ROTCONV_INLINE void product_of_turns(const FixedAxes& axes, const SineCosine<T> 
     }
 }
 
-template <class T> struct Vector {
-    T x, y;
-
-    [[nodiscard]] ROTCONV_INLINE T length() const noexcept { return root(sloppy_sum(square(x), square(y))); }
-};
+template <class T> struct Vector { T x, y; };
 
 /// The vectors whose angles are those of the three turns. With a + ib = C e^(is), c + id = S e^(it) the outer angles
 /// are s + t and s - t, and C, S are cosine and sine of m/2, m the middle angle (of m/2 + pi/4 for Tait-Bryan angles),
@@ -58,8 +70,8 @@ template <class T> struct TurnVectors {
         const T k = scaled(q[3], axes.sign);
         const Vector<T> ab{axes.proper ? q[0] : clean_difference(q[0], q[2]), axes.proper ? q[1] : clean_sum(q[1], k)};
         const Vector<T> cd{axes.proper ? q[2] : clean_sum(q[2], q[0]), axes.proper ? k : clean_difference(k, q[1])};
-        cosine_length = ab.length();
-        sine_length = cd.length();
+        cosine_length = root(sloppy_sum(square(ab.x), square(ab.y)));
+        sine_length = root(sloppy_sum(square(cd.x), square(cd.y)));
         const T ac = ab.x * cd.x;
         const T bd = ab.y * cd.y;
         const T bc = ab.y * cd.x;
@@ -73,16 +85,16 @@ template <class T> struct TurnVectors {
 
     /// At lock only s (where S = 0) or t (where C = 0) is defined: of the angles that are listed first and last the
     /// last is 0 and the first twice that.
-    void give_up_one(const FixedAxes& axes, bool intrinsic, const T (&q)[4]) noexcept {
+    void give_up_one(const FixedAxes& axes, const T (&q)[4]) noexcept {
         const T k = scaled(q[3], axes.sign);
         const bool sum = !is_at_most(cosine_length, sine_length);
         const T x = sum ? (axes.proper ? q[0] : q[0] - q[2]) : (axes.proper ? q[2] : q[2] + q[0]);
         const T y = sum ? (axes.proper ? q[1] : q[1] + k) : (axes.proper ? k : k - q[1]);
         const double third_sign = axes.proper ? 1.0 : axes.sign;
-        const double sign = intrinsic ? third_sign : (sum ? 1.0 : -1.0);
+        const double sign = axes.intrinsic ? third_sign : (sum ? 1.0 : -1.0);
         // the first of the numbers is that of the last fixed turn where the turns are intrinsic
-        Vector<T>& free = intrinsic ? third : first;
-        Vector<T>& fixed = intrinsic ? first : third;
+        Vector<T>& free = axes.intrinsic ? third : first;
+        Vector<T>& fixed = axes.intrinsic ? first : third;
         free = {clean_difference(x, y) * clean_sum(x, y), scaled(x * y, 2.0 * sign)};
         fixed = {T(1.0), T(0.0)};
     }
@@ -148,6 +160,8 @@ struct AngleRanges {
     double middle_factor;      ///< from the angle of its vector to the middle angle
     DoubleDouble upper, lower; ///< limits of that
 };
+
+// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -69,7 +69,7 @@ constinit const Codec codecs::five_d{
                        .presets = presets_of_matrices,
                        .range = "norm between 0.41 and 2.41",
                        .formula = "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"},
-    .exact_defect = defect_of<five_d::Vector5, five_d::defect>,
+    .exact_defect = [](const double* y) noexcept { return five_d::defect(Eigen::Map<const five_d::Vector5>(y)); },
     .sensitivity = sensitivity_of<five_d::sensitivity>,
     .rate = rate_of<five_d::Vector5, five_d::rate>,
     .angular_velocity = angular_velocity_of<five_d::Vector5, five_d::angular_velocity>};

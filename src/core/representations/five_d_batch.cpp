@@ -7,7 +7,7 @@ namespace {
 struct FiveNumbers {
     static constexpr std::size_t size = 5;
 
-    template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[5]) noexcept {
+    template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[5]) noexcept {
         // sqrt 2 - 1 and sqrt 2 + 1 to 106 bits and more
         constexpr DoubleDouble less{0x1.a827999fcef32p-2, 0x1.08b2fb1366ea9p-56};
         constexpr DoubleDouble more{0x1.3504f333f9de6p+1, 0x1.21165f626cdd5p-53};
@@ -30,33 +30,25 @@ struct FiveNumbers {
         first[0] = sum - T(1.0);
         first[1] = scaled(y[0], 2.0);
         first[2] = scaled(y[1], 2.0);
-        for (std::size_t k = 0; k < 3; ++k) {
-            second[k] = y[2 + k];
-        }
+        take(y + 2, second);
     }
     /// Of numbers of any size.
     ROTCONV_INLINE static void columns(const double (&y)[5], double (&m)[6]) noexcept {
         const double largest = largest_magnitude(y[0], y[1], y[2], y[3], y[4]);
         const double f = largest < 0x1p500 ? 1.0 : 0x1p-600; // f^2 (y'y + 1) does not overflow
-        const double a = f * y[0];
-        const double b = f * y[1];
-        const double c = f * y[2];
-        const double d = f * y[3];
-        const double e = f * y[4];
-        const double squares = ((a * a + b * b) + (c * c + d * d)) + e * e;
+        const double s[5] = {f * y[0], f * y[1], f * y[2], f * y[3], f * y[4]};
+        const double squares = ((s[0] * s[0] + s[1] * s[1]) + (s[2] * s[2] + s[3] * s[3])) + s[4] * s[4];
         const double factor = 1.4142135623730951 / (squares + f * f);
         m[0] = factor * (squares - f * f);
-        m[1] = (2.0 * f) * (factor * a);
-        m[2] = (2.0 * f) * (factor * b);
-        m[3] = (2.0 * f) * (factor * c);
-        m[4] = (2.0 * f) * (factor * d);
-        m[5] = (2.0 * f) * (factor * e);
+        for (std::size_t k = 0; k < 5; ++k) {
+            m[k + 1] = (2.0 * f) * (factor * s[k]);
+        }
     }
 };
 
 } // namespace
 
-constinit const Kernel kernels::five_d = kernel_of_columns<FiveNumbers>();
+constinit const Kernel kernels::five_d = ColumnsKernel<FiveNumbers>::kernel;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

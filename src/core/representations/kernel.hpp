@@ -5,6 +5,7 @@
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
+#include "../numerics/power_of_two.hpp"
 #include "../numerics/quaternion_algebra.hpp"
 #include "../numerics/scaled_double_double.hpp"
 #include "attitude_batch.hpp"
@@ -12,45 +13,51 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// Numbers are in the representation's own order, attitudes not yet inverted: of a Spec's conventions the sequence and
-// the unit are left to kernels.
+// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
+
+// Numbers are in the representation's own order, quaternions w, x, y, z and not yet inverted: of a Spec's conventions
+// the sequence and the unit are left to kernels.
 
 /// How rows of a representation, at most `batch_rows`, are read and written in a scalar, double or DoubleDouble. What
 /// comes of rows that are not plain, see is_plain_number(), is replaced by what CarefulKernel makes of them; their
 /// errors and defects count.
 template <class T> struct BatchKernel {
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept;
-    /// Each number is the result in T, rounded once. `rest`: what the results have beside those numbers; may be null.
-    /// Diagnostics are what there is to report of each row; the sets are empty at first.
+    /// Each number is the result in T, rounded once. `rest`: what the results have beside those numbers, of
+    /// representations with a choice (Codec::nearest); may be null. Diagnostics are what there is to report of each
+    /// row; the sets are empty at first.
     void (*write)(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes, std::size_t rows,
                   double* numbers, double* rest, DiagnosticSet* diagnostics) noexcept;
 };
 
-/// One plain row in double. q is w, x, y, z.
+/// One plain row in double.
 struct RowKernel {
-    Error (*read)(const Spec& spec, const double* numbers, double* q, double& defect) noexcept;
-    DiagnosticSet (*write)(const Spec& spec, double lock_margin, const double* q, double* numbers) noexcept;
+    Error (*read)(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept;
+    DiagnosticSet (*write)(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept;
 };
+
+using Careful = ScaledDoubleDouble;
 
 /// One row of numbers of any size.
 struct CarefulKernel {
     /// Of a row that the other kernels find no error in; a quaternion of any length.
-    void (*read)(const Spec& spec, const double* numbers, ScaledDoubleDouble* q) noexcept;
-    DiagnosticSet (*write)(const Spec& spec, double lock_margin, const ScaledDoubleDouble* q,
-                           ScaledDoubleDouble* numbers) noexcept;
+    void (*read)(const Spec& spec, const double* numbers, Careful (&q)[4]) noexcept;
+    DiagnosticSet (*write)(const Spec& spec, double lock_margin, const Careful (&q)[4], Careful* numbers) noexcept;
 };
 
 /// A quaternion that was given as such, and is unit to 4 eps, is written with its bits; unless something else than a
 /// quarter turn has turned it.
 template <class T>
 [[nodiscard]] ROTCONV_INLINE bool keeps_bits(const AttitudeBatch<T>& attitudes, std::size_t row) noexcept {
-    T own[4];
-    attitudes.get(row, own);
-    const DoubleDouble q[4] = {own[0], own[1], own[2], own[3]};
+    bool is_double = true;
+    DoubleDouble q[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+        q[k] = attitudes[k][row];
+        is_double = is_double && q[k].lo == 0.0;
+    }
     const DoubleDouble excess = squared_norm(q) - 1.0;
     constexpr double rounding = 4 * 0x1p-52;
-    return attitudes.are_quaternions && attitudes.is_as_given[row] && q[0].lo == 0.0 && q[1].lo == 0.0 &&
-           q[2].lo == 0.0 && q[3].lo == 0.0 &&
+    return attitudes.are_quaternions && attitudes.is_as_given[row] && is_double &&
            __builtin_fabs(excess.hi - rounding * rounding) <= 2.0 * rounding; // | |q| - 1 | <= 4 eps
 }
 
@@ -68,6 +75,120 @@ namespace kernels {
 ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 } // namespace kernels
 #undef ROTCONV_LINE
+
+/// The first N of some numbers.
+template <class From, class To, std::size_t N> ROTCONV_INLINE void take(const From* numbers, To (&taken)[N]) noexcept {
+    for (std::size_t k = 0; k < N; ++k) {
+        taken[k] = numbers[k];
+    }
+}
+
+// What kernels are made of where a row is written by one formula over a scalar, a class with `size`, how many numbers
+// there are, and the functions
+//     numbers_of(const T (&q)[4], T (&numbers)[size])
+//     complete(const T (&q)[4], double* numbers)      the row's diagnostics; it may replace rounded numbers. Optional.
+
+template <class Formula, class T> inline constexpr bool has_complete = requires(const T (&q)[4], double* numbers) {
+    Formula::complete(q, numbers);
+};
+
+template <class Formula, class T>
+void write_rows(const Spec& /*spec*/, double /*lock_margin*/, const AttitudeBatch<T>& attitudes, std::size_t rows,
+                double* numbers, double* /*rest*/, [[maybe_unused]] DiagnosticSet* diagnostics) noexcept {
+    Columns<double, Formula::size> columns;
+    for (std::size_t i = 0; i < rows; ++i) {
+        T q[4];
+        T result[Formula::size];
+        attitudes.get(i, q);
+        Formula::numbers_of(q, result);
+        for (std::size_t k = 0; k < Formula::size; ++k) {
+            columns[k].set(i, to_double(result[k]));
+        }
+    }
+    to_rows(columns, rows, numbers);
+    if constexpr (has_complete<Formula, T>) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            attitudes.get(i, q);
+            diagnostics[i] = Formula::complete(q, numbers + Formula::size * i);
+        }
+    }
+}
+
+template <class Formula, class T>
+DiagnosticSet write_row(const Spec& /*spec*/, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
+    T result[Formula::size];
+    Formula::numbers_of(q, result);
+    DiagnosticSet found;
+    if constexpr (has_complete<Formula, T>) {
+        double rounded[Formula::size];
+        for (std::size_t k = 0; k < Formula::size; ++k) {
+            rounded[k] = to_double(result[k]);
+        }
+        found = Formula::complete(q, rounded);
+        for (std::size_t k = 0; k < Formula::size && !found.empty(); ++k) {
+            result[k] = rounded[k];
+        }
+    }
+    for (std::size_t k = 0; k < Formula::size; ++k) {
+        numbers[k] = result[k];
+    }
+    return found;
+}
+
+// And where a row is read by one formula, which finds no defect, with `reading_is_exact` as of Kernel, and of functions
+//     quaternion_of(const double* numbers, T (&q)[4])   of any length
+//     size_of(const double* numbers)                    that length or the largest component, about
+
+template <class Formula, class T> ROTCONV_INLINE Error read_in(const double* numbers, T (&q)[4]) noexcept {
+    Formula::quaternion_of(numbers, q);
+    const double size = Formula::size_of(numbers);
+    const double scale = size < 0x1p1000 ? unit_scale(size) : unit_scale(size * 0x1p-100) * 0x1p-100;
+    for (T& component : q) {
+        component = scaled(component, scale);
+    }
+    return all_finite(numbers, Formula::size) ? Error::none : Error::not_finite;
+}
+
+template <class Formula, class T>
+void read_rows(const Spec& /*spec*/, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        T q[4];
+        attitudes.error[i] = read_in<Formula>(numbers + Formula::size * i, q);
+        attitudes.defect[i] = 0.0;
+        attitudes.set(i, q);
+    }
+}
+
+template <class Formula>
+Error read_row(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
+    defect = 0.0;
+    return read_in<Formula>(numbers, q);
+}
+
+template <class Formula> void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
+    Formula::quaternion_of(numbers, q);
+}
+
+/// The kernels of a representation that is read and written in these ways.
+template <class Formula> constexpr Kernel kernel_of_formula{
+    .fast = {.read = read_rows<Formula, double>, .write = write_rows<Formula, double>},
+    .exact = {.read = read_rows<Formula, DoubleDouble>, .write = write_rows<Formula, DoubleDouble>},
+    .one = {.read = read_row<Formula>, .write = write_row<Formula, double>},
+    .careful = {.read = read_carefully<Formula>, .write = write_row<Formula, Careful>},
+    .reading_is_exact = Formula::reading_is_exact};
+
+/// Of an attitude with pi - theta <= half_turn_margin.
+template <class T> ROTCONV_INLINE DiagnosticSet half_turn_of(const T (&q)[4]) noexcept {
+    const double w = to_double(q[0]);
+    const double x = to_double(q[1]);
+    const double y = to_double(q[2]);
+    const double z = to_double(q[3]);
+    const double length = root((x * x + y * y) + z * z);
+    return {DiagnosticKind::half_turn, __builtin_fabs(w) <= 0.5 * half_turn_margin * length};
+}
+
+// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

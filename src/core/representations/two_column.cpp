@@ -24,10 +24,7 @@ double defect_of_columns(const double* columns) noexcept {
     const double c = scaled.col(0).dot(scaled.col(1));
     const double mean = 0.5 * (a + b);
     const double radius = std::sqrt(0.25 * (a - b) * (a - b) + c * c);
-    const auto from_one = [unit](double square_excess) {
-        return std::fabs(square_excess) / (unit + std::sqrt(std::max(0.0, unit * unit + square_excess)));
-    };
-    return scale.undone(std::max(from_one(mean + radius), from_one(mean - radius)));
+    return scale.undone(std::max(distance_from_one(mean + radius, unit), distance_from_one(mean - radius, unit)));
 }
 
 namespace two_column {

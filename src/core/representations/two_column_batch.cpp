@@ -7,7 +7,7 @@ namespace {
 struct FirstTwoColumns {
     static constexpr std::size_t size = 6;
 
-    template <class T> ROTCONV_INLINE static void apply(const T (&q)[4], T (&numbers)[6]) noexcept {
+    template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[6]) noexcept {
         T m[9];
         scaled_matrix_of(q, m);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -18,21 +18,15 @@ struct FirstTwoColumns {
     }
 
     template <class T> ROTCONV_INLINE static void directions(const T (&m)[6], T (&first)[3], T (&second)[3]) noexcept {
-        for (std::size_t k = 0; k < 3; ++k) {
-            first[k] = m[k];
-            second[k] = m[3 + k];
-        }
+        take(m, first);
+        take(m + 3, second);
     }
-    ROTCONV_INLINE static void columns(const double (&numbers)[6], double (&m)[6]) noexcept {
-        for (std::size_t k = 0; k < 6; ++k) {
-            m[k] = numbers[k];
-        }
-    }
+    ROTCONV_INLINE static void columns(const double (&numbers)[6], double (&m)[6]) noexcept { take(numbers, m); }
 };
 
 } // namespace
 
-constinit const Kernel kernels::two_column = kernel_of_columns<FirstTwoColumns>();
+constinit const Kernel kernels::two_column = ColumnsKernel<FirstTwoColumns>::kernel;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

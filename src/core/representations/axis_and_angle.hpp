@@ -1,0 +1,173 @@
+#pragma once
+
+#include "../numerics/elementary.hpp"
+#include "kernel.hpp"
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+
+// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
+
+/// A vector along the axis and its length. Both are times a power of two that brings the largest component to a size of
+/// 1/2 to 1, but for the zero vector and for a Careful one. The length counts in every number: it is precise.
+template <class T> struct AxisVector {
+    ROTCONV_INLINE AxisVector() noexcept = default;
+    ROTCONV_INLINE explicit AxisVector(const double* v) noexcept {
+        double scale = 1.0;
+        if constexpr (!std::is_same_v<T, Careful>) {
+            const double size = largest_magnitude(v[0], v[1], v[2]);
+            scale = unit_scale(is_plain_number(size) && size > 0.0 ? size : 0.5);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            along[k] = v[k] * scale;
+        }
+        length = root(sum_of_squares(along[0], along[1], along[2]));
+        back = 1.0 / scale;
+    }
+
+    Given<T> along[3];
+    Precise<T> length;
+    double back; ///< times this, it is the vector
+};
+
+/// (|v| cos, v sin) of the half angle; of no axis the identity.
+template <class T>
+ROTCONV_INLINE void quaternion_of(const AxisVector<T>& v, const SineCosine<T>& half, T (&q)[4]) noexcept {
+    q[0] = select(sign_of(v.length) == 0.0, T(1.0), rounded_to<T>(v.length * half.cosine));
+    for (std::size_t k = 0; k < 3; ++k) {
+        q[k + 1] = half.sine * v.along[k];
+    }
+}
+
+/// A quaternion with the sign that is printed, and the length of its vector part. It and the angle count in every
+/// number, the angle twice: they are precise.
+template <class T> struct AxisHalfAngle {
+    ROTCONV_INLINE explicit AxisHalfAngle(const T (&given)[4]) noexcept {
+        const double sign = canonical_sign(given);
+        for (std::size_t k = 0; k < 4; ++k) {
+            q[k] = scaled(given[k], sign);
+        }
+        length = root(sum_of_squares(q[1], q[2], q[3]));
+    }
+
+    T q[4];
+    Precise<T> length;
+};
+
+/// Kernels of axis and angle, of a class Formula with `size`, how many numbers there are, and the functions
+///     error_of(const double* numbers, AngleUnit unit)
+///     half_angle(const AxisVector<T>& v, const double* numbers)
+///     numbers_of(const T (&q)[4], const Precise<T>& length, const Precise<T>& angle, Precise<T> (&numbers)[size])
+///     diagnostics_of(const T (&q)[4])
+/// where q and length are those of AxisHalfAngle. The numbers begin with a vector along the axis.
+template <class Formula> struct AxisAndAngle {
+    static constexpr std::size_t size = Formula::size;
+
+    template <class T>
+    static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
+        Columns<double, size> columns;
+        Columns<double, 3> along;
+        Column<DoubleDouble> length;
+        Column<DoubleDouble> half;
+        Column<T> cosine;
+        Column<T> sine;
+        for (std::size_t i = 0; i < rows; ++i) {
+            attitudes.error[i] = Formula::error_of(numbers + size * i, spec.unit);
+            attitudes.defect[i] = 0.0;
+        }
+        to_columns(numbers, rows, columns);
+        for (std::size_t i = 0; i < rows; ++i) {
+            double own[size];
+            columns.get(i, own);
+            const AxisVector<T> v(own);
+            along.set(i, v.along);
+            length.set(i, v.length);
+            half.set(i, Formula::half_angle(v, own));
+        }
+        sine_cosine(half, rows, spec.unit, cosine, sine);
+        for (std::size_t i = 0; i < rows; ++i) {
+            AxisVector<T> v;
+            along.get(i, v.along);
+            v.length = length[i];
+            T q[4];
+            quaternion_of(v, SineCosine<T>{sine[i], cosine[i]}, q);
+            attitudes.set(i, q);
+        }
+    }
+    static Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
+        defect = 0.0;
+        const Error error = Formula::error_of(numbers, spec.unit);
+        if (error == Error::none) {
+            const AxisVector<double> v(numbers);
+            quaternion_of(v, sine_cosine<double>(Formula::half_angle(v, numbers), spec.unit), q);
+        }
+        return error;
+    }
+    static void read_carefully(const Spec& spec, const double* numbers, Careful (&q)[4]) noexcept {
+        const AxisVector<Careful> v(numbers);
+        quaternion_of(v, sine_cosine(Formula::half_angle(v, numbers), spec.unit), q);
+    }
+
+    template <class T> static void write(const Spec& spec, double /*lock_margin*/, const AttitudeBatch<T>& attitudes,
+                                         std::size_t rows, double* numbers, double* rest,
+                                         DiagnosticSet* diagnostics) noexcept {
+        Columns<T, 4> parts;
+        Column<T> sides;
+        Column<DoubleDouble> length;
+        Column<DoubleDouble> half;
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            attitudes.get(i, q);
+            const AxisHalfAngle<T> part(q);
+            parts.set(i, part.q);
+            length.set(i, part.length);
+            sides.set(i, rounded_to<T>(part.length));
+        }
+        angles_of(parts[0], sides, rows, spec.unit, half);
+        const auto result_of = [&](std::size_t i, DoubleDouble(&result)[size]) {
+            T q[4];
+            parts.get(i, q);
+            Formula::numbers_of(q, length[i], scaled(half[i], 2.0), result);
+        };
+        for (std::size_t i = 0; i < rows; ++i) {
+            DoubleDouble result[size];
+            result_of(i, result);
+            for (std::size_t k = 0; k < size; ++k) {
+                numbers[size * i + k] = result[k].hi;
+            }
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            parts.get(i, q);
+            diagnostics[i] = Formula::diagnostics_of(q);
+        }
+        for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
+            DoubleDouble result[size];
+            result_of(i, result);
+            for (std::size_t k = 0; k < size; ++k) {
+                rest[size * i + k] = result[k].lo;
+            }
+        }
+    }
+    template <class T>
+    static DiagnosticSet write_one(const Spec& spec, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
+        const AxisHalfAngle<T> part(q);
+        const Precise<T> half = angle_of(part.q[0], rounded_to<T>(part.length), spec.unit);
+        Precise<T> result[size];
+        Formula::numbers_of(part.q, part.length, scaled(half, 2.0), result);
+        for (std::size_t k = 0; k < size; ++k) {
+            numbers[k] = rounded_to<T>(result[k]);
+        }
+        return Formula::diagnostics_of(part.q);
+    }
+
+    static constexpr Kernel kernel{.fast = {.read = read<double>, .write = write<double>},
+                                   .exact = {.read = read<DoubleDouble>, .write = write<DoubleDouble>},
+                                   .one = {.read = read_one, .write = write_one<double>},
+                                   .careful = {.read = read_carefully, .write = write_one<Careful>}};
+};
+
+// NOLINTEND(*-avoid-c-arrays)
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv
