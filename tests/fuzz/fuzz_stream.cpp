@@ -598,6 +598,14 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
             return put(line, *pairs, data, most);
         }
     }
+    if (is_rare && seed / 8 % 4 != 0) { // a row again, by which little is lost
+        const std::size_t begin = text.rfind('\n', seed % (text.size() + 1)) + 1;
+        const std::string row = text.substr(begin, text.find('\n', begin) - begin) + '\n';
+        for (unsigned copies = seed / 32 % 8; copies > 0; --copies) {
+            text.insert(begin, row);
+        }
+        return put(line, text, data, most);
+    }
     if (line.size() + 1 >= most) {
         return size;
     }
