@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <variant>
@@ -15,6 +13,7 @@
 
 #include <rotconv/integration.hpp>
 
+#include "figures.hpp"
 #include "motions.hpp"
 
 namespace {
@@ -47,11 +46,6 @@ std::vector<Way> ways() {
         made.push_back({"quat", integrator, true});
     }
     return made;
-}
-
-Rotation rotation_of(const oracle::Quaternion& q) {
-    return Rotation::from_components(static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
-                                     static_cast<double>(q.z()));
 }
 
 /// Of 64 bits, which tell an error of 1e-17.
@@ -116,7 +110,7 @@ void work(std::ostream& csv, const Motion& motion) {
     for (std::size_t i = 0; i <= most_steps; ++i) {
         exact.push_back(exact_attitude(motion, oracle::Real(seconds) * static_cast<double>(i) / most_steps));
     }
-    const Rotation start = rotation_of(motion.attitude(0));
+    const Rotation start = oracle::rotation(motion.attitude(0));
     const auto omega = [&](double t) { return motion.omega(t); };
     for (const Way& way : ways()) {
         for (std::size_t steps = fewest_steps; steps <= most_steps; steps *= 2) {
@@ -157,7 +151,7 @@ void drift(std::ostream& csv, const Motion& motion) {
     const auto omega = [&](double t) { return motion.omega(t); };
     for (const Way& way : ways()) {
         Stepper stepper = way.stepper();
-        Error error = stepper.start(rotation_of(motion.attitude(0)));
+        Error error = stepper.start(oracle::rotation(motion.attitude(0)));
         std::size_t done = 0;
         double worst = 0.0;
         for (int point = 0; point <= 60; ++point) { // fifteen a decade, from 1 s on
@@ -184,23 +178,14 @@ void drift(std::ostream& csv, const Motion& motion) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2 || argv[1][0] == '-') {
-        std::fputs("usage: bench_kinematics OUT.csv\n", stderr);
-        return 2;
-    }
-    std::ofstream csv(argv[1]);
-    if (!csv) {
-        std::perror(argv[1]);
-        return 1;
-    }
-    csv << "kind,motion,set,integrator,step,renormalised,time,error,ns_per_second,evaluations_per_second,defect,"
-           "outcome\n";
-    for (const Motion& motion : motions::all()) {
-        work(csv, motion);
-    }
-    for (const Motion& motion : {motions::gentle(), motions::tumbling()}) {
-        drift(csv, motion);
-    }
-    csv.close();
-    return csv ? 0 : 1;
+    return write_figures(argc, argv, [](std::ostream& csv) {
+        csv << "kind,motion,set,integrator,step,renormalised,time,error,ns_per_second,evaluations_per_second,defect,"
+               "outcome\n";
+        for (const Motion& motion : motions::all()) {
+            work(csv, motion);
+        }
+        for (const Motion& motion : {motions::gentle(), motions::tumbling()}) {
+            drift(csv, motion);
+        }
+    });
 }

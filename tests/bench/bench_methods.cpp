@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -12,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "figures.hpp"
 #include "samples.hpp"
 #include "scores.hpp"
 #include "times.hpp"
@@ -73,22 +72,13 @@ void write_pair(std::ostream& csv, const Pair& pair, const Times& times) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2 || argv[1][0] == '-') {
-        std::fputs("usage: bench_methods OUT.csv\n", stderr);
-        return 2;
-    }
-    std::ofstream csv(argv[1]);
-    if (!csv) {
-        std::perror(argv[1]);
-        return 1;
-    }
-    const auto all = pairs();
-    const Times times(all);
-    csv << "from,to,method,stratum,hostile,distance,rows,not_finite,worst,rms,relative,defect,ns,ns_million,x_eigen,"
-           "x_eigen_million,where\n";
-    for (const Pair& pair : all) {
-        write_pair(csv, pair, times);
-    }
-    csv.close();
-    return csv ? 0 : 1;
+    return write_figures(argc, argv, [](std::ostream& csv) {
+        const auto all = pairs();
+        const Times times(all);
+        csv << "from,to,method,stratum,hostile,distance,rows,not_finite,worst,rms,relative,defect,ns,ns_million,"
+               "x_eigen,x_eigen_million,where\n";
+        for (const Pair& pair : all) {
+            write_pair(csv, pair, times);
+        }
+    });
 }

@@ -10,7 +10,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include "inputs.hpp"
+#include "processes.hpp"
 #include "stream/number_text.hpp"
 #include "stream/scan_number.hpp"
 

@@ -2,14 +2,12 @@
 // and by the number of other fields in a row.
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "inputs.hpp"
+#include "figures.hpp"
 #include "processes.hpp"
 #include "stream/file.hpp"
 
@@ -69,8 +67,7 @@ void measure(std::ostream& csv) {
     const std::string input = folder / "input";
     const auto add = [&](const Form& form, int others, int threads) {
         csv << fmt::format("{},{},{},{:.4g}\n", form.name, threads, others,
-                           rows_per_second(input, form, others, threads))
-            << std::flush;
+                           rows_per_second(input, form, others, threads));
     };
     const int processors = static_cast<int>(rotconv::stream::processors());
     for (const Form& form : {text, doubles}) {
@@ -85,21 +82,4 @@ void measure(std::ostream& csv) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-    if (argc != 2 || argv[1][0] == '-') {
-        std::fputs("usage: bench_scaling OUT.csv\n", stderr);
-        return 2;
-    }
-    std::ofstream csv(argv[1]);
-    if (!csv) {
-        std::perror(argv[1]);
-        return 1;
-    }
-    try {
-        measure(csv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_scaling: %s\n", error.what());
-        return 1;
-    }
-    return 0;
-}
+int main(int argc, char** argv) { return write_figures(argc, argv, measure); }

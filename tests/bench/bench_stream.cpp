@@ -13,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include "inputs.hpp"
 #include "processes.hpp"
 
 namespace {

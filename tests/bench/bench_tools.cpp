@@ -22,7 +22,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "inputs.hpp"
+#include "figures.hpp"
 #include "processes.hpp"
 #include "strata.hpp"
 #include "stream/file.hpp"
@@ -222,24 +222,9 @@ void write(std::ostream& csv, double load, const std::vector<Measurement>& all) 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2 || argv[1][0] == '-') {
-        std::fputs("usage: bench_tools OUT.csv\n", stderr);
-        return 2;
-    }
-    try {
+    return write_figures(argc, argv, [](std::ostream& csv) {
         double load = 0;
         ::getloadavg(&load, 1);
-        const auto all = measure(make_block());
-        std::ofstream csv(argv[1]); // the figures of an earlier run stay until there are others
-        write(csv, load, all);
-        csv.close();
-        if (!csv) {
-            std::perror(argv[1]);
-            return 1;
-        }
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_tools: %s\n", error.what());
-        return 1;
-    }
-    return 0;
+        write(csv, load, measure(make_block()));
+    });
 }

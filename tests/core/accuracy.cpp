@@ -5,9 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
-
-#include <rotconv/conversion.hpp>
 
 #include "strata.hpp"
 
@@ -70,6 +67,29 @@ std::vector<std::string> all_specs() {
                 }
             }
         }
+    }
+    return specs;
+}
+
+std::vector<std::string> combined_specs() {
+    std::vector<std::string> specs;
+    for (const RepresentationId id : rotconv::all_representations) {
+        const auto& entry = rotconv::representation(id);
+        std::vector<std::string> texts{std::string(entry.text)};
+        if (entry.takes_sequence) {
+            texts.clear();
+            for (const auto sequence : rotconv::EulerSequence::all()) {
+                texts.push_back("euler:" + sequence.text());
+            }
+        }
+        for (const auto modifier : rotconv::all_modifiers) {
+            const bool is_told = entry.modifiers.has(modifier) && modifier != rotconv::Modifier::wxyz;
+            const std::size_t count = is_told ? texts.size() : 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                texts.push_back(texts[i] + ':' + std::string(rotconv::name_of(modifier)));
+            }
+        }
+        std::ranges::move(texts, std::back_inserter(specs));
     }
     return specs;
 }
@@ -162,12 +182,21 @@ Worst worst_of(const Way& way, int size, rotconv::AngleUnit unit) {
     return worst;
 }
 
-Spec spec(const std::string& text) {
-    const auto parsed = rotconv::parse_spec(text);
-    if (const auto* found = std::get_if<Spec>(&parsed)) {
-        return *found;
-    }
-    throw std::invalid_argument("no SPEC: " + text);
+Spec spec(std::string_view text) { return std::get<Spec>(rotconv::parse_spec(text)); }
+
+Converted converted(const Spec& from, const Spec& to, std::span<const double> rows,
+                    const rotconv::ConversionSettings& settings) {
+    const rotconv::Conversion conversion(from, to, settings);
+    Converted result{std::vector<double>(rows.size() / from.size() * to.size()), {}};
+    std::vector<rotconv::RowReport> reports;
+    conversion.run(rows, result.numbers, reports);
+    result.report = reports.empty() ? rotconv::RowReport{} : reports.front();
+    return result;
+}
+
+std::vector<double> joined(std::vector<double> first, const std::vector<double>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
 }
 
 } // namespace accuracy

@@ -3,9 +3,10 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include <rotconv/spec.hpp>
+#include <rotconv/conversion.hpp>
 
 /// The accuracy that conversions in plain double arithmetic are held to, and how it is checked: one table, one way to
 /// measure. Matrices and columns have a defect of up to 1e-3, rotation vectors a length of up to 1e15.
@@ -25,6 +26,8 @@ const std::vector<Way>& ways();
 /// SPECs of every representation, as it is and with each of its modifiers; of one that takes a sequence, with a
 /// sequence of each kind.
 std::vector<std::string> all_specs();
+/// The same with all its modifiers together that say something new, and every sequence.
+std::vector<std::string> combined_specs();
 
 /// Whether the table has ways from and to the representation. The oracle then knows its definition.
 bool has_limits(rotconv::RepresentationId name);
@@ -61,6 +64,17 @@ Worst worst_error(const rotconv::Spec& from, const rotconv::Spec& to, const Conv
 Worst worst_of(const Way& way, int size, rotconv::AngleUnit unit = rotconv::AngleUnit::radians);
 
 /// The SPEC, which must be one.
-rotconv::Spec spec(const std::string& text);
+rotconv::Spec spec(std::string_view text);
+
+/// Rows of numbers converted, and the first report, which is empty where there is nothing to tell.
+struct Converted {
+    std::vector<double> numbers;
+    rotconv::RowReport report;
+};
+Converted converted(const rotconv::Spec& from, const rotconv::Spec& to, std::span<const double> rows,
+                    const rotconv::ConversionSettings& settings = {});
+
+/// One row of both.
+std::vector<double> joined(std::vector<double> first, const std::vector<double>& second);
 
 } // namespace accuracy

@@ -13,6 +13,7 @@
 #include "strata.hpp"
 
 using namespace rotconv;
+using accuracy::joined;
 
 namespace {
 
@@ -33,11 +34,6 @@ Compared compare(const std::string& from, const std::string& reference, const st
 
 double angle(const std::string& from, const std::string& reference, const std::vector<double>& row) {
     return compare(from, reference, row).numbers.front();
-}
-
-std::vector<double> joined(std::vector<double> row, const std::vector<double>& other) {
-    row.insert(row.end(), other.begin(), other.end());
-    return row;
 }
 
 double exact_angle(const oracle::Quaternion& a, const oracle::Quaternion& b) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -23,33 +24,11 @@ namespace {
 using std::numbers::pi;
 using Numbers = std::vector<double>;
 
-/// Every representation that has a choice, with each modifier, and all sequences.
+/// Every representation that has a choice, with all modifiers and sequences.
 std::vector<Spec> specs_with_choice() {
     std::vector<Spec> specs;
-    for (const auto id : all_representations) {
-        for (const auto sequence : EulerSequence::all()) {
-            if (id != RepresentationId::euler && sequence != roll_pitch_yaw) {
-                continue;
-            }
-            for (const bool passive : {false, true}) {
-                for (const auto unit : {AngleUnit::radians, AngleUnit::degrees}) {
-                    for (const bool scalar_last : {false, true}) {
-                        const Spec spec{.name = id,
-                                        .sequence = sequence,
-                                        .unit = unit,
-                                        .passive = passive,
-                                        .scalar_last = scalar_last};
-                        const auto& entry = representation(id);
-                        if (ContinuousNumbers(spec).have_choice() &&
-                            (unit == AngleUnit::radians || entry.has_angles()) &&
-                            (!scalar_last || entry.modifiers.has(Modifier::xyzw))) {
-                            specs.push_back(spec);
-                        }
-                    }
-                }
-            }
-        }
-    }
+    std::ranges::transform(accuracy::combined_specs(), std::back_inserter(specs), accuracy::spec);
+    std::erase_if(specs, [](const Spec& spec) { return !ContinuousNumbers(spec).have_choice(); });
     return specs;
 }
 

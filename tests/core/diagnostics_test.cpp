@@ -27,17 +27,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// That of a run of one row; the empty one where there is nothing to tell.
-RowReport only(const std::vector<RowReport>& reports) { return reports.empty() ? RowReport{} : reports.at(0); }
-
 RowReport report_of(const std::string& from, const std::string& to, const std::vector<double>& row,
                     rotconv::ConversionSettings settings = {}) {
-    const rotconv::Conversion conversion(spec(from), spec(to), settings);
-    std::vector<double> result(conversion.to().size());
-    std::vector<RowReport> reports;
-    conversion.run(row, result, reports);
-    const RowReport report = only(reports);
-    const bool all_nan = std::ranges::all_of(result, [](double v) { return std::isnan(v); });
+    const auto [numbers, report] = accuracy::converted(spec(from), spec(to), row, settings);
+    const bool all_nan = std::ranges::all_of(numbers, [](double v) { return std::isnan(v); });
     CHECK(all_nan == (report.error != Error::none));
     return report;
 }
@@ -56,9 +49,7 @@ const rotconv::ConversionSettings with_figures{.tolerance = infinity, .lock_marg
 
 /// The numbers of an attitude in high precision, in radians: for differentiation by small rotations.
 Eigen::VectorXd numbers_in_detail(const std::string& to, const oracle::Quaternion& q) {
-    std::vector<double> in(4);
-    const auto numbers = oracle::numbers(spec("quat"), q);
-    const auto out = accuracy::own(spec("quat"), spec(to))(numbers);
+    const auto out = accuracy::own(spec("quat"), spec(to))(oracle::numbers(spec("quat"), q));
     return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
@@ -113,13 +104,9 @@ TEST_CASE("an infinite Cayley vector keeps its signs") {
 TEST_CASE("locked angles have a zero third and a middle at its limit") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
         const std::string text = "euler:" + sequence.text();
-        const rotconv::Conversion conversion(spec("quat"), spec(text), {.lock_margin = 1e-3});
         for (const auto& attitude : strata::near_lock(sequence, 60).attitudes) {
             const auto row = oracle::numbers(spec("quat"), attitude);
-            std::vector<double> angles(3);
-            std::vector<RowReport> reports;
-            conversion.run(row, angles, reports);
-            const RowReport report = only(reports);
+            const auto [angles, report] = accuracy::converted(spec("quat"), spec(text), row, {.lock_margin = 1e-3});
             const double margin = report_of("quat", text, row, with_figures).sensitivity.margin;
             INFO(text << " margin " << margin);
             CHECK(report.diagnostics.has(DiagnosticKind::gimbal_lock) == (margin <= 1e-3));
@@ -137,10 +124,8 @@ TEST_CASE("locked angles have a zero third and a middle at its limit") {
 
 // Would catch: digits given up near lock at a lock margin of 0, an angle that noise has split at the default.
 TEST_CASE("the third angle at exact lock is zero by default") {
-    const rotconv::Conversion conversion(spec("euler:ZYX:deg"), spec("euler:ZYX:deg"));
-    std::vector<double> angles(3);
-    std::vector<RowReport> reports;
-    conversion.run(std::vector<double>{30, 90, 20}, angles, reports);
+    const auto to = spec("euler:ZYX:deg");
+    const auto angles = accuracy::converted(to, to, std::vector<double>{30, 90, 20}).numbers;
     CHECK(angles[0] == Approx(10).epsilon(1e-15));
     CHECK(angles[1] == 90.0);
     CHECK(angles[2] == 0.0);

@@ -39,10 +39,8 @@ std::vector<Case> cases() {
     strata::Source source(31);
     std::vector<Case> made;
     for (int i = 0; i < 200; ++i) {
-        const auto q = source.attitude();
-        made.push_back({Rotation::from_components(static_cast<double>(q.w()), static_cast<double>(q.x()),
-                                                  static_cast<double>(q.y()), static_cast<double>(q.z())),
-                        {source.normal(), source.normal(), source.normal()}});
+        const Rotation rotation = oracle::rotation(source.attitude());
+        made.push_back({rotation, {source.normal(), source.normal(), source.normal()}});
     }
     return made;
 }

@@ -1,6 +1,5 @@
 // The numbers that are printed are the doubles nearest to the exact function of the numbers read: bits are compared.
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -59,27 +58,11 @@ TEST_CASE("attitudes that are turned are rounded once") {
         const std::vector<double> left{source.uniform(-180, 180), source.uniform(-90, 90), source.uniform(-180, 180)};
         const std::vector<double> row{source.uniform(-180, 180), source.uniform(-90, 90), source.uniform(-180, 180)};
         const std::vector<double> right{source.normal(), source.normal(), source.normal(), source.normal()};
-        const rotconv::Conversion conversion(angles, accuracy::spec("dcm"),
-                                             {.left = rotconv::FixedRotation::of_numbers(angles, left),
-                                              .right = rotconv::FixedRotation::of_numbers(quat, right)});
-        std::vector<double> result(9);
-        std::vector<rotconv::RowReport> reports;
-        conversion.run(row, result, reports);
+        const auto result = accuracy::converted(angles, accuracy::spec("dcm"), row,
+                                                {.left = rotconv::FixedRotation::of_numbers(angles, left),
+                                                 .right = rotconv::FixedRotation::of_numbers(quat, right)});
         const auto exact =
             oracle::attitude(angles, left) * oracle::attitude(angles, row) * oracle::attitude(quat, right);
-        CHECK(result == oracle::numbers(accuracy::spec("dcm"), exact));
-    }
-}
-
-// Ten million rows, a few hours: test_core "[large]", with --durations yes for a sign of life.
-TEST_CASE("every pair at length", "[.large]") {
-    for (const auto& from : accuracy::compared_specs()) {
-        for (const auto& to : accuracy::compared_specs()) {
-            const auto count = accuracy::rounding_of(from, to, 9000);
-            std::printf("%s %s: %zu rows, %zu numbers, %zu wrong, %zu within the promise, %zu uncertain\n",
-                        from.c_str(), to.c_str(), count.rows, count.numbers, count.wrong, count.beyond,
-                        count.uncertain);
-            CHECK(count.wrong == 0);
-        }
+        CHECK(result.numbers == oracle::numbers(accuracy::spec("dcm"), exact));
     }
 }

@@ -12,16 +12,17 @@
 
 #include <rotconv/identification.hpp>
 
+#include "accuracy.hpp"
 #include "catch.hpp"
+#include "oracle.hpp"
 
 using namespace rotconv;
+using accuracy::spec;
 
 namespace {
 
 using Row = std::vector<double>;
 using Columns = std::vector<int>; ///< for each number of a SPEC the column that holds it, from 0
-
-Spec spec(std::string_view text) { return std::get<Spec>(parse_spec(text)); }
 
 Columns identity_order(std::size_t count) {
     Columns columns;
@@ -42,10 +43,7 @@ std::vector<Row> wide_attitudes(std::size_t count) {
 }
 
 Row converted(const Row& numbers, const Spec& from, const Spec& to) {
-    Row result(to.size());
-    std::vector<RowReport> reports;
-    Conversion(from, to, {.tolerance = std::numeric_limits<double>::infinity()}).run(numbers, result, reports);
-    return result;
+    return accuracy::converted(from, to, numbers, {.tolerance = HUGE_VAL}).numbers;
 }
 
 /// The numbers of a SPEC in their columns, then the known attitude.
@@ -55,9 +53,7 @@ Row row_of(const Row& attitude, const Spec& unknown, const Columns& columns, con
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         row[static_cast<std::size_t>(columns[i])] = numbers[i];
     }
-    const Row attitude_numbers = converted(attitude, Spec{}, known);
-    row.insert(row.end(), attitude_numbers.begin(), attitude_numbers.end());
-    return row;
+    return accuracy::joined(row, converted(attitude, Spec{}, known));
 }
 
 std::vector<Row> rows_of(const std::vector<Row>& attitudes, const Spec& unknown, const Columns& columns,
@@ -146,38 +142,13 @@ std::string called(Spec meant, Columns columns) {
     return text_of(candidate);
 }
 
-/// Every SPEC that a preset or a modifier can make, once each.
-std::vector<std::string> all_specs() {
-    std::vector<std::string> names;
-    for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
-        std::vector<std::string> texts;
-        if (entry.takes_sequence) {
-            for (const EulerSequence sequence : EulerSequence::all()) {
-                texts.push_back("euler:" + sequence.text());
-            }
-        } else {
-            texts.emplace_back(entry.text);
-        }
-        for (const Modifier modifier : all_modifiers) {
-            const bool is_told = entry.modifiers.has(modifier) && modifier != Modifier::wxyz; // which says nothing new
-            const std::size_t count = is_told ? texts.size() : 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                texts.emplace_back(texts[i]).append(":").append(name_of(modifier));
-            }
-        }
-        names.insert(names.end(), texts.begin(), texts.end());
-    }
-    return names;
-}
-
 } // namespace
 
 TEST_CASE("every SPEC is identified by its numbers, in every order of the columns") {
     // Catches a candidate that is left out, columns that are read the wrong way round, SPECs that differ taken for one,
     // SPECs that are one taken for two, and a name that is not the simplest.
     const auto attitudes = wide_attitudes(6);
-    for (const std::string& text : all_specs()) {
+    for (const std::string& text : accuracy::combined_specs()) {
         INFO(text);
         const Spec unknown = spec(text);
         const bool any_order = representation(unknown.name).has_gimbal_lock || unknown.name == RepresentationId::quat;
@@ -268,10 +239,7 @@ TEST_CASE("rows at gimbal lock tell what they can") {
     std::vector<Row> rows;
     for (int i = 0; i < 5; ++i) {
         const Row unknown{20.0 + 31 * i, 90, 10.0 * i};
-        Row row = unknown;
-        const Row matrix = converted(unknown, spec("euler:ZYX:deg"), spec("dcm"));
-        row.insert(row.end(), matrix.begin(), matrix.end());
-        rows.push_back(row);
+        rows.push_back(accuracy::joined(unknown, converted(unknown, spec("euler:ZYX:deg"), spec("dcm"))));
     }
     Identification locked(3, spec("dcm"));
     add(locked, rows);
@@ -366,16 +334,9 @@ TEST_CASE("the angle is that between the attitudes") {
     // Catches a figure in other units, and the line of another row.
     auto rows = rows_of(wide_attitudes(20), spec("rotvec"), {0, 1, 2}, spec("quat"));
     for (const auto& [at, angle] : {std::pair(std::size_t{7}, 1e-5), std::pair(std::size_t{12}, 3e-4)}) {
-        const Row turned = converted({0, 0, angle}, spec("rotvec"), spec("dcm"));
-        const Row own = converted(Row(rows[at].begin() + 3, rows[at].end()), spec("quat"), spec("dcm"));
-        Row product(9);
-        for (std::size_t i = 0; i < 9; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                product[i] += turned[i / 3 * 3 + k] * own[3 * k + i % 3];
-            }
-        }
-        const Row known = converted(product, spec("dcm"), spec("quat"));
-        std::ranges::copy(known, rows[at].begin() + 3);
+        const auto known = std::span(rows[at]).subspan(3);
+        const auto turned = oracle::about({0, 0, 1}, angle) * oracle::attitude(Spec{}, known);
+        std::ranges::copy(oracle::numbers(Spec{}, turned), known.begin());
     }
     Identification identification(3, spec("quat"));
     add(identification, rows);

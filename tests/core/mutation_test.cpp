@@ -15,12 +15,7 @@ using Row = std::span<const double>;
 
 /// ZYX angles, with everything nearer to lock than 1e-7 treated as locked.
 std::vector<double> lock_threshold(Row q) {
-    static const rotconv::Conversion conversion(spec("quat"), spec("euler:ZYX"),
-                                                {.tolerance = 1e300, .lock_margin = 1e-7, .sensitivity = false});
-    std::vector<double> angles(3);
-    std::vector<rotconv::RowReport> reports;
-    conversion.run(q, angles, reports);
-    return angles;
+    return accuracy::converted(spec("quat"), spec("euler:ZYX"), q, {.tolerance = 1e300, .lock_margin = 1e-7}).numbers;
 }
 
 } // namespace

@@ -38,17 +38,15 @@ TEST_CASE("a round trip through any representation returns the attitude") {
     const auto quat = accuracy::spec("quat");
     for (const auto& text : accuracy::all_specs()) {
         const auto via = accuracy::spec(text);
-        const rotconv::Conversion there(quat, via, {.tolerance = 1e300, .lock_margin = 0.0, .sensitivity = true});
         const auto back = accuracy::own(via, quat);
-        std::vector<double> numbers(via.size());
-        std::vector<rotconv::RowReport> reports;
         INFO(text);
         for (const auto& row : accuracy::inputs(quat, via, 60)) {
-            there.run(row, numbers, reports);
+            const auto [numbers, report] =
+                accuracy::converted(quat, via, row, {.tolerance = 1e300, .lock_margin = 0.0, .sensitivity = true});
             if (std::ranges::all_of(numbers, [](double v) { return std::isfinite(v); })) {
                 const double limit = accuracy::has_limits(via.name)
                                          ? accuracy::limit_to(via) + accuracy::limit_from(via) + 1.0
-                                         : any_limit / std::min(1.0, reports.at(0).sensitivity.margin);
+                                         : any_limit / std::min(1.0, report.sensitivity.margin);
                 CHECK(oracle::error_in_eps(oracle::attitude(quat, row), oracle::attitude(quat, back(numbers))) <=
                       limit);
             }
@@ -77,9 +75,7 @@ TEST_CASE("rows in blocks come out as rows one by one") {
     for (const auto& row : rows) {
         in.insert(in.end(), row.begin(), row.end());
     }
-    std::vector<double> out(rows.size() * 9);
-    std::vector<rotconv::RowReport> reports;
-    rotconv::Conversion(from, to, {.tolerance = 1e300, .lock_margin = 0.0, .sensitivity = false}).run(in, out, reports);
+    const auto out = accuracy::converted(from, to, in, {.tolerance = 1e300, .lock_margin = 0.0}).numbers;
     const auto one = accuracy::own(from, to);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto expected = one(rows[i]);

@@ -1,5 +1,6 @@
 // Each preset against what its library, paper or file format publishes.
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -34,6 +35,17 @@ Numbers rows_of(const Matrix& m) {
 Matrix cross(const Vector& v) {
     Matrix m;
     m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+}
+
+/// [1 0 0; 0 c -s; 0 s c], and likewise about y and z.
+Matrix turn(int axis, double angle) {
+    Matrix m = Matrix::Identity();
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    m(next, next) = m(last, last) = std::cos(angle);
+    m(last, next) = std::sin(angle);
+    m(next, last) = -m(last, next);
     return m;
 }
 
@@ -95,9 +107,7 @@ TEST_CASE("preset spice") {
 // Bunge, Texture Analysis in Materials Science, Eq 2.50, and Rowenhorst et al. 2015, eu2qu with P = +1:
 // q = (c cos s, -s cos d, -s sin d, -c sin s), s and d half the sum and difference of phi1 and phi2.
 TEST_CASE("preset bunge") {
-    const double a = 0.7;
-    const double b = 0.4;
-    const double c = -1.1;
+    const auto [a, b, c] = std::array{0.7, 0.4, -1.1};
     const Numbers g{std::cos(a) * std::cos(c) - std::sin(a) * std::sin(c) * std::cos(b),
                     std::sin(a) * std::cos(c) + std::cos(a) * std::sin(c) * std::cos(b),
                     std::sin(c) * std::sin(b),
@@ -134,26 +144,16 @@ TEST_CASE("presets trawny and jpl") {
 
 // Stuelpnagel 1964: gamma(u) of section 3, the factors of section 6, exp and Cayley of section 6.
 TEST_CASE("preset stuelpnagel") {
-    const double u1 = w;
-    const double u2 = v.x();
-    const double u3 = v.y();
-    const double u4 = v.z();
+    const auto [u1, u2, u3, u4] = std::array{w, v.x(), v.y(), v.z()};
     check("quat:stuelpnagel", {u1, u2, u3, u4}, "dcm:stuelpnagel",
           {u1 * u1 + u2 * u2 - u3 * u3 - u4 * u4, 2 * (-u1 * u4 + u2 * u3), 2 * (u1 * u3 + u2 * u4),
            2 * (u1 * u4 + u2 * u3), u1 * u1 - u2 * u2 + u3 * u3 - u4 * u4, 2 * (-u1 * u2 + u3 * u4),
            2 * (-u1 * u3 + u2 * u4), 2 * (u1 * u2 + u3 * u4), u1 * u1 - u2 * u2 - u3 * u3 + u4 * u4},
           1e-15);
 
-    const double phi = 0.3;
-    const double theta = -0.4;
-    const double psi = 1.2;
-    Matrix roll;
-    roll << 1, 0, 0, 0, std::cos(phi), std::sin(phi), 0, -std::sin(phi), std::cos(phi);
-    Matrix pitch;
-    pitch << std::cos(theta), 0, -std::sin(theta), 0, 1, 0, std::sin(theta), 0, std::cos(theta);
-    Matrix yaw;
-    yaw << std::cos(psi), std::sin(psi), 0, -std::sin(psi), std::cos(psi), 0, 0, 0, 1;
-    check("rpy:stuelpnagel", {phi, theta, psi}, "dcm:stuelpnagel", rows_of(roll * pitch * yaw), 1e-15);
+    // his factors are the inverse turns
+    const Matrix factors = turn(0, -0.3) * turn(1, 0.4) * turn(2, -1.2);
+    check("rpy:stuelpnagel", {0.3, -0.4, 1.2}, "dcm:stuelpnagel", rows_of(factors), 1e-15);
 
     const Vector s(0.3, -0.5, 0.7);
     Matrix skew; // S of s as printed: the negative of [s]
@@ -193,26 +193,14 @@ TEST_CASE("MATLAB's Robotics System Toolbox has active ones") {
 
 // Drake, math/roll_pitch_yaw.h: R = Rz(y) Ry(p) Rx(r). GTSAM's RzRyRx and Ceres' Euler angles are the same product.
 TEST_CASE("roll, pitch and yaw of Drake, GTSAM, Ceres and ROS") {
-    const double r = 0.3;
-    const double p = -0.4;
-    const double y = 1.2;
-    Matrix rz;
-    rz << std::cos(y), -std::sin(y), 0, std::sin(y), std::cos(y), 0, 0, 0, 1;
-    Matrix ry;
-    ry << std::cos(p), 0, std::sin(p), 0, 1, 0, -std::sin(p), 0, std::cos(p);
-    Matrix rx;
-    rx << 1, 0, 0, 0, std::cos(r), -std::sin(r), 0, std::sin(r), std::cos(r);
-    const Matrix product = rz * ry * rx;
+    const auto [r, p, y] = std::array{0.3, -0.4, 1.2};
+    const Matrix product = turn(2, y) * turn(1, p) * turn(0, r);
     check("rpy", {r, p, y}, "dcm", rows_of(product), 1e-15);
     check("euler:ZYX", {y, p, r}, "dcm", rows_of(product), 1e-15);           // GTSAM's ypr
     check("rpy", {r, p, y}, "dcm:col", rows_of(product.transpose()), 1e-15); // Ceres' column-major matrices
     // ROS, tf2/LinearMath/Quaternion.h, setRPY; Blender's eulO_to_quat for the order XYZ has the same products.
-    const double cr = std::cos(r / 2);
-    const double sr = std::sin(r / 2);
-    const double cp = std::cos(p / 2);
-    const double sp = std::sin(p / 2);
-    const double cy = std::cos(y / 2);
-    const double sy = std::sin(y / 2);
+    const auto [cr, cp, cy] = std::array{std::cos(r / 2), std::cos(p / 2), std::cos(y / 2)};
+    const auto [sr, sp, sy] = std::array{std::sin(r / 2), std::sin(p / 2), std::sin(y / 2)};
     check("rpy", {r, p, y}, "quat:ros",
           {sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy,
            cr * cp * cy + sr * sp * sy},

@@ -23,15 +23,8 @@ using motions::Motion;
 
 namespace {
 
-Rotation rotation_of(const oracle::Quaternion& q) {
-    return Rotation::from_components(static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
-                                     static_cast<double>(q.z()));
-}
-
 double error_of(const Motion& motion, const oracle::Real& time, const Rotation& rotation) {
-    oracle::Quaternion q(rotation.w(), rotation.x(), rotation.y(), rotation.z());
-    q.normalize();
-    return oracle::eps * oracle::error_in_eps(motion.attitude(time), q);
+    return oracle::eps * oracle::error_in_eps(motion.attitude(time), oracle::attitude(rotation));
 }
 
 struct Result {
@@ -47,7 +40,7 @@ Result integrated(const Motion& motion, const std::string& set, Integrator integ
                   bool renormalise = false) {
     Stepper stepper(spec(set), integrator, renormalise);
     Result result;
-    result.error = stepper.start(rotation_of(motion.attitude(0)));
+    result.error = stepper.start(oracle::rotation(motion.attitude(0)));
     const auto steps = static_cast<std::size_t>(std::lround(20.0 / h));
     const auto look = std::max<std::size_t>(1, steps / 400);
     for (std::size_t i = 0; i < steps && result.error == Error::none; i += look) {
@@ -117,11 +110,11 @@ double worst_error(const Rows& rows, const Motion& motion) {
 
 double sampled_error(const Motion& motion, double frequency, Interpolation interpolation,
                      Integrator integrator = PropagationSettings{}.integrator) {
-    PropagationSettings settings;
-    settings.integrator = integrator;
-    settings.interpolation = interpolation;
-    settings.initial = rotation_of(motion.attitude(0));
-    return worst_error(propagated(settings, motion, frequency, 20.0), motion);
+    return worst_error(
+        propagated(
+            {.integrator = integrator, .interpolation = interpolation, .initial = oracle::rotation(motion.attitude(0))},
+            motion, frequency, 20.0),
+        motion);
 }
 
 } // namespace
@@ -262,14 +255,11 @@ TEST_CASE("the greatest rate of a step counts wherever it is") {
     // Catches rates that are looked at only where the integrator needs them: those of Gauss and Legendre lie inside.
     for (const auto interpolation : {Interpolation::linear, Interpolation::cubic}) {
         for (const IntegratorEntry& entry : integrators()) {
-            PropagationSettings settings;
-            settings.integrator = entry.integrator;
-            settings.interpolation = interpolation;
-            const auto error = [&settings](double first, double last) {
-                Propagator propagator(settings);
+            const auto error = [&](double first, double last) {
+                Propagator propagator({.integrator = entry.integrator, .interpolation = interpolation});
                 propagator.push(0, {0, first, 0});
                 auto answer = propagator.push(1, {last, 0, 0}).answer;
-                answer = answer && settings.interpolation == Interpolation::linear ? answer : propagator.flush();
+                answer = answer && interpolation == Interpolation::linear ? answer : propagator.flush();
                 REQUIRE(answer);
                 return answer->attitude.error();
             };
@@ -281,10 +271,7 @@ TEST_CASE("the greatest rate of a step counts wherever it is") {
         }
     }
     // the ends of a parabola, which rk4 has among its nodes
-    PropagationSettings settings;
-    settings.integrator = Integrator::magnus6;
-    settings.interpolation = Interpolation::cubic;
-    Propagator propagator(settings);
+    Propagator propagator({.integrator = Integrator::magnus6, .interpolation = Interpolation::cubic});
     propagator.push(0, {0, 0, 0});
     propagator.push(1, {0, 0, 0.5});
     propagator.push(1, {0, 0, 3.15});
@@ -358,7 +345,7 @@ TEST_CASE("the estimate of a step's own error is of the order of that error") {
                         samples.push_back(motion.omega(start + k * interval));
                     }
                     const Step step =
-                        last_step(way, interpolation, rotation_of(motion.attitude(start)), interval, samples);
+                        last_step(way, interpolation, oracle::rotation(motion.attitude(start)), interval, samples);
                     if (step.error != Error::none) {
                         continue;
                     }
@@ -441,9 +428,7 @@ TEST_CASE("renormalising takes the defect away, and changes the attitude little"
 // The propagator is the stepper: with a rate that the interpolation knows exactly the error is that of rounding.
 TEST_CASE("a rate that is a polynomial is interpolated exactly") {
     const auto attitude_error = [](Interpolation interpolation, int degree) {
-        PropagationSettings settings;
-        settings.interpolation = interpolation;
-        Propagator propagator(settings);
+        Propagator propagator({.interpolation = interpolation});
         const std::vector<double> times{0.0, 0.1, 0.15, 0.3, 0.35, 0.6, 0.7, 0.95}; // not evenly
         double worst = 0.0;
         std::size_t answered = 0;
@@ -470,9 +455,8 @@ TEST_CASE("a rate that is a polynomial is interpolated exactly") {
 }
 
 TEST_CASE("linear answers each sample at once, cubic one late") {
-    PropagationSettings settings;
-    Propagator linear(settings);
-    settings.interpolation = Interpolation::cubic;
+    const PropagationSettings settings{.interpolation = Interpolation::cubic};
+    Propagator linear({});
     Propagator cubic(settings);
     CHECK_FALSE(Propagator(settings).flush());
     for (int i = 0; i < 6; ++i) {
@@ -498,10 +482,8 @@ TEST_CASE("linear answers each sample at once, cubic one late") {
 
 TEST_CASE("a sample that is settled early is not answered again, and the next ones follow") {
     // Catches an interval that is integrated twice or left out.
-    PropagationSettings settings;
-    settings.interpolation = Interpolation::cubic;
     for (const int early : {0, 1, 2, 5}) {
-        Propagator propagator(settings);
+        Propagator propagator({.interpolation = Interpolation::cubic});
         int answered = 0;
         const auto take = [&](const std::optional<Propagated>& row) {
             if (row) {
@@ -522,10 +504,8 @@ TEST_CASE("a sample that is settled early is not answered again, and the next on
 
 TEST_CASE("a sample that is not later, or not finite, is refused and changes nothing") {
     for (const auto interpolation : {Interpolation::linear, Interpolation::cubic}) {
-        PropagationSettings settings;
-        settings.interpolation = interpolation;
-        Propagator clean(settings);
-        Propagator disturbed(settings);
+        Propagator clean({.interpolation = interpolation});
+        Propagator disturbed({.interpolation = interpolation});
         for (int i = 0; i < 6; ++i) {
             const Vector3d omega{0.1 * i, 0.3, -0.02 * i * i};
             const auto expected = clean.push(1, omega);
@@ -548,9 +528,7 @@ TEST_CASE("a sample that is not later, or not finite, is refused and changes not
 TEST_CASE("samples too close for their differences are refused and change nothing") {
     for (const auto interpolation : {Interpolation::linear, Interpolation::cubic}) {
         for (const double interval : {5e-324, 1e-310, 1e-200, 1e-110}) {
-            PropagationSettings settings;
-            settings.interpolation = interpolation;
-            Propagator propagator(settings);
+            Propagator propagator({.interpolation = interpolation});
             CHECK(propagator.push(0, {0, 0, 1}).refused == Error::none);
             CHECK(propagator.push(interval, {0, 0, 1.5}).refused == Error::time_order);
             for (int i = 0; i < 3; ++i) {
@@ -561,9 +539,7 @@ TEST_CASE("samples too close for their differences are refused and change nothin
             }
         }
         // the closest that are not refused
-        PropagationSettings settings;
-        settings.interpolation = interpolation;
-        Propagator propagator(settings);
+        Propagator propagator({.interpolation = interpolation});
         for (const double interval : {0.0, 1e-100, 1e-100, 1e-100, 1e-100, 1.0, 1.0}) {
             const PushResult pushed = propagator.push(interval, {0, 0, 1});
             CHECK(pushed.refused == Error::none);
@@ -573,10 +549,9 @@ TEST_CASE("samples too close for their differences are refused and change nothin
 }
 
 TEST_CASE("a propagator whose chart is left says so from there on") {
-    PropagationSettings settings;
-    settings.representation = spec("euler:ZYX");
-    settings.integrator = Integrator::rk4;
-    settings.initial = rotation_of(motions::through_lock().attitude(0));
+    const PropagationSettings settings{.representation = spec("euler:ZYX"),
+                                       .integrator = Integrator::rk4,
+                                       .initial = oracle::rotation(motions::through_lock().attitude(0))};
     const Rows rows = propagated(settings, motions::through_lock(), 100, 3);
     for (const Row& row : rows) {
         CHECK((row.attitude.error() == Error::singular) == (row.time > 1.565));
@@ -619,22 +594,15 @@ TEST_CASE("the error of sampled rates is that of the interpolation") {
 // Substeps: of the interpolated rate, each as good as a step of its own.
 TEST_CASE("substeps bring a coarse integrator to the interpolated motion") {
     const Motion motion = motions::tumbling();
-    PropagationSettings settings;
-    settings.initial = rotation_of(motion.attitude(0));
-    settings.interpolation = Interpolation::cubic;
+    const auto last = [&](Integrator integrator, std::size_t substeps) {
+        const PropagationSettings settings{.integrator = integrator,
+                                           .substeps = substeps,
+                                           .interpolation = Interpolation::cubic,
+                                           .initial = oracle::rotation(motion.attitude(0))};
+        return oracle::attitude(propagated(settings, motion, 10, 5).back().attitude.rotation());
+    };
     const auto distance = [&](Integrator integrator, std::size_t substeps) {
-        settings.integrator = Integrator::magnus6;
-        settings.substeps = 8;
-        const Rows reference = propagated(settings, motion, 10, 5);
-        settings.integrator = integrator;
-        settings.substeps = substeps;
-        const Rows rows = propagated(settings, motion, 10, 5);
-        const Rotation& p = *reference.back().attitude;
-        const oracle::Quaternion exact(p.w(), p.x(), p.y(), p.z());
-        oracle::Quaternion found(rows.back().attitude->w(), rows.back().attitude->x(), rows.back().attitude->y(),
-                                 rows.back().attitude->z());
-        found.normalize();
-        return oracle::eps * oracle::error_in_eps(exact.normalized(), found);
+        return oracle::error_in_eps(last(Integrator::magnus6, 8), last(integrator, substeps));
     };
     CHECK(distance(Integrator::magnus4, 1) / distance(Integrator::magnus4, 4) == Approx(256).epsilon(0.2));
     CHECK(distance(Integrator::rk4, 1) / distance(Integrator::rk4, 4) == Approx(256).epsilon(0.3));
@@ -643,9 +611,8 @@ TEST_CASE("substeps bring a coarse integrator to the interpolated motion") {
 // The way back: differences of the attitudes are the rates that went in.
 TEST_CASE("rates by differences of the propagated attitudes are the ones that were propagated") {
     const Motion motion = motions::tumbling();
-    PropagationSettings settings;
-    settings.initial = rotation_of(motion.attitude(0));
-    settings.interpolation = Interpolation::cubic;
+    const PropagationSettings settings{.interpolation = Interpolation::cubic,
+                                       .initial = oracle::rotation(motion.attitude(0))};
     constexpr double frequency = 1000;
     const Rows rows = propagated(settings, motion, frequency, 3);
     double worst = 0.0;
@@ -678,12 +645,11 @@ TEST_CASE("a steady turn carries every representation that has rates along") {
         }
         INFO(text);
         Stepper stepper(set, Integrator::rk4);
-        REQUIRE(stepper.start(rotation_of(start)) == Error::none);
+        REQUIRE(stepper.start(oracle::rotation(start)) == Error::none);
         REQUIRE(integrate(stepper, omega, 0, 0.01, 100) == Error::none);
         const Reading end = stepper.attitude();
         REQUIRE(end);
-        const auto found = oracle::Quaternion(end->w(), end->x(), end->y(), end->z()).normalized();
-        CHECK(oracle::eps * oracle::error_in_eps(start * oracle::about(axis, 0.5), found) < 1e-8);
+        CHECK(oracle::eps * oracle::error_in_eps(start * oracle::about(axis, 0.5), oracle::attitude(*end)) < 1e-8);
     }
 }
 

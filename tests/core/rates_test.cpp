@@ -16,6 +16,7 @@
 #include "strata.hpp"
 
 using namespace rotconv;
+using accuracy::joined;
 using accuracy::spec;
 using oracle::Real;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
@@ -88,11 +89,6 @@ std::vector<double> run(const Rates& way, const std::vector<double>& in, RowRepo
     way.run(in, out, reports);
     report = reports.empty() ? RowReport() : reports.front();
     return out;
-}
-
-std::vector<double> joined(std::vector<double> first, const std::vector<double>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
 }
 
 std::vector<std::vector<double>> rows_of(const Spec& s, int size) {

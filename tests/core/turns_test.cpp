@@ -17,10 +17,7 @@ namespace {
 
 std::vector<double> converted(const Spec& from, const Spec& to, const ConversionSettings& settings,
                               const std::vector<double>& row) {
-    std::vector<double> result(to.size());
-    std::vector<RowReport> reports;
-    Conversion(from, to, settings).run(row, result, reports);
-    return result;
+    return accuracy::converted(from, to, row, settings).numbers;
 }
 
 ConversionSettings turned(std::optional<Rotation> left, std::optional<Rotation> right) {

@@ -1,6 +1,7 @@
 #include "row_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -37,12 +38,15 @@ std::vector<Line> lines_of(std::string_view text) {
 }
 
 std::string_view trim(std::string_view text) {
-    while (text.starts_with(' ') || text.starts_with('\t')) {
-        text.remove_prefix(1);
-    }
-    while (text.ends_with(' ') || text.ends_with('\t')) {
-        text.remove_suffix(1);
-    }
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
+constexpr std::array<std::pair<std::string_view, char>, 4> delimiters{
+    {{"comma", ','}, {"tab", '\t'}, {"semicolon", ';'}, {"blank", ' '}}};
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
     return text;
 }
 
@@ -50,11 +54,8 @@ std::string_view trim(std::string_view text) {
 /// that do not come in pairs enclose nothing.
 char delimiter_of(std::string_view row, const std::string& given) {
     if (!given.empty()) {
-        return given == "comma"       ? ','
-               : given == "tab"       ? '\t'
-               : given == "semicolon" ? ';'
-               : given == "blank"     ? ' '
-                                      : given[0];
+        const auto* const named = std::ranges::find(delimiters, given, [](const auto& entry) { return entry.first; });
+        return named == delimiters.end() ? given[0] : named->second;
     }
     const std::string_view candidates = ",\t;";
     std::string bare; // without the fields in quotes
@@ -120,11 +121,10 @@ std::string content(std::string_view field, char delimiter) {
 
 /// [+-] digits with a point and an exponent, nan or inf; false for anything else. Too large a number becomes infinite.
 bool read(const std::string& text, double& value) {
-    std::string lower = text;
-    std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    const char* at = lower.c_str();
+    const std::string small = lower(text);
+    const char* at = small.c_str();
     at += *at == '+' || *at == '-' ? 1 : 0;
-    const std::string_view word = std::string_view(lower).substr(static_cast<std::size_t>(at - lower.data()));
+    const std::string_view word = std::string_view(small).substr(static_cast<std::size_t>(at - small.data()));
     bool legal = word == "nan" || word == "inf" || word == "infinity";
     if (word.starts_with("nan(") && word.ends_with(")")) {
         legal = word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_", 4) == word.size() - 1;
@@ -147,7 +147,7 @@ bool read(const std::string& text, double& value) {
             at += at[1] == '+' || at[1] == '-' ? 2 : 1;
             legal = legal && digits() > 0;
         }
-        legal = legal && at == lower.data() + lower.size();
+        legal = legal && at == small.data() + small.size();
     }
     value = legal ? std::strtod(text.c_str(), nullptr) : 0.0;
     return legal;
@@ -180,16 +180,16 @@ std::optional<Key> key_of(const std::string& text, bool& modelled) {
     return text.starts_with('-') ? Key(-key) : key;
 }
 
-bool stands_for_missing(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    return std::set<std::string>{"", "na", "n/a", "null", "none", "nil", "-", "?", "."}.contains(text);
+bool stands_for_missing(const std::string& text) {
+    return std::set<std::string>{"", "na", "n/a", "null", "none", "nil", "-", "?", "."}.contains(lower(text));
 }
 
 /// Of the marks and words by which other programs begin their files the manual says that they make no header, and not
-/// more: they are not modelled.
+/// more: they are not modelled. Nor is a comment that names columns with their units.
 bool may_be_remark(const Line& line) {
     const auto has = [&line](std::string_view word) { return line.text.find(word) != std::string_view::npos; };
-    return line.text.starts_with("//") || line.text.starts_with('%') || has("FMT") || has("COMMENT") || has("=");
+    return line.text.starts_with("//") || line.text.starts_with('%') || has("FMT") || has("COMMENT") || has("=") ||
+           (line.comment() && has("_deg_s"));
 }
 
 /// An item of --columns: a name, or a position.
@@ -404,12 +404,10 @@ private:
         return true;
     }
 
-    static std::string name_of(char delimiter) {
-        return delimiter == ','    ? "comma"
-               : delimiter == '\t' ? "tab"
-               : delimiter == ';'  ? "semicolon"
-               : delimiter == ' '  ? "blank"
-                                   : "character";
+    static std::string_view name_of(char delimiter) {
+        const auto* const found =
+            std::ranges::find(delimiters, delimiter, [](const auto& entry) { return entry.second; });
+        return found == delimiters.end() ? "character" : found->first;
     }
 
     void meet(std::string rule) { outcome_.met.push_back(std::move(rule)); }
@@ -454,31 +452,33 @@ private:
         return items_.empty() ? fields.size() == rules_.inputs : std::ranges::max(positions_) < fields.size();
     }
 
-    /// In a selected field, or a word for a missing one.
-    [[nodiscard]] bool holds_a_number(const Fields& fields, char delimiter) const {
+    /// Of the i-th number.
+    [[nodiscard]] std::size_t place(std::size_t i) const { return items_.empty() ? i : positions_[i]; }
+
+    [[nodiscard]] std::vector<std::string> selected(const Fields& fields, char delimiter) const {
+        std::vector<std::string> texts;
         for (std::size_t i = 0; i < rules_.inputs; ++i) {
-            const std::string text = content(fields[items_.empty() ? i : positions_[i]], delimiter);
-            double value = 0.0;
-            std::string with_point = text;
-            if (const auto comma = with_point.find(','); comma != std::string::npos) {
-                with_point[comma] = '.';
-            }
-            if (stands_for_missing(text) || read(with_point, value)) {
-                return true;
-            }
+            texts.push_back(content(fields[place(i)], delimiter));
         }
-        return false;
+        return texts;
+    }
+
+    /// In a selected field, with a point or a comma, or a word for a missing one.
+    [[nodiscard]] bool holds_a_number(const Fields& fields, char delimiter) const {
+        return std::ranges::any_of(selected(fields, delimiter), [](std::string text) {
+            double value = 0.0;
+            const bool is_missing = stands_for_missing(text);
+            if (const auto comma = text.find(','); comma != std::string::npos) {
+                text[comma] = '.';
+            }
+            return is_missing || read(text, value);
+        });
     }
 
     /// In all selected fields.
     [[nodiscard]] bool holds_numbers(const Fields& fields, char delimiter) const {
         double value = 0.0;
-        for (std::size_t i = 0; i < rules_.inputs; ++i) {
-            if (!read(content(fields[items_.empty() ? i : positions_[i]], delimiter), value)) {
-                return false;
-            }
-        }
-        return true;
+        return std::ranges::all_of(selected(fields, delimiter), [&](const auto& text) { return read(text, value); });
     }
 
     /// The last comment before the first data row, where it has the fields of that row.
@@ -496,13 +496,12 @@ private:
         if (std::ranges::any_of(fields, [&](auto field) { return read(content(field, delimiter), value); })) {
             return false;
         }
-        std::multiset<std::string> names;
-        std::multiset<std::string> own;
-        for (std::size_t i = rules_.kept; i < rules_.inputs; ++i) {
-            names.insert(content(fields[items_.empty() ? i : positions_[i]], delimiter));
-            own.insert(rules_.input_names[i]);
-        }
-        if (delimiter == ' ' && names != own) {
+        auto names = selected(fields, delimiter);
+        auto own = rules_.input_names;
+        const auto kept = static_cast<std::ptrdiff_t>(rules_.kept);
+        std::sort(names.begin() + kept, names.end());
+        std::sort(own.begin() + kept, own.end());
+        if (delimiter == ' ' && !std::equal(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {
             return false;
         }
         use_header(at - 1, delimiter);
@@ -690,7 +689,7 @@ private:
         }
         std::vector<double> numbers(rules_.inputs);
         for (std::size_t i = 0; i < rules_.inputs; ++i) {
-            const std::size_t at = items_.empty() ? i : positions_[i];
+            const std::size_t at = place(i);
             if (at >= fields.size()) {
                 meet("missing field");
                 return std::nullopt;

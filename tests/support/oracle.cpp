@@ -352,6 +352,13 @@ Quaternion attitude(const Spec& spec, std::span<const double> written) { return 
 
 Quaternion attitude(const Spec& spec, std::span<const Real> written) { return Own::attitude(spec, written); }
 
+Quaternion attitude(const rotconv::Rotation& r) { return Quaternion(r.w(), r.x(), r.y(), r.z()).normalized(); }
+
+rotconv::Rotation rotation(const Quaternion& q) {
+    return rotconv::Rotation::from_components(static_cast<double>(q.w()), static_cast<double>(q.x()),
+                                              static_cast<double>(q.y()), static_cast<double>(q.z()));
+}
+
 std::vector<double> numbers(const Spec& spec, const Quaternion& given) {
     std::vector<double> rounded;
     for (const Real& number : exact_numbers(spec, given)) {

@@ -8,6 +8,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 
+#include <rotconv/rotation.hpp>
 #include <rotconv/spec.hpp>
 
 /// The attitudes that numbers stand for, in 36 digits or more, from the definitions and not from rotconv's formulas:
@@ -30,6 +31,10 @@ Real pi();
 /// The exact attitude of doubles written as the spec says, as a unit quaternion of either sign.
 Quaternion attitude(const rotconv::Spec& spec, std::span<const double> numbers);
 Quaternion attitude(const rotconv::Spec& spec, std::span<const Real> numbers);
+
+/// Between the library's rotations and the oracle's.
+Quaternion attitude(const rotconv::Rotation& rotation);
+rotconv::Rotation rotation(const Quaternion& attitude);
 
 /// The numbers of an attitude, rounded once to double: input for tests. Not for euler and rpy, where the angles are
 /// chosen.
