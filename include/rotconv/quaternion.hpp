@@ -21,8 +21,8 @@ namespace rotconv::quaternion {
 /// @pre to_rotation(q) has a rotation
 [[nodiscard]] double defect(const Eigen::Quaterniond& q) noexcept;
 
-/// q/|q| with w > 0, or w = 0 and the first nonzero of x, y, z positive. Worst error found: 0.89 eps. A quaternion that is
-/// unit to 4 eps keeps its bits.
+/// q/|q| with w > 0, or w = 0 and the first nonzero of x, y, z positive. Worst error found: 0.89 eps. A quaternion that
+/// is unit to 4 eps keeps its bits.
 [[nodiscard]] Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin infinite, condition 1/2.

@@ -57,7 +57,7 @@ template <class Edit> std::string edited(const std::vector<stream::Line>& lines,
 /// A line that is neither blank nor a comment.
 bool counts(std::string_view line) { return !stream::is_blank(line) && !stream::is_comment(line); }
 
-/// Reads the rows' numbers, for reads().
+/// Reads the rows' numbers, for converts().
 class Nothing final : public stream::RowOperation {
 public:
     Nothing() { names = {"nothing"}; }
@@ -68,13 +68,17 @@ public:
     }
 };
 
-/// Whether the text has rows, and the numbers of all of them can be read.
-bool reads(std::string_view text, stream::InputOptions input) {
+/// Whether the text has rows, and none of them fails; of an operation that remembers its rows, whether their numbers
+/// can be read.
+bool converts(std::string_view text, stream::InputOptions input, const stream::Options& given) {
+    const bool only_reads = given.operation->in_order || given.pairing || input.take_count;
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
     }
-    const stream::Options options{
-        .input = std::move(input), .operation = std::make_shared<Nothing>(), .format = stream::Format::result};
+    const stream::Options options{.input = std::move(input),
+                                  .operation = only_reads ? std::make_shared<Nothing>()
+                                                          : std::shared_ptr(given.operation->copy()),
+                                  .format = stream::Format::result};
     stream::TextSource source(text);
     stream::NullSink sink;
     const auto result = stream::run(source, sink, options, [](const stream::Event&) {});
@@ -84,7 +88,8 @@ bool reads(std::string_view text, stream::InputOptions input) {
 /// Advice on a header that has another width than the rows after it; otherwise empty. Reading stopped at the line with
 /// index `at`, and the first row has the index `row`.
 std::string advice_on_width(std::string_view text, const std::vector<stream::Line>& lines, std::size_t at,
-                            std::size_t row, const stream::InputOptions& input) {
+                            std::size_t row, const stream::Options& options) {
+    const stream::InputOptions& input = options.input;
     if (row >= lines.size() || row > at + 1) {
         return {};
     }
@@ -101,7 +106,7 @@ std::string advice_on_width(std::string_view text, const std::vector<stream::Lin
                                          counted(fields.size(), "field"));
     stream::InputOptions with_header = input;
     with_header.header = stream::HeaderMode::yes;
-    if (reads(text, with_header)) {
+    if (converts(text, with_header, options)) {
         return told + ": add --header yes";
     }
     const bool selects = input.columns.empty() && names.size() == input.numbers.names.size();
@@ -144,8 +149,9 @@ std::vector<std::string> keys_of(std::string_view object) {
 
 } // namespace
 
-std::string advice(std::string_view beginning, std::size_t line, const stream::InputOptions& input,
+std::string advice(std::string_view beginning, std::size_t line, const stream::Options& options,
                    const std::string& file) {
+    const stream::InputOptions& input = options.input;
     if (beginning.size() >= most_kept) { // its last line is cut
         beginning = beginning.substr(0, beginning.rfind('\n') + 1);
     }
@@ -161,7 +167,7 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::I
 
     std::string found;
     const auto offer = [&](const std::string& text, const std::string& command) {
-        if (found.empty() && reads(text, input)) {
+        if (found.empty() && converts(text, input, options)) {
             found = command + " | rotconv ...";
         }
     };
@@ -201,7 +207,7 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::I
         },
         "to read only the rows between two lines: sed -n '/DATA_START/,/DATA_STOP/{//!p}'" + name);
     if (found.empty()) {
-        found = advice_on_width(beginning, lines, at, row, input);
+        found = advice_on_width(beginning, lines, at, row, options);
     }
     if (row > at && row < lines.size()) {
         const auto begin = static_cast<std::size_t>(lines[row].text.data() - beginning.data());

@@ -177,7 +177,11 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
     case Error::zero_quaternion: return fmt::format("a zero quaternion has no attitude: {}", text);
     case Error::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
     case Error::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
-    case Error::rank_deficient: return fmt::format("the two columns do not span a plane: {}", text);
+    case Error::rank_deficient:
+        return fmt::format("{}: {}",
+                           subject.representation == RepresentationId::dcm ? "the matrix is nearly of rank one"
+                                                                           : "the two columns do not span a plane",
+                           text);
     case Error::singular:
         return fmt::format("{} has no rates at {}{}: {}", representation(subject.representation).text,
                            representation(subject.representation).singular_attitude,

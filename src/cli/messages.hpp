@@ -78,7 +78,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 
 /// For a line at which reading stopped: a command or option with which the text at hand can be read, or nothing.
 /// `file`: its name in the command.
-[[nodiscard]] std::string advice(std::string_view beginning, std::size_t line, const stream::InputOptions& input,
+[[nodiscard]] std::string advice(std::string_view beginning, std::size_t line, const stream::Options& options,
                                  const std::string& file);
 
 /// For JSON: the filter that turns it into rows.

@@ -130,7 +130,7 @@ private:
     [[nodiscard]] std::string advice_at(std::size_t line) const {
         const bool is_text = !command_->has_values && command_->options.input.width == 0;
         const std::string text =
-            is_text ? messages::advice(beginning_, line, command_->options.input, command_->input) : std::string();
+            is_text ? messages::advice(beginning_, line, command_->options, command_->input) : std::string();
         return text.empty() ? text : "; " + text;
     }
     /// One of several answers to VALUEs: each is told, because a summary would name only one.

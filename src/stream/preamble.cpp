@@ -71,9 +71,6 @@ public:
             if (has_all(find_names(row, {}).second)) {
                 return {};
             }
-            if (is_json(row)) {
-                return error({.what = StreamError::What::json}, lines_.size() - 1);
-            }
             const Delimiter own = delimiter_of(row.text);
             if (HeaderLine(row, own).fields.size() > 1) { // else it does not tell what delimits
                 delimiter = own;
@@ -93,7 +90,10 @@ public:
             }
         }
         if (!last) {
-            return is_end ? Beginning{} : lacking(row);
+            if (is_end) {
+                return {};
+            }
+            return is_json(row) ? error({.what = StreamError::What::json}, lines_.size() - 1) : lacking(row);
         }
         auto& [header, found] = *last;
         if (const auto* ambiguous = std::get_if<ColumnError>(&found)) {

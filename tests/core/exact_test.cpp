@@ -1,6 +1,9 @@
 // The numbers that are printed are the doubles nearest to the exact function of the numbers read: bits are compared.
 
+#include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rotconv/conversion.hpp>
@@ -15,13 +18,20 @@ using rotconv::Spec;
 
 namespace {
 
-void check(const std::string& from, const std::string& to, int size) {
-    const auto count = accuracy::rounding_of(from, to, size);
+void check(const std::string& from, const std::string& to, const accuracy::Rounding& count) {
     INFO(from << " to " << to << ": " << count.wrong << " of " << count.numbers);
     CHECK(count.wrong == 0);
     CHECK(count.rows > 0);
     CHECK(count.beyond <= count.numbers / 5);
     CHECK(count.uncertain <= count.numbers / 100);
+}
+
+void check(const std::string& from, const std::string& to, int size) {
+    check(from, to, accuracy::rounding_of(from, to, size));
+}
+
+void check_rows(const std::string& from, const std::string& to, const std::vector<std::vector<double>>& rows) {
+    check(from, to, accuracy::rounding_of(accuracy::spec(from), accuracy::spec(to), rows));
 }
 
 } // namespace
@@ -64,5 +74,63 @@ TEST_CASE("attitudes that are turned are rounded once") {
         const auto exact =
             oracle::attitude(angles, left) * oracle::attitude(angles, row) * oracle::attitude(quat, right);
         CHECK(result.numbers == oracle::numbers(accuracy::spec("dcm"), exact));
+    }
+}
+
+// Would catch: digits lost where a sum or a whole turn cancels, beyond what the promise says.
+TEST_CASE("rows in which nearly everything cancels keep the promise") {
+    strata::Source source(78);
+    std::vector<std::vector<double>> near_turns{{0, -2.6386326881465196, -18.663959279216765}};
+    std::vector<std::vector<double>> nearly_symmetric;
+    for (int i = 0; i < 300; ++i) {
+        const oracle::Vector3 turns = source.axis() * (2 * oracle::pi * source.integer(1, 1000));
+        near_turns.push_back(
+            {turns[0].convert_to<double>(), turns[1].convert_to<double>(), turns[2].convert_to<double>()});
+        const auto tilt = [&] { return std::pow(10.0, -source.uniform(20, 25)); };
+        const auto shear = [&] { return source.uniform(-0.04, 0.04); };
+        const double xy = shear();
+        const double xz = shear();
+        const double yz = shear();
+        nearly_symmetric.push_back({1 + shear(), xy, xz + tilt(), xy, 1 + shear(), yz, xz, yz - tilt(), 1 + shear()});
+    }
+    check_rows("rotvec", "rotvec", near_turns);
+    check_rows("rotvec", "rpy", near_turns);
+    check_rows("dcm", "rotvec", nearly_symmetric);
+    check_rows("dcm", "quat", nearly_symmetric);
+}
+
+// Would catch: a norm of 2^k taken for 1, digits lost in the smallest turns, a lost limit of a lock margin.
+TEST_CASE("rows at the ends of ranges are rounded once") {
+    const auto converted = [](const char* from, const char* to, std::vector<double> row, double lock_margin = 0.0) {
+        return accuracy::converted(accuracy::spec(from), accuracy::spec(to), row,
+                                   {.tolerance = std::numeric_limits<double>::infinity(), .lock_margin = lock_margin});
+    };
+    const std::vector<double> double_norm{0.97941450320233581, -1.1864884421863426, 0.45504420822612834,
+                                          1.1941219267876333};
+    CHECK(converted("quat", "quat", double_norm).numbers ==
+          oracle::numbers(Spec{}, oracle::attitude(Spec{}, double_norm)));
+    const std::vector<double> smallest{1e-310, 1e-311, 1e-312};
+    CHECK(converted("rpy", "rpy", smallest).numbers == smallest);
+    CHECK(converted("rotvec", "rotvec", smallest).numbers == smallest);
+    // a middle angle that as a double is 0 beside outer angles that are not 90 degrees
+    const std::vector<double> all_but_locked{4.1324199971023663e-13, -8.0962537384005071e-320, 0,
+                                             -0.0037221530345439074};
+    CHECK(converted("quat", "euler:zxz:deg", all_but_locked).numbers[0] == Approx(90.0000000063611).epsilon(1e-15));
+    // The pitch of (k, 0, h, 0) is 2 atan(h/k). Fractions that are ever nearer to its limit lie on either side of it.
+    for (const double margin : {0.5, 1.0}) {
+        const oracle::Real limit = tan((oracle::pi / 2 - oracle::Real(margin)) / 2);
+        oracle::Real rest = limit;
+        double h[] = {0, 1};
+        double k[] = {1, 0};
+        while (k[1] < 0x1p41) {
+            const auto whole = floor(rest).convert_to<double>();
+            rest = 1 / (rest - whole);
+            h[0] = std::exchange(h[1], whole * h[1] + h[0]);
+            k[0] = std::exchange(k[1], whole * k[1] + k[0]);
+            const auto found = converted("quat", "rpy", {k[1], 0, h[1], 0}, margin);
+            INFO(margin << ": " << h[1] << "/" << k[1]);
+            CHECK(found.report.diagnostics.has(rotconv::DiagnosticKind::gimbal_lock) ==
+                  (oracle::Real(h[1]) / k[1] >= limit));
+        }
     }
 }

@@ -599,7 +599,7 @@ TEST_CASE("substeps bring a coarse integrator to the interpolated motion") {
                                            .substeps = substeps,
                                            .interpolation = Interpolation::cubic,
                                            .initial = oracle::rotation(motion.attitude(0))};
-        return oracle::attitude(propagated(settings, motion, 10, 5).back().attitude.rotation());
+        return oracle::attitude(*propagated(settings, motion, 10, 5).back().attitude);
     };
     const auto distance = [&](Integrator integrator, std::size_t substeps) {
         return oracle::error_in_eps(last(Integrator::magnus6, 8), last(integrator, substeps));

@@ -333,9 +333,9 @@ TEST_CASE("the worst rates that are known stay within the limits") {
               4.46},
          }) {
         const Spec s = spec(row.text);
-        RateReport report;
-        const auto found =
-            run(Rates(s, {.inverse = row.inverse, .frame = row.frame}), joined(row.numbers, row.given), report);
+        RowReport report;
+        const auto found = run(Rates(s, {.inverse = row.inverse, .frame = row.frame, .sensitivity = true}),
+                               joined(row.numbers, row.given), report);
         const oracle::Vector3 given(row.given[0], row.given[1], row.given[2]);
         const Vector exact = row.inverse ? Vector(velocity_map(s, row.numbers, row.frame) * given)
                                          : exact_rates(s, row.numbers, given, row.frame);

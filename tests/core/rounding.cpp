@@ -30,21 +30,21 @@ bool keeps_bits(const Spec& from, const Spec& to, std::span<const double> row) {
     return abs(sqrt(square) - 1) <= oracle::Real(4.001 * oracle::eps);
 }
 
-/// How much more the relative error of a number is than that of the attitude: by the condition of the output, by
-/// cancellation, and in long rotation vectors. A small angle is known as well as a large one, where neither a sum
-/// of angles nor many turns make it.
+/// K of the promise: how much more the relative error of a number is than that of the attitude, by the condition and by
+/// cancellation.
 double enlargement(const Spec& from, const Spec& to, std::span<const double> row, double condition, double number) {
     const auto in_radians = [](const Spec& spec) {
         return spec.unit == rotconv::AngleUnit::degrees ? 0.017453292519943295 : 1.0;
     };
-    double length = 0.0;
-    if (from.name == rotconv::RepresentationId::rotvec) { // 2^-104 of it
-        length = 0x1p-7 * std::hypot(row[0], row[1], row[2]) * in_radians(from);
+    double cancelled = 1.0;
+    if (!rotconv::representation(from.name).has_gimbal_lock) {
+        cancelled = std::min(1.0, rotconv::read_attitude(from, row)->vector_length());
     }
-    const auto attitude = rotconv::read_attitude(from, row);
-    const bool is_sum = rotconv::representation(from.name).has_gimbal_lock;
-    const double angle = is_sum || length > 1.0 ? 1.0 : std::min(1.0, attitude->vector_length());
-    return std::max(1.0, condition) * std::max(1.0, angle / std::fabs(number * in_radians(to))) * std::max(1.0, length);
+    if (from.name == rotconv::RepresentationId::rotvec) {
+        const double length = std::hypot(row[0], row[1], row[2]) * in_radians(from);
+        cancelled = length > 3.141592653589793 ? std::max(cancelled, length / 64.0) : cancelled;
+    }
+    return std::max(1.0, condition) * std::max(1.0, cancelled / std::fabs(number * in_radians(to)));
 }
 
 /// Nearer to w = 0 than such decisions are promised: either sign may come out.

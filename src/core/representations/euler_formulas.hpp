@@ -5,6 +5,7 @@
 #include <rotconv/euler.hpp>
 
 #include "../numerics/elementary.hpp"
+#include "../numerics/scaled_double_double.hpp"
 
 // The formulas of Euler angles for one row, over a scalar: double, DoubleDouble or ScaledDoubleDouble.
 
@@ -34,6 +35,10 @@ template <class T> ROTCONV_INLINE T clean_difference(const T& a, const T& b) noe
     return select(__builtin_fabs(to_double(difference)) <= 0x1p-97 * __builtin_fabs(to_double(a)), T(0.0), difference);
 }
 ROTCONV_INLINE double clean_difference(double a, double b) noexcept { return a - b; }
+inline ScaledDoubleDouble clean_difference(const ScaledDoubleDouble& a, const ScaledDoubleDouble& b) noexcept {
+    const ScaledDoubleDouble difference = a - b; // which as a double may be 0
+    return is_at_most(difference.magnitude(), a.magnitude().shifted(-97)) ? ScaledDoubleDouble(0.0) : difference;
+}
 template <class T> ROTCONV_INLINE T clean_sum(const T& a, const T& b) noexcept { return clean_difference(a, -b); }
 
 /// The quaternion w, i, j, k of the three turns about fixed axes, of which half angles are given: their product.

@@ -184,8 +184,8 @@ template <class T> ROTCONV_INLINE DiagnosticSet half_turn_of(const T (&q)[4]) no
     const double x = to_double(q[1]);
     const double y = to_double(q[2]);
     const double z = to_double(q[3]);
-    const double length = root((x * x + y * y) + z * z);
-    return {DiagnosticKind::half_turn, __builtin_fabs(w) <= 0.5 * half_turn_margin * length};
+    constexpr double limit = 0.5 * half_turn_margin;
+    return {DiagnosticKind::half_turn, w * w <= limit * limit * ((x * x + y * y) + z * z)};
 }
 
 // NOLINTEND(*-avoid-c-arrays)
