@@ -301,7 +301,7 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         std::vector<RowReport> reports;
         operation->run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
         if (operation->is_continuous) {
-            operation->choose(answer.numbers, reports);
+            operation->make_continuous(answer.numbers, reports);
         }
         const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
