@@ -73,6 +73,7 @@ std::string OptionSet::help() const {
     for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n")) {
         help.erase(at, 1); // CLI11 ends a group with two
     }
+    help.erase(help.find_last_not_of('\n') + 2);
     return help;
 }
 

@@ -83,7 +83,7 @@ TEST_CASE("rows in which nearly everything cancels keep the promise") {
     std::vector<std::vector<double>> near_turns{{0, -2.6386326881465196, -18.663959279216765}};
     std::vector<std::vector<double>> nearly_symmetric;
     for (int i = 0; i < 300; ++i) {
-        const oracle::Vector3 turns = source.axis() * (2 * oracle::pi * source.integer(1, 1000));
+        const oracle::Vector3 turns = source.axis() * (2 * oracle::pi() * source.integer(1, 1000));
         near_turns.push_back(
             {turns[0].convert_to<double>(), turns[1].convert_to<double>(), turns[2].convert_to<double>()});
         const auto tilt = [&] { return std::pow(10.0, -source.uniform(20, 25)); };
@@ -118,7 +118,7 @@ TEST_CASE("rows at the ends of ranges are rounded once") {
     CHECK(converted("quat", "euler:zxz:deg", all_but_locked).numbers[0] == Approx(90.0000000063611).epsilon(1e-15));
     // The pitch of (k, 0, h, 0) is 2 atan(h/k). Fractions that are ever nearer to its limit lie on either side of it.
     for (const double margin : {0.5, 1.0}) {
-        const oracle::Real limit = tan((oracle::pi / 2 - oracle::Real(margin)) / 2);
+        const oracle::Real limit = tan((oracle::pi() / 2 - oracle::Real(margin)) / 2);
         oracle::Real rest = limit;
         double h[] = {0, 1};
         double k[] = {1, 0};

@@ -33,7 +33,7 @@ grep -q "^set(PACKAGE_VERSION \"${version#rotconv }\")" "$work"/usr/lib*/cmake/r
     echo "FAILED: the package is not of the version of the program, $version"
     exit 1
 }
-if ldd "$work/usr/bin/rotconv" | grep -vE 'linux-vdso|libstdc\+\+|libgcc_s|libm\.|libc\.|ld-linux'; then
+if ldd "$work/usr/bin/rotconv" | grep -vE 'statically linked|linux-vdso|libstdc\+\+|libgcc_s|libm\.|libc\.|ld-linux'; then
     echo "FAILED: the program needs more than the C and C++ runtime"
     exit 1
 fi

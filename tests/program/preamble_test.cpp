@@ -48,7 +48,7 @@ TEST_CASE("remarks of other programs are no header, and what leaves them out is 
 TEST_CASE("files with decimal commas are told so") {
     // Catches a message that leaves it to the reader to see it.
     for (const std::string rows : {"0,5;0,5;0,5;0,5\n", "qw;qx;qy;qz\n0,5;0,5;0,5;0,5\n", "0,5\t0,5\t0,5\t0,5\n"}) {
-        CHECK(missing(told("-f quat -t rpy", rows), {"decimal commas: tr , . < @ | rotconv ..."}) == "");
+        CHECK(missing(told("-f quat -t rpy", rows), {"decimal commas into points: tr , . < @ | rotconv ..."}) == "");
     }
     CHECK(missing(told("-f quat -t rpy --delimiter semicolon", "0,5;0,5;0,5;0,5\n"), {"'0,5'; ", "decimal commas"}) ==
           "");
