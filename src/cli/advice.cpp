@@ -206,7 +206,7 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
             return is_inside && !is_start ? std::optional(each) : std::nullopt;
         },
         "to read only the rows between two lines: sed -n '/DATA_START/,/DATA_STOP/{//!p}'" + name);
-    if (found.empty()) {
+    if (found.empty() && !input.columns.has_names()) {
         found = advice_on_width(beginning, lines, at, row, options);
     }
     if (row > at && row < lines.size()) {

@@ -276,13 +276,15 @@ template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::siz
             set(i, steps_in_large(angles[i], unit));
         }
     }
-    Columns<DoubleDouble, 2> steps;
+    Column<DoubleDouble> cosine_of_steps;
+    Column<DoubleDouble> sine_of_steps;
     for (std::size_t i = 0; i < rows; ++i) {
-        const SineCosine<DoubleDouble> both = sine_cosine_of_steps(count[i]);
-        steps.set(i, {both.sine, both.cosine});
+        const SineCosine<DoubleDouble>& steps = sine_cosine_of_steps(count[i]);
+        sine_of_steps.set(i, steps.sine);
+        cosine_of_steps.set(i, steps.cosine);
     }
     for (std::size_t i = 0; i < rows; ++i) {
-        const SineCosine<T> both = turned(SineCosine<DoubleDouble>{steps[0][i], steps[1][i]}, rest[i], T());
+        const SineCosine<T> both = turned(SineCosine<DoubleDouble>{sine_of_steps[i], cosine_of_steps[i]}, rest[i], T());
         cosines.set(i, both.cosine);
         sines.set(i, both.sine);
     }

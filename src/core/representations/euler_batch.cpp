@@ -21,16 +21,19 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBat
         }
         sine_cosine(half, rows, spec.unit, cosines[turn], sines[turn]);
     }
-    Column<T>* const columns[] = {&attitudes.columns[0], &attitudes.columns[1 + axes.i], &attitudes.columns[1 + axes.j],
-                                  &attitudes.columns[1 + axes.k]};
+    Column<T>& w = attitudes.columns[0];
+    Column<T>& along_i = attitudes.columns[1 + axes.i];
+    Column<T>& along_j = attitudes.columns[1 + axes.j];
+    Column<T>& along_k = attitudes.columns[1 + axes.k];
     for (std::size_t i = 0; i < rows; ++i) {
         const SineCosine<T> turns[3] = {
             {sines[0][i], cosines[0][i]}, {sines[1][i], cosines[1][i]}, {sines[2][i], cosines[2][i]}};
         T q[4];
         product_of_turns(axes, turns, q);
-        for (std::size_t k = 0; k < 4; ++k) {
-            columns[k]->set(i, q[k]);
-        }
+        w.set(i, q[0]);
+        along_i.set(i, q[1]);
+        along_j.set(i, q[2]);
+        along_k.set(i, q[3]);
     }
 }
 
@@ -62,20 +65,17 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
                               double* numbers, double* rest, DiagnosticSet* diagnostics) noexcept {
     const FixedAxes axes(spec.sequence);
     const LockLimit limit(lock_margin);
-    const Column<T>* const columns[] = {&attitudes.columns[0], &attitudes.columns[1 + axes.i],
-                                        &attitudes.columns[1 + axes.j], &attitudes.columns[1 + axes.k]};
-    const auto get = [&](std::size_t i, T(&q)[4]) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            q[k] = (*columns[k])[i];
-        }
-    };
+    // References, for through pointers in an array compilers do not vectorise.
+    const Column<T>& w = attitudes.columns[0];
+    const Column<T>& along_i = attitudes.columns[1 + axes.i];
+    const Column<T>& along_j = attitudes.columns[1 + axes.j];
+    const Column<T>& along_k = attitudes.columns[1 + axes.k];
     Columns<T, 2> first;
     Columns<T, 2> middle;
     Columns<T, 2> third;
     Columns<T, 2> lengths;
     for (std::size_t i = 0; i < rows; ++i) {
-        T q[4];
-        get(i, q);
+        const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
         const TurnVectors<T> vectors(axes, q);
         first.set(i, {vectors.first.x, vectors.first.y});
         middle.set(i, {vectors.middle.x, vectors.middle.y});
@@ -88,8 +88,7 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
         diagnostics[i] = lock.diagnostics();
         upper[i] = lock.upper;
         if (lock.locked) {
-            T q[4];
-            get(i, q);
+            const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
             TurnVectors<T> vectors(axes, q);
             vectors.give_up_one(axes, q);
             first.set(i, {vectors.first.x, vectors.first.y});
@@ -102,10 +101,11 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
     angles_of(middle[0], middle[1], rows, spec.unit, angles[1]);
     angles_of(third[0], third[1], rows, spec.unit, angles[axes.places[2]]);
     for (std::size_t i = 0; i < rows; ++i) {
-        const DoubleDouble middle_angle = scaled(angles[1][i], ranges.middle_factor);
-        angles[1].set(i, middle_angle);
+        angles[1].set(i, scaled(angles[1][i], ranges.middle_factor));
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
         numbers[3 * i] = ranges.outer(angles[0].hi[i]);
-        numbers[3 * i + 1] = middle_angle.hi;
+        numbers[3 * i + 1] = angles[1].hi[i];
         numbers[3 * i + 2] = ranges.outer(angles[2].hi[i]);
     }
     for (std::size_t i = 0; i < rows; ++i) {
