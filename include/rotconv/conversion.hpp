@@ -42,6 +42,7 @@ struct ConversionSettings {
 [[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept;
 
 struct Codec;
+struct ConversionBatch;
 class InputBatch;
 
 /// The conversion from one representation to another, resolved once and then run over batches of rows.
@@ -67,8 +68,8 @@ public:
 
 private:
     /// At most `batch_rows` rows, beginning with row `first` of the run.
-    void run_batch(const double* in, std::size_t first, std::size_t rows, double* out, double* rest,
-                   std::vector<RowReport>& reports) const;
+    void run_batch(const ConversionBatch& batch, const double* in, std::size_t first, std::size_t rows, double* out,
+                   double* rest, std::vector<RowReport>& reports) const;
     void report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
                 double* out, std::vector<RowReport>& reports) const;
 

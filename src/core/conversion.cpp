@@ -65,21 +65,21 @@ Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSetting
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
     reports.clear();
-    const std::size_t rows = in.size() / from_.size();
-    for (std::size_t first = 0; first < rows; first += batch_rows) {
-        run_batch(in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
-                  out.data() + first * to_.size(), rest.empty() ? nullptr : rest.data() + first * to_.size(), reports);
-    }
-}
-
-void Conversion::run_batch(const double* in, std::size_t first, std::size_t rows, double* out, double* rest,
-                           std::vector<RowReport>& reports) const {
-    InputBatch input(from_, in, rows);
-    std::array<DiagnosticSet, batch_rows> diagnostics;
     const ExactQuaternion left = exact(left_);
     const ExactQuaternion right = exact(right_);
     const ConversionBatch batch{&from_, &to_, settings_.lock_margin, left_ ? &left : nullptr,
                                 right_ ? &right : nullptr};
+    const std::size_t rows = in.size() / from_.size();
+    for (std::size_t first = 0; first < rows; first += batch_rows) {
+        run_batch(batch, in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
+                  out.data() + first * to_.size(), rest.empty() ? nullptr : rest.data() + first * to_.size(), reports);
+    }
+}
+
+void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::size_t first, std::size_t rows,
+                           double* out, double* rest, std::vector<RowReport>& reports) const {
+    InputBatch input(from_, in, rows);
+    std::array<DiagnosticSet, batch_rows> diagnostics;
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     if (to_.is_reordered()) { // and has no choice, for which `rest` is wanted
         std::array<double, batch_rows * most_numbers> own;

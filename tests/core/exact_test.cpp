@@ -18,7 +18,8 @@ using rotconv::Spec;
 
 namespace {
 
-void check(const std::string& from, const std::string& to, const accuracy::Rounding& count) {
+void check(const std::string& from, const std::string& to, int size) {
+    const auto count = accuracy::rounding_of(from, to, size);
     INFO(from << " to " << to << ": " << count.wrong << " of " << count.numbers);
     CHECK(count.wrong == 0);
     CHECK(count.rows > 0);
@@ -26,12 +27,13 @@ void check(const std::string& from, const std::string& to, const accuracy::Round
     CHECK(count.uncertain <= count.numbers / 100);
 }
 
-void check(const std::string& from, const std::string& to, int size) {
-    check(from, to, accuracy::rounding_of(from, to, size));
-}
-
+/// Of rows whose numbers may all have a large K.
 void check_rows(const std::string& from, const std::string& to, const std::vector<std::vector<double>>& rows) {
-    check(from, to, accuracy::rounding_of(accuracy::spec(from), accuracy::spec(to), rows));
+    const auto count = accuracy::rounding_of(accuracy::spec(from), accuracy::spec(to), rows);
+    INFO(from << " to " << to << ": " << count.wrong << " of " << count.numbers);
+    CHECK(count.wrong == 0);
+    CHECK(count.rows == rows.size());
+    CHECK(count.uncertain <= count.numbers / 100);
 }
 
 } // namespace
