@@ -7,7 +7,7 @@
 #include <rotconv/version.hpp>
 
 /// The table of representations, in the order in which they are listed, one row `line(identifier)` for each. Everything
-/// else about a representation is in the codec at the end of its source.
+/// else about a representation is in its codec and its kernel.
 // clang-format off
 #define ROTCONV_REPRESENTATIONS(line) \
     line(dcm) \

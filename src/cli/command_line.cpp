@@ -146,7 +146,7 @@ Command read(const std::vector<std::string>& words) {
     auto options = options_of(*entry);
     Arguments arguments = options->set.read(
         words, 0, [](std::string_view word) { return std::ranges::count(commands, word, &Entry::name) > 0; });
-    std::string misplaced; // an option of the conversion before a command
+    std::string misplaced; // the first option that stands before the name of a command
     if (arguments.end < words.size()) {
         if (!arguments.unknown.empty()) {
             throw Usage(unexpected(options->set, arguments.unknown));

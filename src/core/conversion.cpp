@@ -57,7 +57,7 @@ FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double
     return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
 }
 
-// If the inverse is written: (L R S)' = S' R' L'
+// Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(from), to_(to), settings_(settings), left_(to.passive ? inverse_of(settings.right) : settings.left),
       right_(to.passive ? inverse_of(settings.left) : settings.right), out_codec_(&codec_of(to.name)) {}
@@ -81,7 +81,7 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
     InputBatch input(from_, in, rows);
     std::array<DiagnosticSet, batch_rows> diagnostics;
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
-    if (to_.is_reordered()) { // and has no choice, for which `rest` is wanted
+    if (to_.is_reordered()) { // such a representation has no Codec::nearest, which alone wants `rest`
         std::array<double, batch_rows * most_numbers> own;
         convert(batch, input.own(), rows, input.attitudes, own.data(), nullptr, diagnostics.data());
         to_written_order(to_, own.data(), rows, out);
@@ -112,7 +112,7 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
             if (!settings_.sensitivity && found.diagnostics.empty()) {
                 continue;
             }
-            if (settings_.sensitivity || !diagnostics[i].empty()) { // inexact input alone asks for none
+            if (settings_.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
                 found.sensitivity = out_codec_->sensitivity(to_, attitudes.at(i));
             }
         }

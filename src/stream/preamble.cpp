@@ -30,7 +30,7 @@ bool has_decimal_comma(std::string text) noexcept {
     return is_number(text);
 }
 
-/// A remark in the manner of other programs, a keyword with its value, or a description of rows: no header.
+/// Lines of other programs that may look like a header: remarks after // or %, COMMENT, KEY = value, FMT.
 bool is_remark(const HeaderLine& row) noexcept {
     const std::string_view text = row.line.text;
     const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
@@ -62,8 +62,8 @@ public:
         return {.is_decided = true, .is_data = true};
     }
 
-    /// The header is the last line that has all names; at the end of the stream, or of what is held, the last line is
-    /// none of the rows.
+    /// The header is the last line that has all names. With `is_end` the last line may be it, otherwise that is the
+    /// first data row.
     [[nodiscard]] Beginning by_name(bool is_end) const {
         const Line& row = lines_.back();
         std::optional<Delimiter> delimiter;
@@ -349,7 +349,7 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
     if (!beginning.positions.empty()) {
         layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
     }
-    if (beginning.is_data) { // its row does not go out
+    if (beginning.is_data) { // the row is converted, not copied
         const auto last = lines().back();
         held_.resize(held_.size() - last.text.size() - last.end.size());
     }

@@ -30,7 +30,7 @@ struct HeaderLine {
 struct Beginning {
     bool is_decided = false; ///< else a later line tells, unless there is an error
     std::optional<HeaderLine> header{};
-    bool is_data = false;                 ///< the last line is the first data row, or in its place
+    bool is_data = false;                 ///< the last line is the first data row, or an error in its place
     std::vector<std::size_t> positions{}; ///< of columns that are selected by name
     std::optional<StreamError> error{};   ///< its line is an index among the lines, from 0
 };

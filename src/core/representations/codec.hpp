@@ -54,7 +54,7 @@ struct Codec {
 };
 
 #define ROTCONV_LINE(id) extern const Codec id;
-/// One for each line of the table of representations, defined at the end of its source.
+/// One for each line of the table of representations, defined at the end of its X.cpp.
 namespace codecs {
 ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 } // namespace codecs

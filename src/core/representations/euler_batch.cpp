@@ -65,7 +65,7 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
                               double* numbers, double* rest, DiagnosticSet* diagnostics) noexcept {
     const FixedAxes axes(spec.sequence);
     const LockLimit limit(lock_margin);
-    // References, for through pointers in an array compilers do not vectorise.
+    // References: compilers do not vectorise access through an array of pointers.
     const Column<T>& w = attitudes.columns[0];
     const Column<T>& along_i = attitudes.columns[1 + axes.i];
     const Column<T>& along_j = attitudes.columns[1 + axes.j];

@@ -70,7 +70,7 @@ struct Kernel {
 };
 
 #define ROTCONV_LINE(id) extern const Kernel id;
-/// One for each line of the table of representations, defined at the end of its source.
+/// One for each line of the table of representations, defined at the end of its X_batch.cpp.
 namespace kernels {
 ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 } // namespace kernels
