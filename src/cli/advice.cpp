@@ -57,7 +57,7 @@ template <class Edit> std::string edited(const std::vector<stream::Line>& lines,
 /// A line that is neither blank nor a comment.
 bool counts(std::string_view line) { return !stream::is_blank(line) && !stream::is_comment(line); }
 
-/// Reads the rows' numbers, for converts().
+/// Reads the rows' numbers, for reads().
 class Nothing final : public stream::RowOperation {
 public:
     Nothing() { names = {"nothing"}; }
@@ -68,28 +68,30 @@ public:
     }
 };
 
-/// Whether the text has rows, and none of them fails; of an operation that remembers its rows, whether their numbers
-/// can be read.
-bool converts(std::string_view text, stream::InputOptions input, const stream::Options& given) {
-    const bool only_reads = given.operation->in_order || given.pairing || input.take_count;
+/// Whether the text has rows, and the numbers of all of them can be read.
+bool reads(std::string_view text, stream::InputOptions input,
+           std::shared_ptr<stream::RowOperation> operation = std::make_shared<Nothing>()) {
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
     }
-    const stream::Options options{.input = std::move(input),
-                                  .operation = only_reads ? std::make_shared<Nothing>()
-                                                          : std::shared_ptr(given.operation->copy()),
-                                  .format = stream::Format::result};
+    const stream::Options options{
+        .input = std::move(input), .operation = std::move(operation), .format = stream::Format::result};
     stream::TextSource source(text);
     stream::NullSink sink;
     const auto result = stream::run(source, sink, options, [](const stream::Event&) {});
     return !result.error && !result.stopped && result.answered > 0;
 }
 
+/// Whether also none of its rows fails; an operation that remembers its rows is not asked.
+bool converts(std::string_view text, const stream::Options& options) {
+    const bool only_reads = options.operation->in_order || options.pairing || options.input.take_count;
+    return only_reads ? reads(text, options.input) : reads(text, options.input, options.operation->copy());
+}
+
 /// Advice on a header that has another width than the rows after it; otherwise empty. Reading stopped at the line with
 /// index `at`, and the first row has the index `row`.
 std::string advice_on_width(std::string_view text, const std::vector<stream::Line>& lines, std::size_t at,
-                            std::size_t row, const stream::Options& options) {
-    const stream::InputOptions& input = options.input;
+                            std::size_t row, const stream::InputOptions& input) {
     if (row >= lines.size() || row > at + 1) {
         return {};
     }
@@ -106,7 +108,7 @@ std::string advice_on_width(std::string_view text, const std::vector<stream::Lin
                                          counted(fields.size(), "field"));
     stream::InputOptions with_header = input;
     with_header.header = stream::HeaderMode::yes;
-    if (converts(text, with_header, options)) {
+    if (reads(text, with_header)) {
         return told + ": add --header yes";
     }
     const bool selects = input.columns.empty() && names.size() == input.numbers.names.size();
@@ -167,7 +169,7 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
 
     std::string found;
     const auto offer = [&](const std::string& text, const std::string& command) {
-        if (found.empty() && converts(text, input, options)) {
+        if (found.empty() && reads(text, input)) {
             found = command + " | rotconv ...";
         }
     };
@@ -207,12 +209,15 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
         },
         "to read only the rows between two lines: sed -n '/DATA_START/,/DATA_STOP/{//!p}'" + name);
     if (found.empty() && !input.columns.has_names()) {
-        found = advice_on_width(beginning, lines, at, row, options);
+        found = advice_on_width(beginning, lines, at, row, input);
     }
     if (row > at && row < lines.size()) {
         const auto begin = static_cast<std::size_t>(lines[row].text.data() - beginning.data());
-        offer(std::string(beginning.substr(begin)),
-              fmt::format("the first row of numbers is line {}: tail -n +{}{}", row + 1, row + 1, name));
+        const std::string_view rows = beginning.substr(begin);
+        if (converts(rows, options)) {
+            offer(std::string(rows),
+                  fmt::format("the first row of numbers is line {}: tail -n +{}{}", row + 1, row + 1, name));
+        }
     }
     return found;
 }
@@ -251,8 +256,8 @@ std::string json_advice(std::string_view beginning, const stream::InputOptions& 
         }
     }
     const std::string filter = values.empty() ? path + "@csv" : path + values + " | @csv";
-    return fmt::format("; rotconv reads rows of numbers, such as those written by jq -r {}{}", in_shell(filter),
-                       keys_told);
+    return fmt::format("; rotconv reads rows of numbers, such as those written by jq -r {}{}{}", in_shell(filter),
+                       input.columns.has_names() ? ", without --columns" : "", keys_told);
 }
 
 std::string contents_advice(const std::string& path) {

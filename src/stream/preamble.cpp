@@ -170,12 +170,17 @@ private:
         return found == lines_.rend() ? Line{} : *found;
     }
 
-    /// The last comment, if it is the header of a row.
+    /// The last comment, if it is the header of a row; under HeaderMode::yes as many fields are enough.
     [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
         HeaderLine header(last_comment(), row.delimiter);
         auto names = selected(header);
-        if (header.line.text.empty() || !header.is_closed || header.fields.size() != row.fields.size() || !names ||
-            std::ranges::any_of(header.names(), is_number)) {
+        if (header.line.text.empty() || !header.is_closed || header.fields.size() != row.fields.size() || !names) {
+            return std::nullopt;
+        }
+        if (options_.header == HeaderMode::yes) {
+            return header;
+        }
+        if (std::ranges::any_of(header.names(), is_number)) {
             return std::nullopt;
         }
         if (row.delimiter.is_blanks() && count() > 0) { // then a remark may well have as many words

@@ -492,6 +492,10 @@ private:
             fields.size() != field_count || !selects(fields)) {
             return false;
         }
+        if (rules_.header == "yes") { // then as many fields are enough
+            use_header(at - 1, delimiter);
+            return true;
+        }
         double value = 0.0;
         if (std::ranges::any_of(fields, [&](auto field) { return read(content(field, delimiter), value); })) {
             return false;
