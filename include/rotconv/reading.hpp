@@ -42,6 +42,7 @@ public:
     /// The rotation; of a temporary by value, which a reference may outlive.
     /// @throw std::logic_error if there is none
     [[nodiscard]] const Rotation& operator*() const& { return *operator->(); }
+    // NOLINTNEXTLINE(readability-make-member-function-const): of a temporary
     [[nodiscard]] Rotation operator*() && { return *operator->(); }
     [[nodiscard]] const Rotation* operator->() const {
         if (error_ != Error::none) [[unlikely]] {

@@ -200,6 +200,7 @@ Command read_command_line(int argc, const char* const* argv) {
 
 std::vector<CommandText> command_table() {
     std::vector<CommandText> table;
+    table.reserve(entries.size());
     for (const Entry& entry : entries) {
         table.push_back({std::string(entry.name), entry.about, options_of(entry)});
     }

@@ -85,7 +85,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string json_advice(std::string_view beginning, const stream::InputOptions& input);
 
 /// For a command line without a SPEC: the columns of the file, or nothing if it cannot be read twice.
-[[nodiscard]] std::string contents_advice(const std::string& file);
+[[nodiscard]] std::string contents_advice(const std::string& path);
 
 /// What a user may have meant by a word that rotconv does not know: its meaning elsewhere counts before its spelling.
 struct Guess {

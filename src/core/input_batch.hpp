@@ -42,6 +42,7 @@ public:
         return report;
     }
 
+    // NOLINTNEXTLINE(*-non-private-member-variables-in-classes): what it is for
     AttitudeBatch<double> attitudes; ///< rounded
 
 private:

@@ -41,7 +41,7 @@ constexpr Number sine(Number x) noexcept {
     Number term = x;
     for (unsigned n = 1; term != 0; n += 2) {
         sum += n % 4 == 1 ? term : -term;
-        term = product(product(term, x), x) / ((n + 1) * (n + 2));
+        term = product(product(term, x), x) / (n + 1) / (n + 2);
     }
     return sum;
 }
