@@ -98,7 +98,7 @@ TEST_CASE("a stream cut at any line becomes the same") {
     const std::string text = rows(1500);
     const Layout layout = layout_of(options.input.columns.positions(), 0);
     const std::string whole = transformed(options, layout, text, 1);
-    for (const std::size_t lines : {3, 40, 300, 2000}) {
+    for (const std::size_t lines : {3U, 40U, 300U, 2000U}) {
         CHECK(transformed(options, layout, text, lines, 2) == whole);
     }
 }
