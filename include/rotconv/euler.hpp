@@ -17,40 +17,57 @@ namespace rotconv {
 
 /// One of the 24 Euler sequences. Upper case, such as "ZYX", means turns about the moving body axes in that order
 /// (intrinsic); lower case, such as "xyz", means turns about the fixed reference axes (extrinsic). Neighbouring letters
-/// differ.
+/// differ. A minus sign before a letter negates that angle: "Z-Y-X" is R_Z(a) R_Y(-b) R_X(-c).
 class EulerSequence {
 public:
     /// XYZ.
     constexpr EulerSequence() noexcept = default;
     /// A literal, such as "ZYX", which the compiler checks.
-    consteval EulerSequence(const char (&letters)[4]) // NOLINT(*-avoid-c-arrays, google-explicit-constructor)
-        : EulerSequence(*parse({letters, 3})) {}
+    template <std::size_t size>
+    consteval EulerSequence(const char (&letters)[size]) // NOLINT(*-avoid-c-arrays, google-explicit-constructor)
+        : EulerSequence(*parse({letters, size - 1})) {}
 
     /// The sequence of three letters, or nothing if they do not name one.
     [[nodiscard]] static constexpr std::optional<EulerSequence> parse(std::string_view letters) noexcept {
-        if (letters.size() != 3) {
-            return std::nullopt;
-        }
         EulerSequence sequence;
-        const char base = letters[0] >= 'a' ? 'x' : 'X';
-        sequence.intrinsic_ = base == 'X';
         for (std::size_t i = 0; i < 3; ++i) {
-            const int axis = letters[i] - base;
+            if (letters.starts_with('-')) {
+                sequence.signs_[i] = -1;
+                letters.remove_prefix(1);
+            }
+            if (letters.empty()) {
+                return std::nullopt;
+            }
+            if (i == 0) {
+                sequence.intrinsic_ = letters[0] < 'a';
+            }
+            const int axis = letters[0] - (sequence.intrinsic_ ? 'X' : 'x');
             if (axis < 0 || axis > 2 || (i > 0 && axis == sequence.axes_[i - 1])) {
                 return std::nullopt;
             }
             sequence.axes_[i] = static_cast<std::int8_t>(axis);
+            letters.remove_prefix(1);
         }
-        return sequence;
+        return letters.empty() ? std::optional(sequence) : std::nullopt;
     }
 
-    /// All 24, intrinsic first.
+    /// All 24 without signs, intrinsic first.
     [[nodiscard]] static std::array<EulerSequence, 24> all() noexcept;
+
+    /// The same axes, with those angles negated.
+    [[nodiscard]] constexpr EulerSequence with_signs(bool first, bool second, bool third) const noexcept {
+        EulerSequence sequence = *this;
+        sequence.signs_ = {std::int8_t(first ? -1 : 1), std::int8_t(second ? -1 : 1), std::int8_t(third ? -1 : 1)};
+        return sequence;
+    }
 
     /// The letters, which parse() reads.
     [[nodiscard]] std::string text() const;
     /// The axis (0, 1, 2) of the first, second or third turn (`position` 0, 1, 2).
     [[nodiscard]] constexpr int axis(std::size_t position) const noexcept { return axes_[position]; }
+    /// -1 if that angle is negated, else +1.
+    [[nodiscard]] constexpr double sign(std::size_t position) const noexcept { return signs_[position]; }
+    [[nodiscard]] constexpr bool has_signs() const noexcept { return signs_[0] + signs_[1] + signs_[2] < 3; }
     [[nodiscard]] constexpr bool intrinsic() const noexcept { return intrinsic_; }
     /// True if the first and third axis are the same (proper Euler angles), false if all three differ (Tait-Bryan
     /// angles).
@@ -60,6 +77,7 @@ public:
 
 private:
     std::array<std::int8_t, 3> axes_{0, 1, 2};
+    std::array<std::int8_t, 3> signs_{1, 1, 1};
     bool intrinsic_ = true;
 };
 
@@ -84,7 +102,8 @@ inline constexpr double default_lock_margin = 1e-15;
 /// The product of three half-angle quaternions. Angles of any finite size. Error: not_finite.
 [[nodiscard]] Reading to_rotation(const EulerAngles& value) noexcept;
 
-/// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi].
+/// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi]; these are the ranges of the angles as they
+/// are returned, signs of the sequence included.
 ///
 /// With a, b, c, d of Bernardes and Viollet (2022), where a + ib = C e^(i s) and c + id = S e^(i t) hold half the sum
 /// and difference s, t of the outer angles: these are the angles atan2(imaginary, real) of (a + ib)(c +- id), and the

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,8 +20,13 @@ struct Candidate {
     std::array<std::uint8_t, 9> columns{}; ///< for each number of the SPEC the column that holds it, from 0
     std::size_t rows = 0; ///< number of rows on which it was tried; it is dropped at the first that it misses by far
     double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
-    std::size_t angle_row = 0; ///< the first row with that angle
+    std::size_t angle_row = 0;       ///< the first row with that angle
+    std::optional<Rotation> left{};  ///< known = left unknown right, where a constant turn was found...
+    std::optional<Rotation> right{}; ///< ...on that side
 };
+
+/// On which side of the attitudes a constant turn stands; fewest turns first.
+enum class TurnedSide : std::uint8_t { body, reference, both };
 
 /// How many candidates fit and, if more than one does, why the rows do not tell them apart.
 struct Verdict {
@@ -31,11 +37,15 @@ struct Verdict {
         attitudes,  ///< all rows have the same attitude
         size,       ///< all attitudes are small: `angle` is the largest
         axes,       ///< all attitudes turn about one axis: `axis`
+        plane,      ///< the axes of the turns between the attitudes lie in a plane, of which `axis` is the normal
         zero,       ///< the number in `column` is always 0
         equal,      ///< the numbers in `column` and `other` are always equal
         difference, ///< the candidates agree on these rows for another reason
     };
     std::size_t fitting = 0;
+    std::optional<Candidate> turned; ///< the only one that fits, with a constant turn, where none does without
+    /// Largest angles of the best and the second of those that fit.
+    std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Ambiguity ambiguity = Ambiguity::nothing;
     double angle = 0.0;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
@@ -50,12 +60,16 @@ struct IdentificationSettings {
 
 /// Finds the convention of numbers that come with the same attitude in a known one.
 ///
-/// All SPECs with that count of numbers are tried, with all modifiers and sequences, and for Euler angles and
-/// quaternions with all orders of the columns. Candidates that mean the same for all numbers count as one: the one
-/// whose list of columns comes first; if several share it, the one with the fewest modifiers, preferably without
-/// `passive`. `rpy` is named euler:xyz. A candidate is dropped at the first row that it misses by more than a thousand
-/// times the limit, or whose numbers have no attitude in it, so that long data cost little more than one conversion.
-/// Constant memory.
+/// All SPECs with that count of numbers are tried, with all modifiers, sequences and their signs, and for Euler angles,
+/// quaternions, axis-angle and two columns with all orders of the columns. Candidates that mean the same for all
+/// numbers count as one: the one whose list of columns comes first; if several share it, the one with the fewest
+/// modifiers and signs, preferably without `passive`. `rpy` is named euler:xyz. A candidate is dropped at the first row
+/// that it misses by more than a thousand times the limit, or whose numbers have no attitude in it, so that long data
+/// cost little more than one conversion.
+///
+/// Where none fits, each is tried with a constant turn on either side, and then on both: see constant_turns(). Those
+/// that a constant turn makes the same count as one. For this rows are kept; of more than `most_kept` every second,
+/// fourth, eighth and so on. Constant memory.
 class Identification {
 public:
     /// @param name if given, only candidates of this representation, which has `count` numbers
@@ -83,10 +97,13 @@ public:
     [[nodiscard]] std::vector<Candidate> best_first() const;
     [[nodiscard]] Verdict verdict() const;
 
+    static constexpr std::size_t most_kept = 65'536;
+
 private:
     struct Trial {
         Candidate candidate;
         Conversion conversion;
+        std::size_t turned_class; ///< that of all that are the same but for constant turns
     };
 
     /// Adds rows [first, first + count) of those being added. Their attitudes are in known_.
@@ -97,8 +114,18 @@ private:
                  double* angles);
     /// Why the numbers of a row have no attitude.
     [[nodiscard]] RowReport refusal(const Trial& trial, const double* numbers);
-    void remember(const double* numbers, const Rotation& known);
+    void remember(const double* numbers, const Rotation& known, std::size_t row);
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
+    [[nodiscard]] Verdict::Ambiguity ambiguity_of_turned(Verdict& verdict) const;
+    struct RowsForTurns;
+    /// Fills the verdict on candidates with constant turns.
+    void try_turns(Verdict& verdict) const;
+    /// False where no constant turns make the candidate fit, nor any of its class.
+    [[nodiscard]] bool may_fit(const Trial& trial, const RowsForTurns& rows) const;
+    [[nodiscard]] std::optional<Candidate> with_turn(const Trial& trial, TurnedSide side,
+                                                     const RowsForTurns& rows) const;
+    /// The attitudes that the candidate makes of kept rows; none if it cannot read one.
+    [[nodiscard]] std::vector<Rotation> attitudes_of(const Trial& trial, std::span<const std::size_t> kept) const;
 
     std::size_t count_;
     IdentificationSettings settings_;
@@ -106,6 +133,12 @@ private:
     std::vector<Trial> trials_;       ///< preferred names first
     std::vector<std::size_t> living_; ///< those that are not dropped
     std::size_t rows_ = 0;
+
+    // The rows that are kept: every `stride_`-th.
+    std::size_t stride_ = 1;
+    std::vector<double> kept_numbers_;
+    std::vector<Rotation> kept_known_;
+    std::vector<std::size_t> kept_rows_;
 
     // What verdict() needs to know of the rows.
     Rotation first_;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,9 +17,9 @@
 namespace rotconv {
 
 /// What changes how a representation's numbers are written down.
-enum class Modifier : std::uint8_t { passive, deg, col, xyzw, wxyz };
-inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg, Modifier::col, Modifier::xyzw,
-                                          Modifier::wxyz};
+enum class Modifier : std::uint8_t { passive, deg, col, xyzw, wxyz, positive };
+inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg,  Modifier::col,
+                                          Modifier::xyzw,    Modifier::wxyz, Modifier::positive};
 
 using ModifierSet = EnumSet<Modifier>;
 
@@ -28,10 +29,11 @@ struct Preset {
     std::string_view about; ///< its origin, in a few words
 };
 
-/// The modifiers that a preset stands for on one representation.
+/// What a preset stands for on one representation.
 struct PresetMeaning {
-    std::string_view preset;
-    ModifierSet modifiers;
+    std::string_view preset{};
+    ModifierSet modifiers{};
+    std::optional<EulerSequence> sequence{}; ///< where the SPEC gives none
 };
 
 /// What a representation is called and how it is written.
@@ -59,7 +61,7 @@ struct Representation {
 [[nodiscard]] const Representation* find_representation(std::string_view text) noexcept;
 [[nodiscard]] std::span<const Preset> presets() noexcept;
 /// Empty if the preset leaves the representation unchanged.
-[[nodiscard]] ModifierSet modifiers_of(std::string_view preset, const Representation& entry) noexcept;
+[[nodiscard]] PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept;
 [[nodiscard]] std::string_view name_of(Modifier modifier) noexcept;
 
 /// A representation with its conventions resolved: the meaning of `NAME[:MODIFIER]...`.
@@ -70,6 +72,7 @@ struct Spec {
     bool passive = false;                    ///< the numbers describe the inverse
     bool column_major = false;               ///< dcm listed column by column
     bool scalar_last = false;                ///< quat as x y z w
+    bool positive = false;                   ///< outer Euler angles are written in [0, 2 pi)
 
     [[nodiscard]] std::size_t size() const noexcept { return representation(name).size; }
     /// For each number as written, its place in the representation's own order; size() entries count.

@@ -140,7 +140,7 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
     const std::string ending = fmt::format(":{}", word);
     if (is_preset(word)) {
         const auto is_changed = [word](const Representation& entry) {
-            return !words_of(modifiers_of(word, entry), "").empty();
+            return !words_of(meaning_of(word, entry).modifiers, "").empty();
         };
         return guess_kind("preset", is_changed, ending);
     }

@@ -6,7 +6,9 @@
 #include <variant>
 #include <vector>
 
+#include <rotconv/dcm.hpp>
 #include <rotconv/identification.hpp>
+#include <rotconv/quaternion.hpp>
 
 #include "../stream/fmt.hpp"
 #include "row_options.hpp"
@@ -53,6 +55,29 @@ std::optional<RepresentationId> name_of(const std::string& text) {
                 (std::holds_alternative<Spec>(spec)
                      ? fmt::format("{}, not {}", name_of(std::get<Spec>(spec)), quoted(text))
                      : messages::explain(SpecError{SpecError::What::unknown_name, text})));
+}
+
+/// A constant turn of the axes that options name, xyz:yx-z and the like, or of others.
+std::string turn_option(std::string_view side, std::string_view axes_option, const Rotation& rotation, bool inverse) {
+    const Dcm matrix = dcm::from_rotation(inverse ? rotation.inverse() : rotation);
+    std::string axes; // where each of the new axes points, in the old ones
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            if (std::fabs(matrix(i, k)) == 1.0) {
+                axes += fmt::format("{}{}", matrix(i, k) < 0.0 ? "-" : "", static_cast<char>('x' + k));
+            }
+        }
+    }
+    if (std::ranges::count(axes, '-') + 3 == static_cast<std::ptrdiff_t>(axes.size())) {
+        return fmt::format(" {} xyz:{}", axes_option, axes);
+    }
+    const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
+    return fmt::format(" {} \"quat: {} {} {} {}\"", side, q.w(), q.x(), q.y(), q.z());
+}
+
+std::string turn_options(const Candidate& candidate) {
+    return (candidate.left ? turn_option("--left", "--reference-axes", *candidate.left, false) : "") +
+           (candidate.right ? turn_option("--right", "--body-axes", *candidate.right, true) : "");
 }
 
 /// Indices from 1 as --columns takes them: three or more in a row as a range.
@@ -109,8 +134,11 @@ public:
                                 : "none\n"};
         }
         auto candidates = identification_->best_first();
-        candidates.resize(std::min(candidates.size(), listed));
         const Verdict verdict = identification_->verdict();
+        if (verdict.turned) {
+            candidates.insert(candidates.begin(), *verdict.turned);
+        }
+        candidates.resize(std::min(candidates.size(), listed));
         std::string text = settings_.json ? "" : line_of("SPEC", "columns", "worst angle", "at line", "rows", "fits");
         for (const Candidate& each : candidates) {
             const bool is_read = std::isfinite(each.angle);
@@ -128,11 +156,11 @@ public:
                                   std::to_string(each.angle_row), std::to_string(each.rows), fits ? "yes" : "no");
         }
         const bool is_ambiguous = verdict.fitting > 1;
-        const std::string best =
-            verdict.fitting == 1
-                ? fmt::format("-f {} --columns {}", candidates.front().spec.text(), columns_of(candidates.front()))
-            : is_ambiguous ? "ambiguous"
-                           : "none";
+        const std::string best = verdict.fitting == 1
+                                     ? fmt::format("-f {} --columns {}{}", candidates.front().spec.text(),
+                                                   columns_of(candidates.front()), turn_options(candidates.front()))
+                                 : is_ambiguous ? "ambiguous"
+                                                : "none";
         if (settings_.json) {
             std::vector<std::pair<std::string_view, JsonValue>> last{
                 {"rows", identification_->rows()}, {"fit", verdict.fitting}, {"answer", best}};
@@ -141,10 +169,11 @@ public:
             }
             text += json_line(last);
         } else {
-            text += fmt::format("\n{}; the convention that fits within {:.6g} {}:\n{}{}\n",
+            text += fmt::format("\n{}; the convention that fits within {:.6g} {}:\n{}{}{}\n",
                                 counted(identification_->rows(), "row"), settings_.identification.within * unit_,
                                 unit_name_, best,
-                                is_ambiguous ? fmt::format(": {} fit; {}", verdict.fitting, lack(verdict)) : "");
+                                is_ambiguous ? fmt::format(": {} fit; {}", verdict.fitting, lack(verdict)) : "",
+                                is_ambiguous ? smaller_limit(verdict) : "");
         }
         return {.text = text, .holds = verdict.fitting == 1};
     }
@@ -161,16 +190,30 @@ private:
         return fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", spec, columns, angle, line, rows, fits);
     }
 
+    /// Where one of those that fit is a million times nearer than all others.
+    [[nodiscard]] std::string smaller_limit(const Verdict& verdict) const {
+        const auto [best, second] = verdict.nearest;
+        return 1e6 * best < second ? fmt::format("; one is a million times nearer than the others: --within {:.0e}",
+                                                 std::max(std::sqrt(best * second), 1e-3 * second) * unit_)
+                                   : "";
+    }
+
     /// What the rows lack.
     [[nodiscard]] std::string lack(const Verdict& verdict) const {
         using Ambiguity = Verdict::Ambiguity;
         switch (verdict.ambiguity) {
-        case Ambiguity::rows: return "there is one row";
+        case Ambiguity::rows:
+            return identification_->rows() == 1
+                       ? "there is one row"
+                       : fmt::format("there are {} rows, and turns on both sides take four", identification_->rows());
         case Ambiguity::attitudes: return "all rows have the same attitude";
         case Ambiguity::size: return fmt::format("all are small, at most {:.3g} {}", verdict.angle * unit_, unit_name_);
         case Ambiguity::axes:
             return fmt::format("all turn about one axis, ({:.3g}, {:.3g}, {:.3g})", verdict.axis[0] + 0.0,
                                verdict.axis[1] + 0.0, verdict.axis[2] + 0.0);
+        case Ambiguity::plane:
+            return fmt::format("the axes of the turns between them lie in the plane across ({:.3g}, {:.3g}, {:.3g})",
+                               verdict.axis[0] + 0.0, verdict.axis[1] + 0.0, verdict.axis[2] + 0.0);
         case Ambiguity::zero: return fmt::format("the number in column {} is always 0", column(verdict.column));
         case Ambiguity::equal:
             return fmt::format("the numbers in columns {} and {} are always equal", column(verdict.column),

@@ -24,9 +24,10 @@ std::string columns_of(const Spec& spec) {
     return fmt::format("{}", fmt::join(columns.begin(), columns.begin() + static_cast<int>(spec.size()), " "));
 }
 
-/// The modifiers that a preset means for a representation.
+/// The modifiers, or the sequence, that a preset means for a representation.
 std::string effect_of(const Preset& preset, const Representation& entry) {
-    return messages::words_of(modifiers_of(preset.text, entry), ", ");
+    const PresetMeaning meaning = meaning_of(preset.text, entry);
+    return meaning.sequence ? meaning.sequence->text() : messages::words_of(meaning.modifiers, ", ");
 }
 
 /// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat".
@@ -75,7 +76,8 @@ std::string list_one(const Representation& entry) {
     line("singular", entry.singular);
     if (entry.takes_sequence) {
         line("sequences", "three letters, neighbours different: upper case XYZ turns about the body's own");
-        line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic)");
+        line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic);");
+        line("", "a minus sign before a letter negates that angle: Z-Y-X");
     }
     line("modifiers", messages::words_of(entry.modifiers, " "));
     for (const Preset& preset : presets()) {

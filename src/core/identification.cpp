@@ -4,11 +4,14 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 
+#include "constant_turns.hpp"
 #include "representations/codec.hpp"
 #include "representations/half_turn.hpp"
 
@@ -24,7 +27,28 @@ constexpr double rounding = 1e-7;
 
 using Columns = std::array<std::uint8_t, 9>;
 
-/// All SPECs of the representation, those with the fewest modifiers first; of several, `passive` last.
+/// All sequences with all signs, those with the fewest first.
+std::vector<EulerSequence> sequences() {
+    std::vector<EulerSequence> all;
+    for (const unsigned signs : {0U, 1U, 2U, 4U, 3U, 5U, 6U, 7U}) {
+        for (const EulerSequence sequence : EulerSequence::all()) {
+            all.push_back(sequence.with_signs((signs & 1U) != 0, (signs & 2U) != 0, (signs & 4U) != 0));
+        }
+    }
+    return all;
+}
+
+/// The number of modifiers and signs.
+int complexity(const Spec& spec) noexcept {
+    int count = (spec.unit == AngleUnit::degrees ? 1 : 0) + (spec.column_major ? 1 : 0) + (spec.scalar_last ? 1 : 0) +
+                (spec.passive ? 1 : 0);
+    for (const std::size_t i : {0U, 1U, 2U}) {
+        count += spec.sequence.sign(i) < 0.0 ? 1 : 0;
+    }
+    return count;
+}
+
+/// All SPECs of the representation, those with the fewest modifiers and signs first; of several, `passive` last.
 std::vector<Spec> specs_of(const Representation& entry) {
     constexpr std::array modifiers{Modifier::deg, Modifier::col, Modifier::xyzw, Modifier::passive};
     std::array<unsigned, 1U << modifiers.size()> choices{}; // a bit for each modifier
@@ -49,11 +73,12 @@ std::vector<Spec> specs_of(const Representation& entry) {
             specs.push_back(spec);
             continue;
         }
-        for (const EulerSequence sequence : EulerSequence::all()) {
+        for (const EulerSequence sequence : sequences()) {
             spec.sequence = sequence;
             specs.push_back(spec);
         }
     }
+    std::ranges::stable_sort(specs, {}, complexity);
     return specs;
 }
 
@@ -66,7 +91,8 @@ std::vector<Candidate> candidates_of(std::size_t count, std::optional<Representa
         if (!is_wanted || entry.size != count) {
             continue;
         }
-        const bool any_order = entry.has_gimbal_lock || id == RepresentationId::quat;
+        const bool any_order = entry.has_gimbal_lock || id == RepresentationId::quat ||
+                               id == RepresentationId::axis_angle || id == RepresentationId::two_column;
         for (const Spec& spec : specs_of(entry)) {
             Columns columns{};
             std::iota(columns.begin(), columns.end(), std::uint8_t{0});
@@ -86,17 +112,44 @@ Rotation rotation_at(const std::vector<double>& quaternions, std::size_t row) no
 
 double angle_between(const Rotation& a, const Rotation& b) noexcept { return angle_of(a * b.inverse()); }
 
-/// Nearer than 3e-6 radians. Generic numbers are not that near in two candidates that differ in meaning.
-bool are_same(const Rotation& a, const Rotation& b) noexcept {
-    const double cosine = (a.w() * b.w() + a.x() * b.x()) + (a.y() * b.y() + a.z() * b.z());
-    return std::fabs(cosine) > 1.0 - 1e-12;
+/// Numbers by which attitudes are compared, to 1e-6: generic ones differ by more where candidates differ in meaning.
+using Fingerprint = std::vector<std::int64_t>;
+
+std::int64_t mark_of(double number) noexcept { return std::llround(1e6 * number); }
+
+/// Of attitudes, whatever the signs of the quaternions.
+Fingerprint fingerprint(std::span<const Rotation> attitudes) {
+    Fingerprint marks;
+    for (const Rotation& attitude : attitudes) {
+        const Rotation q = attitude.canonical();
+        marks.insert(marks.end(), {mark_of(q.w()), mark_of(q.x()), mark_of(q.y()), mark_of(q.z())});
+    }
+    return marks;
 }
 
-/// Two rows of numbers whose attitudes are equal only in candidates that mean the same.
+/// Of attitudes, whatever constant turns stand on their sides: the lengths, angles and volume of the vectors of the
+/// relative turns.
+Fingerprint turned_fingerprint(std::span<const Rotation> attitudes) {
+    Fingerprint marks;
+    std::vector<Eigen::Vector3d> vectors;
+    for (const Rotation& attitude : attitudes.subspan(1)) {
+        vectors.push_back(relative_vector(attitudes[0], attitude));
+        marks.push_back(mark_of(angle_between(attitudes[0], attitude)));
+        for (const Eigen::Vector3d& vector : vectors) {
+            marks.push_back(mark_of(vector.dot(vectors.back())));
+        }
+    }
+    marks.push_back(mark_of(vectors[0].cross(vectors[1]).dot(vectors[2])));
+    return marks;
+}
+
+/// Rows of numbers whose attitudes are equal only in candidates that mean the same.
 std::vector<double> generic_numbers(const Spec& spec) {
     std::vector<double> numbers;
-    for (const Rotation& rotation : {Rotation::near_unit(0.83, 0.31, -0.42, 0.17), //
-                                     Rotation::near_unit(0.29, -0.37, 0.71, 0.53)}) {
+    for (const Rotation& rotation :
+         {Rotation::near_unit(0.83, 0.31, -0.42, 0.17), Rotation::near_unit(0.29, -0.37, 0.71, 0.53),
+          Rotation::near_unit(0.61, 0.47, 0.13, -0.59), Rotation::near_unit(0.43, 0.19, -0.67, 0.31),
+          Rotation::near_unit(0.71, -0.11, 0.23, 0.41)}) {
         std::array<double, most_numbers> row{};
         write_row(spec.in_degrees(), rotation, row.data());
         numbers.insert(numbers.end(), row.begin(), row.begin() + static_cast<std::ptrdiff_t>(spec.size()));
@@ -125,22 +178,21 @@ Identification::Identification(std::size_t count, const Spec& known, std::option
     const std::vector<double> generic =
         candidates.empty() ? std::vector<double>() : generic_numbers(candidates[0].spec);
     const std::size_t rows = generic.size() / std::max<std::size_t>(count, 1);
-    std::vector<std::vector<double>> attitudes; // of the trials
+    std::set<Fingerprint> met;
+    std::map<Fingerprint, std::size_t> classes;
     std::vector<double> own(rows * 4);
+    std::vector<Rotation> attitudes(rows);
     for (const Candidate& candidate : candidates) {
         order(candidate, generic.data(), count, rows, ordered_);
         Conversion(candidate.spec, Spec{}, {.tolerance = infinity}).run(ordered_, own, found_);
-        const bool is_new = std::ranges::none_of(attitudes, [&](const std::vector<double>& others) {
-            bool all_same = true;
-            for (std::size_t i = 0; i < rows; ++i) {
-                all_same = all_same && are_same(rotation_at(own, i), rotation_at(others, i));
-            }
-            return all_same;
-        });
-        if (is_new) {
-            attitudes.push_back(own);
+        for (std::size_t i = 0; i < rows; ++i) {
+            attitudes[i] = rotation_at(own, i);
+        }
+        if (met.insert(fingerprint(attitudes)).second) {
+            const auto turned_class = classes.try_emplace(turned_fingerprint(attitudes), classes.size()).first->second;
             living_.push_back(trials_.size());
-            trials_.push_back({candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance})});
+            trials_.push_back(
+                {candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance}), turned_class});
         }
     }
 }
@@ -196,7 +248,7 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
             continue;
         }
         ++rows_;
-        remember(row_numbers, rotation_at(known_, at));
+        remember(row_numbers, rotation_at(known_, at), rows[at]);
         std::erase_if(living_, [&](std::size_t trial) {
             Candidate& candidate = trials_[trial].candidate;
             const double angle = angles_[trial * count + row];
@@ -232,7 +284,24 @@ RowReport Identification::refusal(const Trial& trial, const double* numbers) {
     return found_.front();
 }
 
-void Identification::remember(const double* numbers, const Rotation& known) {
+void Identification::remember(const double* numbers, const Rotation& known, std::size_t row) {
+    if ((rows_ - 1) % stride_ == 0) {
+        if (kept_rows_.size() == most_kept) { // every second of these goes
+            for (std::size_t i = 0; i < most_kept; i += 2) {
+                std::copy_n(kept_numbers_.begin() + static_cast<std::ptrdiff_t>(i * count_), count_,
+                            kept_numbers_.begin() + static_cast<std::ptrdiff_t>(i / 2 * count_));
+                kept_known_[i / 2] = kept_known_[i];
+                kept_rows_[i / 2] = kept_rows_[i];
+            }
+            kept_numbers_.resize(most_kept / 2 * count_);
+            kept_known_.resize(most_kept / 2);
+            kept_rows_.resize(most_kept / 2);
+            stride_ *= 2;
+        }
+        kept_numbers_.insert(kept_numbers_.end(), numbers, numbers + count_);
+        kept_known_.push_back(known);
+        kept_rows_.push_back(row);
+    }
     first_ = rows_ == 1 ? known : first_;
     spread_ = std::max(spread_, angle_between(known, first_));
     greatest_angle_ = std::max(greatest_angle_, angle_of(known));
@@ -256,14 +325,176 @@ std::vector<Candidate> Identification::best_first() const {
     return candidates;
 }
 
+namespace {
+
+void count_fit(Verdict& verdict, double angle) noexcept {
+    ++verdict.fitting;
+    verdict.nearest[1] = std::min(verdict.nearest[1], std::max(verdict.nearest[0], angle));
+    verdict.nearest[0] = std::min(verdict.nearest[0], angle);
+}
+
+/// Of an axis and its opposite that whose largest component is positive.
+Eigen::Vector3d with_positive_leader(const Eigen::Vector3d& axis) noexcept {
+    Eigen::Index leader = 0;
+    axis.cwiseAbs().maxCoeff(&leader);
+    return std::copysign(1.0, axis[leader]) * axis;
+}
+
+} // namespace
+
 Verdict Identification::verdict() const {
     Verdict verdict;
-    verdict.fitting = static_cast<std::size_t>(
-        std::ranges::count_if(trials_, [this](const Trial& trial) { return fits(trial.candidate); }));
-    if (verdict.fitting > 1) {
+    for (const Trial& trial : trials_) {
+        if (fits(trial.candidate)) {
+            count_fit(verdict, trial.candidate.angle);
+        }
+    }
+    if (verdict.fitting == 0 && rows_ > 0) {
+        try_turns(verdict);
+    } else if (verdict.fitting > 1) {
         verdict.ambiguity = ambiguity(verdict);
     }
     return verdict;
+}
+
+std::vector<Rotation> Identification::attitudes_of(const Trial& trial, std::span<const std::size_t> kept) const {
+    std::vector<double> ordered;
+    for (const std::size_t row : kept) {
+        for (std::size_t i = 0; i < trial.candidate.spec.size(); ++i) {
+            ordered.push_back(kept_numbers_[row * count_ + trial.candidate.columns.at(i)]);
+        }
+    }
+    std::vector<double> quaternions(4 * kept.size());
+    std::vector<RowReport> reports;
+    trial.conversion.run(ordered, quaternions, reports);
+    if (std::ranges::any_of(reports, [](const RowReport& report) { return report.error != Error::none; })) {
+        return {};
+    }
+    std::vector<Rotation> attitudes;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        attitudes.push_back(rotation_at(quaternions, i));
+    }
+    return attitudes;
+}
+
+/// Rows that are far apart, which reject nearly all candidates; some hundred, which give the turns; and all.
+struct Identification::RowsForTurns {
+    explicit RowsForTurns(const std::vector<Rotation>& kept) : few(spread_rows(kept, 12)), some(few), all(kept.size()) {
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 256) {
+            some.push_back(i);
+        }
+        const auto take = [&kept](const std::vector<std::size_t>& rows, std::vector<Rotation>& to) {
+            std::ranges::transform(rows, std::back_inserter(to), [&kept](std::size_t row) { return kept[row]; });
+        };
+        take(few, known_few);
+        take(some, known_some);
+    }
+
+    std::vector<std::size_t> few, some, all;
+    std::vector<Rotation> known_few, known_some;
+};
+
+bool Identification::may_fit(const Trial& trial, const RowsForTurns& rows) const {
+    const auto own = attitudes_of(trial, rows.few);
+    for (std::size_t i = 1; i < own.size(); ++i) { // no constant turn changes the angle between two rows
+        const double angle = angle_between(own[0], own[i]);
+        if (std::fabs(angle - angle_between(rows.known_few[0], rows.known_few[i])) >
+            2.0 * settings_.within + rounding) {
+            return false;
+        }
+    }
+    return !own.empty();
+}
+
+std::optional<Candidate> Identification::with_turn(const Trial& trial, TurnedSide side,
+                                                   const RowsForTurns& rows) const {
+    const auto own_few = attitudes_of(trial, rows.few);
+    const ConstantTurns rough = constant_turns(side, own_few, rows.known_few);
+    if (largest_angle(rough, own_few, rows.known_few).angle > 2.0 * settings_.within + rounding) {
+        return std::nullopt;
+    }
+    const auto own = attitudes_of(trial, rows.all);
+    if (own.empty()) {
+        return std::nullopt;
+    }
+    ConstantTurns turns = constant_turns(side, attitudes_of(trial, rows.some), rows.known_some);
+    LargestAngle largest = largest_angle(turns, own, kept_known_);
+    const ConstantTurns named = with_named_axes(turns, std::max(settings_.within, rounding));
+    const LargestAngle largest_of_named = largest_angle(named, own, kept_known_);
+    if (largest_of_named.angle <= settings_.within) {
+        turns = named;
+        largest = largest_of_named;
+    }
+    if (largest.angle > settings_.within) {
+        return std::nullopt;
+    }
+    Candidate candidate = trial.candidate;
+    candidate.rows = rows_;
+    candidate.angle = largest.angle;
+    candidate.angle_row = kept_rows_[largest.row];
+    candidate.left = side == TurnedSide::body ? std::nullopt : std::optional(turns.left);
+    candidate.right = side == TurnedSide::reference ? std::nullopt : std::optional(turns.right);
+    return candidate;
+}
+
+void Identification::try_turns(Verdict& verdict) const {
+    const RowsForTurns rows(kept_known_);
+    std::map<std::size_t, bool> possible; // by class
+    std::vector<const Trial*> trials;
+    for (const Trial& trial : trials_) {
+        const auto [found, is_new] = possible.try_emplace(trial.turned_class);
+        if (is_new) {
+            found->second = may_fit(trial, rows);
+        }
+        if (found->second) {
+            trials.push_back(&trial);
+        }
+    }
+    std::map<std::size_t, Candidate> fitting; // of each class the one with the fewest turns
+    for (const TurnedSide side : {TurnedSide::body, TurnedSide::reference, TurnedSide::both}) {
+        if (side == TurnedSide::both && !fitting.empty()) {
+            break;
+        }
+        for (const Trial* trial : trials) {
+            if (fitting.contains(trial->turned_class) || !possible[trial->turned_class]) {
+                continue;
+            }
+            if (auto candidate = with_turn(*trial, side, rows)) {
+                fitting.emplace(trial->turned_class, std::move(*candidate));
+            } else if (side == TurnedSide::both) { // then none of its class fits
+                possible[trial->turned_class] = false;
+            }
+        }
+    }
+    for (const auto& [turned_class, candidate] : fitting) {
+        count_fit(verdict, candidate.angle);
+        verdict.turned = candidate;
+    }
+    if (verdict.fitting > 1) {
+        verdict.turned.reset();
+        verdict.ambiguity = ambiguity_of_turned(verdict);
+    }
+}
+
+Verdict::Ambiguity Identification::ambiguity_of_turned(Verdict& verdict) const {
+    using Ambiguity = Verdict::Ambiguity;
+    if (rows_ < 4) { // whose relative turns lie in a plane
+        return Ambiguity::rows;
+    }
+    if (spread_ <= settings_.within) {
+        return Ambiguity::attitudes;
+    }
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Rotation& known : kept_known_) {
+        const Eigen::Vector3d vector = relative_vector(kept_known_[0], known);
+        scatter += vector * vector.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter / static_cast<double>(kept_known_.size()));
+    const Eigen::Vector3d sizes = 2.0 * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const double least = std::max(settings_.within, rounding);
+    verdict.axis = with_positive_leader(solver.eigenvectors().col(sizes[1] <= least ? 2 : 0));
+    return sizes[1] <= least ? Ambiguity::axes : sizes[0] <= least ? Ambiguity::plane : Ambiguity::difference;
 }
 
 Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
@@ -282,10 +513,7 @@ Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter_ / static_cast<double>(rows_));
     const Eigen::Vector3d sines = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt(); // of half angles, increasing
     if (2.0 * sines[1] <= std::max(settings_.within, rounding)) {
-        verdict.axis = solver.eigenvectors().col(2);
-        Eigen::Index leader = 0;
-        verdict.axis.cwiseAbs().maxCoeff(&leader);
-        verdict.axis *= std::copysign(1.0, verdict.axis[leader]);
+        verdict.axis = with_positive_leader(solver.eigenvectors().col(2));
         return Ambiguity::axes;
     }
     const double greatest = *std::ranges::max_element(greatest_numbers_);

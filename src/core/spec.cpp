@@ -19,6 +19,16 @@ constexpr auto preset_table = std::to_array<Preset>({
     {"trawny", "Trawny and Roumeliotis 2005, the JPL quaternion"},
     {"jpl", "the JPL quaternion, as trawny"},
     {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
+    {"px4", "PX4 vehicle_attitude, FRD body to NED"},
+    {"kitti", "KITTI odometry poses, camera to first camera"},
+    {"euroc", "EuRoC ground truth, q_RS: sensor to reference"},
+    {"gtsam", "GTSAM Rot3 and Quaternion"},
+    {"ceres", "Ceres rotation.h"},
+    {"drake", "Drake RotationMatrix, RollPitchYaw"},
+    {"blender", "Blender mathutils"},
+    {"mujoco", "MuJoCo xquat"},
+    {"colmap", "COLMAP images.txt, world to camera"},
+    {"opk", "photogrammetry: omega phi kappa, image to ground"},
 });
 
 void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
@@ -26,6 +36,7 @@ void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
     spec.unit = modifiers.has(Modifier::deg) ? AngleUnit::degrees : spec.unit;
     spec.column_major = spec.column_major || modifiers.has(Modifier::col);
     spec.scalar_last = spec.scalar_last || modifiers.has(Modifier::xyzw);
+    spec.positive = spec.positive || modifiers.has(Modifier::positive);
 }
 
 /// Cuts the text up to the next colon off `rest`.
@@ -52,13 +63,14 @@ const Representation* find_representation(std::string_view text) noexcept {
 
 std::span<const Preset> presets() noexcept { return preset_table; }
 
-ModifierSet modifiers_of(std::string_view preset, const Representation& entry) noexcept {
+PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept {
     const auto found = std::ranges::find(entry.presets, preset, &PresetMeaning::preset);
-    return found == entry.presets.end() ? ModifierSet{} : found->modifiers;
+    return found == entry.presets.end() ? PresetMeaning{} : *found;
 }
 
 std::string_view name_of(Modifier modifier) noexcept {
-    static constexpr std::array<std::string_view, all_modifiers.size()> names{"passive", "deg", "col", "xyzw", "wxyz"};
+    static constexpr std::array<std::string_view, all_modifiers.size()> names{"passive", "deg",  "col",
+                                                                              "xyzw",    "wxyz", "positive"};
     static_assert(!names.back().empty());
     return names[static_cast<std::size_t>(modifier)];
 }
@@ -72,7 +84,8 @@ std::string Spec::text() const {
     }
     for (const auto& [modifier, is_set] :
          {std::pair(Modifier::col, column_major), std::pair(Modifier::xyzw, scalar_last),
-          std::pair(Modifier::deg, unit == AngleUnit::degrees), std::pair(Modifier::passive, passive)}) {
+          std::pair(Modifier::deg, unit == AngleUnit::degrees), std::pair(Modifier::positive, positive),
+          std::pair(Modifier::passive, passive)}) {
         if (is_set) {
             add(name_of(modifier));
         }
@@ -117,13 +130,17 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
         if (!more) {
             return SpecError{What::no_sequence, std::string(text), found};
         }
-        more = rest.find(':') != std::string_view::npos;
-        const auto letters = next_part(rest);
-        const auto sequence = EulerSequence::parse(letters);
+        const std::string_view letters = rest.substr(0, rest.find(':'));
+        const auto of_preset = meaning_of(letters, *found).sequence;
+        const auto sequence = of_preset ? of_preset : EulerSequence::parse(letters);
         if (!sequence) {
             return SpecError{What::unknown_sequence, std::string(letters), found};
         }
         spec.sequence = *sequence;
+        if (!of_preset) { // else the word is read once more, as a preset
+            more = rest.find(':') != std::string_view::npos;
+            next_part(rest);
+        }
     }
     std::string_view used_preset;
     bool scalar_first = false;
@@ -135,7 +152,7 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
                 return SpecError{What::second_preset, std::string(part), found};
             }
             used_preset = part;
-            apply(modifiers_of(part, *found), spec);
+            apply(meaning_of(part, *found).modifiers, spec);
             continue;
         }
         const auto* modifier = std::ranges::find(all_modifiers, part, [](Modifier m) { return name_of(m); });

@@ -50,6 +50,18 @@ std::vector<double> run(const Conversion& conversion, std::span<const double> in
     return out;
 }
 
+/// Euler angles, radians, of the sequence without its signs become those of the SPEC.
+void put_in_range(const Spec& to, double* angles) noexcept {
+    using std::numbers::pi;
+    const bool is_other = to.sequence.proper() && to.sequence.sign(1) < 0.0; // a + pi, -b, c + pi, -b printed as b
+    for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
+        const double angle = to.sequence.sign(outer) * angles[outer] + (is_other ? pi : 0.0);
+        angles[outer] =
+            angle - 2.0 * pi * (to.positive ? std::floor(angle / (2.0 * pi)) : std::ceil(angle / (2.0 * pi) - 0.5));
+    }
+    angles[1] *= is_other ? 1.0 : to.sequence.sign(1);
+}
+
 } // namespace
 
 MethodConversion::MethodConversion(const Conversion& own)
@@ -162,6 +174,9 @@ std::vector<double> MethodConversion::answers_of(const Method& method, std::span
     const std::size_t rows = numbers.size() / from().size();
     std::vector<double> own(rows * to().size());
     method.run(to().sequence, numbers.data(), rows, own.data());
+    for (std::size_t i = 0; i < own.size() && (to().sequence.has_signs() || to().positive); i += to().size()) {
+        put_in_range(to(), own.data() + i);
+    }
     if (to().unit == AngleUnit::degrees) {
         std::ranges::for_each(own, [](double& v) { v *= degrees_per_radian; });
     }

@@ -116,11 +116,16 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
         const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
         const std::size_t after = options.operation->answers.empty() ? 0 : 1; // the attitude
         middle_angle_ = options.operation->names.size() - 2 - after;
-        half_turn_ = degrees ? 180.0 : std::numbers::pi;
+        const double half_turn = degrees ? 180.0 : std::numbers::pi;
+        open_end_ = spec->positive ? 2.0 * half_turn : -half_turn;
         half_a_digit_ = whole_digits + decimals > 1 ? Decimal::parse("0.5")->rounded(-decimals) : -1.0;
-        Buffer text;
-        append_number(text, -half_turn_, digits);
-        lower_end_ = fmt::to_string(text);
+        const auto text_of = [&](double end) {
+            Buffer text;
+            append_number(text, end, digits);
+            return fmt::to_string(text);
+        };
+        open_end_text_ = text_of(open_end_);
+        closed_end_text_ = text_of(spec->positive ? 0.0 : half_turn);
     }
     for (const std::string_view name : result_columns(options)) {
         Buffer key;
@@ -143,18 +148,18 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
 void RowWriter::write_number(Buffer& to, double value, std::size_t column) const {
     const std::size_t start = to.size();
     append_number(to, value, options_->digits);
-    // The outer Euler angles have the range (-pi, pi]: what is -pi to the digits that are printed is pi; one digit does
-    // not tell.
-    if (column != middle_angle_ && value + half_turn_ <= half_a_digit_ &&
-        std::string_view(to.data() + start, to.size() - start) == lower_end_) {
+    // The outer Euler angles have the range (-pi, pi] or [0, 2 pi): what is the open end to the digits that are printed
+    // is the other; one digit does not tell.
+    if (column != middle_angle_ && std::abs(value - open_end_) <= half_a_digit_ &&
+        std::string_view(to.data() + start, to.size() - start) == open_end_text_) {
         to.resize(start);
-        append(to, std::string_view(lower_end_).substr(1));
+        append(to, closed_end_text_);
     }
 }
 
 void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (std::isinf(half_turn_) && options_->operation->answers.empty()) {
+    if (std::isinf(open_end_) && options_->operation->answers.empty()) {
         append_numbers(to, row.result, delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {

@@ -57,10 +57,11 @@ private:
     const Options* options_;
     const Layout* layout_;
     std::vector<std::string> json_keys_; ///< of the result and the diagnostic columns, each with what stands around it
-    double half_turn_ = std::numeric_limits<double>::infinity(); ///< of outer Euler angles that are rounded
-    std::size_t middle_angle_ = 1;                               ///< the column of the other
-    double half_a_digit_ = 0.0;                                  ///< the last that is printed of it
-    std::string lower_end_;                                      ///< the other end of their range, as it is printed
+    double open_end_ = std::numeric_limits<double>::infinity(); ///< of the range of rounded outer Euler angles
+    std::size_t middle_angle_ = 1;                              ///< the column of the other
+    double half_a_digit_ = 0.0;                                 ///< the last that is printed of it
+    std::string open_end_text_;                                 ///< as it would be printed...
+    std::string closed_end_text_;                               ///< ...and the other end, which is
 };
 
 /// What a diagnostic of the row says beside its kind.

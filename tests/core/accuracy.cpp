@@ -53,13 +53,28 @@ const std::vector<Way>& ways() {
     return table;
 }
 
+std::vector<std::string> signed_sequences() {
+    std::vector<std::string> texts;
+    for (const auto sequence : rotconv::EulerSequence::all()) {
+        for (unsigned signs = 0; signs < 8; ++signs) {
+            std::string text;
+            for (unsigned i = 0; i < 3; ++i) {
+                text += (signs >> i & 1U) != 0 ? "-" : "";
+                text += sequence.text()[i];
+            }
+            texts.push_back(text);
+        }
+    }
+    return texts;
+}
+
 std::vector<std::string> all_specs() {
     std::vector<std::string> specs;
     for (const RepresentationId id : rotconv::all_representations) {
         const auto& entry = rotconv::representation(id);
         const std::string text(entry.text);
         for (const std::string& plain :
-             entry.takes_sequence ? std::vector{text + ":ZYX", text + ":zxz"} : std::vector{text}) {
+             entry.takes_sequence ? std::vector{text + ":ZYX", text + ":zxz", text + ":Z-Y-X"} : std::vector{text}) {
             specs.push_back(plain);
             for (const auto modifier : rotconv::all_modifiers) {
                 if (entry.modifiers.has(modifier)) {
@@ -80,6 +95,9 @@ std::vector<std::string> combined_specs() {
             texts.clear();
             for (const auto sequence : rotconv::EulerSequence::all()) {
                 texts.push_back("euler:" + sequence.text());
+            }
+            for (const char* with_signs : {"Z-Y-X", "-z-y-x", "-XY-X", "z-x-z"}) {
+                texts.push_back(std::string("euler:") + with_signs);
             }
         }
         for (const auto modifier : rotconv::all_modifiers) {

@@ -23,6 +23,8 @@ struct Way {
 /// The table. `euler` stands for all 24 sequences.
 const std::vector<Way>& ways();
 
+/// All Euler sequences with all signs, as text: 192.
+std::vector<std::string> signed_sequences();
 /// SPECs of every representation, as it is and with each of its modifiers; of one that takes a sequence, with a
 /// sequence of each kind.
 std::vector<std::string> all_specs();

@@ -240,8 +240,8 @@ TEST_CASE("Euler angles that run through lock are those of the motion") {
 
 TEST_CASE("at lock the third angle keeps its last value and the first takes the rest") {
     // Catches the wrong one of sum and difference, in any sequence, at either lock.
-    for (const auto sequence : EulerSequence::all()) {
-        const Spec spec{.name = RepresentationId::euler, .sequence = sequence, .unit = AngleUnit::degrees};
+    for (const std::string& sequence : accuracy::signed_sequences()) {
+        const Spec spec = accuracy::spec("euler:" + sequence + ":deg");
         for (const double direction : {1.0, -1.0}) {
             // past every quarter turn twice, so that both locks are met exactly
             const auto rows = degrees_rows(30, [direction](double angle) {

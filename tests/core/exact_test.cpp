@@ -55,6 +55,10 @@ TEST_CASE("every sequence and every modifier is rounded once") {
         check(text, "dcm", 200);
         check(text + ":deg", text, 100);
     }
+    for (const std::string& sequence : accuracy::signed_sequences()) {
+        check("quat", "euler:" + sequence + ":deg:positive", 4);
+        check("euler:" + sequence, "quat", 8);
+    }
     for (const auto& text : accuracy::all_specs()) {
         check("quat", text, 4);
         check(text, "quat", 8);

@@ -114,20 +114,35 @@ Verdict::Ambiguity lack_of(const std::vector<Row>& rows) {
     return identification.verdict().ambiguity;
 }
 
+/// The letters and signs in another order, the letters in the other case, all signs as given or all changed.
+EulerSequence other_case(const EulerSequence& sequence, std::array<std::size_t, 3> order, double sign) {
+    std::string letters;
+    for (const std::size_t i : order) {
+        letters += sign * sequence.sign(i) < 0.0 ? "-" : "";
+        letters += static_cast<char>((sequence.intrinsic() ? 'x' : 'X') + sequence.axis(i));
+    }
+    return *EulerSequence::parse(letters);
+}
+
+std::ptrdiff_t signs_of(const Spec& spec) { return std::ranges::count(spec.text(), '-') + (spec.passive ? 1 : 0); }
+
 /// What is made of a SPEC's name and a list of columns by the rules: intrinsic turns are the extrinsic ones read
-/// backwards, the transpose is the inverse, and the scalar may stand first or last.
+/// backwards, the inverse is that with all signs changed, the transpose is the inverse, and the scalar may stand first
+/// or last.
 std::string called(Spec meant, Columns columns) {
     if (representation(meant.name).has_gimbal_lock) {
         Columns reversed(columns.rbegin(), columns.rend());
         if (reversed < columns) {
             columns = reversed;
-            std::string letters;
-            for (const char letter : meant.sequence.text()) {
-                letters.insert(letters.begin(), static_cast<char>(letter ^ ' ')); // the other case
-            }
-            meant.sequence = *EulerSequence::parse(letters);
+            meant.sequence = other_case(meant.sequence, {2, 1, 0}, 1.0);
         }
         meant.name = RepresentationId::euler;
+        Spec inverse = meant;
+        inverse.passive = !meant.passive;
+        inverse.sequence = other_case(meant.sequence, {0, 1, 2}, -1.0);
+        const bool is_simpler =
+            std::pair(signs_of(inverse), inverse.passive) < std::pair(signs_of(meant), meant.passive);
+        meant = is_simpler ? inverse : meant;
     } else if (meant.name == RepresentationId::quat) {
         const Columns w_first = meant.scalar_last ? Columns{columns[3], columns[0], columns[1], columns[2]} : columns;
         const Columns w_last{w_first[1], w_first[2], w_first[3], w_first[0]};
@@ -151,7 +166,11 @@ TEST_CASE("every SPEC is identified by its numbers, in every order of the column
     for (const std::string& text : accuracy::combined_specs()) {
         INFO(text);
         const Spec unknown = spec(text);
-        const bool any_order = representation(unknown.name).has_gimbal_lock || unknown.name == RepresentationId::quat;
+        if (unknown.positive) { // which is for output
+            continue;
+        }
+        const bool any_order = representation(unknown.name).has_gimbal_lock || unknown.name == RepresentationId::quat ||
+                               unknown.name == RepresentationId::axis_angle;
         Columns columns = identity_order(unknown.size());
         do {
             const std::string found = identified(rows_of(attitudes, unknown, columns), unknown.size());
@@ -163,18 +182,18 @@ TEST_CASE("every SPEC is identified by its numbers, in every order of the column
 }
 
 TEST_CASE("there are so many conventions of a count of numbers") {
-    // Catches candidates that are counted twice or not at all. Of three numbers: 24 sequences, as 12 in 6 orders,
-    // in degrees or radians, passive or not; rotvec in these four; cayley and mrp, passive or not. Of four: 24 orders
-    // of the quaternion and four of axis and angle.
+    // Catches candidates that are counted twice or not at all. Of three numbers: 24 sequences, as 12 in 6 orders with 8
+    // choices of signs, which are those of the inverse too, in degrees or radians; rotvec in these, passive or not;
+    // cayley and mrp, passive or not. Of four: 24 orders of the quaternion, and of axis and angle, passive or not.
     const auto count = [](std::size_t numbers, std::optional<RepresentationId> name = {}) {
         return Identification(numbers, spec("quat"), name).best_first().size();
     };
-    CHECK(count(3) == 12 * 6 * 4 + 4 + 2 + 2);
-    CHECK(count(4) == 24 * 2 + 4);
+    CHECK(count(3) == 12 * 6 * 8 * 2 + 4 + 2 + 2);
+    CHECK(count(4) == 24 * 2 + 24 * 4);
     CHECK(count(5) == 2);
-    CHECK(count(6) == 2);
+    CHECK(count(6) == 720 * 2);
     CHECK(count(9) == 2);
-    CHECK(count(3, RepresentationId::euler) == 288);
+    CHECK(count(3, RepresentationId::euler) == 1152);
     CHECK(count(3, RepresentationId::rpy) == 24);
     CHECK(count(3, RepresentationId::mrp) == 2);
     CHECK(count(4, RepresentationId::quat) == 48);
@@ -186,7 +205,7 @@ TEST_CASE("there are so many conventions of a count of numbers") {
     const auto three = Identification(3, spec("quat")).best_first();
     CHECK(std::ranges::count_if(three, [](const Candidate& candidate) {
               return candidate.columns[0] == 0 && candidate.columns[1] == 1;
-          }) == 104);
+          }) == 392);
 }
 
 TEST_CASE("one wide row is enough, and its candidates all differ") {
@@ -266,10 +285,10 @@ TEST_CASE("narrow rows are ambiguous, and it is said why") {
     };
     // Yaw alone: of the 12 sequences, with their orders of columns, those that turn about z by the third column: six
     // have z once among three axes, two in the middle, each with 2 orders of the others; two have z twice, with 4.
-    // And the rotation vector.
+    // The signs of the other two do not count. And the rotation vector.
     Identification yaw(3, spec("dcm"));
     add(yaw, of({{0, 0, 30}, {0, 0, 100}, {0, 0, -70}}));
-    CHECK(yaw.verdict().fitting == (6 + 2) * 2 + 2 * 4 + 1);
+    CHECK(yaw.verdict().fitting == ((6 + 2) * 2 + 2 * 4) * 4 + 1);
     CHECK(yaw.verdict().ambiguity == Ambiguity::axes);
     CHECK(yaw.verdict().axis.isApprox(Eigen::Vector3d(0, 0, 1)));
     CHECK(lack_of(of({{0, 0, 30}})) == Ambiguity::rows);

@@ -45,6 +45,39 @@ TEST_CASE("there are 24 Euler sequences") {
     CHECK_FALSE(rotconv::EulerSequence::parse("ZYx"));
 }
 
+// Would catch: a sign that is lost or counts for another letter, and signs where none belongs.
+TEST_CASE("a sequence may have signs") {
+    std::set<std::string> found;
+    for (const std::string& text : accuracy::signed_sequences()) {
+        const auto sequence = rotconv::EulerSequence::parse(text);
+        REQUIRE(sequence);
+        CHECK(sequence->text() == text);
+        CHECK(spec("euler:" + text + ":deg").text() == "euler:" + text + ":deg");
+        CHECK(sequence->has_signs() == (text.find('-') != std::string::npos));
+        found.insert(text);
+    }
+    CHECK(found.size() == 192);
+    constexpr rotconv::EulerSequence unreal = "Z-Y-X";
+    static_assert(unreal.sign(0) == 1.0 && unreal.sign(1) == -1.0 && unreal.sign(2) == -1.0);
+    for (const char* wrong : {"-", "--ZYX", "ZYX-", "Z--YX", "Z-YY", "+ZYX", "Z-Y", "-Z-Y-x", "Z Y-X"}) {
+        INFO(wrong);
+        CHECK_FALSE(rotconv::EulerSequence::parse(wrong));
+    }
+}
+
+// Would catch: a sequence that a preset overrides, or gives to what has none.
+TEST_CASE("a preset may stand in the place of the sequence that it has") {
+    CHECK(spec("euler:bunge").text() == "euler:ZXZ");
+    CHECK(spec("euler:bunge:deg:positive").text() == "euler:ZXZ:deg:positive");
+    CHECK(spec("euler:opk:deg").text() == "euler:XYZ:deg");
+    CHECK(spec("euler:ZYX:opk").text() == "euler:ZYX");
+    CHECK(spec("euler:bunge:bunge").text() == "euler:ZXZ");
+    CHECK(spec("rpy:bunge").text() == "rpy");
+    CHECK(fault_of("euler:bunge:opk") == What::second_preset);
+    CHECK(fault_of("euler:bunge:spice") == What::second_preset);
+    CHECK(fault_of("euler:px4") == What::unknown_sequence);
+}
+
 // Would catch: modifiers that are counted instead of set.
 TEST_CASE("modifiers are a set") {
     CHECK(spec("dcm:passive:passive").passive);

@@ -164,7 +164,7 @@ template <class Real> struct Definitions {
         case RepresentationId::rpy: {
             Matrix3 m = Matrix3::Identity();
             for (std::size_t i = 0; i < 3; ++i) {
-                const Matrix3 next = turn(spec.sequence.axis(i), radians(v[i]));
+                const Matrix3 next = turn(spec.sequence.axis(i), spec.sequence.sign(i) * radians(v[i]));
                 m = spec.sequence.intrinsic() ? Matrix3(m * next) : Matrix3(next * m);
             }
             q = unit(m);
@@ -256,8 +256,9 @@ template <class Real> struct Definitions {
         if (sequence.proper()) {
             const Real sine = hypot_of(r(j, i), r(k, i));
             b = atan2(sine, r(i, i));
-            a = atan2(r(j, i), Real(-e * r(k, i)));
-            c = atan2(r(i, j), Real(e * r(i, k)));
+            const Real side = sequence.sign(1); // of the two triples the one with a middle angle of this sign
+            a = atan2(Real(side * r(j, i)), Real(-side * e * r(k, i)));
+            c = atan2(Real(side * r(i, j)), Real(side * e * r(i, k)));
             to_lock = r(i, i) > 0 ? b : Real(pi() - b);
             sense = r(i, i) > 0 ? 1 : -1;
             if (to_lock <= Real(1e-15)) {
@@ -286,6 +287,14 @@ template <class Real> struct Definitions {
             angles[0] -= 2 * pi() * round(Real(angles[0] / (2 * pi())));
             angles[2] = 0;
         }
+        angles[1] *= sequence.proper() ? 1.0 : sequence.sign(1);
+        for (const std::size_t outer : {0U, 2U}) {
+            angles[outer] *= sequence.sign(outer);
+            angles[outer] += angles[outer] <= -pi() ? Real(2 * pi()) : Real(0);
+            if (spec.positive && angles[outer] < 0) { // what rounds to a full turn is 0
+                angles[outer] = angles[outer] > -1e-20 ? Real(0) : Real(angles[outer] + 2 * pi());
+            }
+        }
         for (Real& angle : angles) {
             angle *= spec.unit == AngleUnit::degrees ? Real(180 / pi()) : Real(1);
         }
@@ -304,7 +313,7 @@ template <class Real> double rounded(const Spec& spec, std::size_t place, const 
     double value = static_cast<double>(number) + 0.0;
     const double half = spec.unit == AngleUnit::degrees ? 180.0 : 3.141592653589793;
     const bool outer = rotconv::representation(spec.name).has_gimbal_lock && place != 1;
-    return outer && value == -half ? half : value;
+    return outer && value == -half ? half : outer && spec.positive && value == 2 * half ? 0.0 : value;
 }
 
 template <unsigned digits>

@@ -39,8 +39,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr auto own_presets =
-    std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}, {"stuelpnagel", passive}});
+constexpr auto own_presets = std::to_array<PresetMeaning>(
+    {{"spice", passive}, {"bunge", passive}, {"stuelpnagel", passive}, {"colmap", passive}});
 
 double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
     return 2.0 * angle_of(Eigen::Map<const Vector3d>(c).norm(), 1.0, AngleUnit::radians).hi;
@@ -50,7 +50,7 @@ double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
 
 constinit const Codec codecs::cayley{.representation = {.name = RepresentationId::cayley,
                                                         .text = "cayley",
-                                                        .aliases = {"gibbs", "rodrigues"},
+                                                        .aliases = {"gibbs"},
                                                         .size = 3,
                                                         .columns = {"cx", "cy", "cz"},
                                                         .modifiers = {Modifier::passive},

@@ -109,7 +109,9 @@ inline constexpr auto presets_of_matrices = std::to_array<PresetMeaning>({{"matl
                                                                           {"baruh", passive},
                                                                           {"trawny", passive},
                                                                           {"jpl", passive},
-                                                                          {"stuelpnagel", passive}});
-inline constexpr auto presets_of_vectors = std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}});
+                                                                          {"stuelpnagel", passive},
+                                                                          {"colmap", passive}});
+inline constexpr auto presets_of_vectors =
+    std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}, {"colmap", passive}});
 
 } // namespace rotconv

@@ -30,12 +30,20 @@ std::array<EulerSequence, 24> EulerSequence::all() noexcept {
 }
 
 std::string EulerSequence::text() const {
-    const char base = intrinsic_ ? 'X' : 'x';
-    return {static_cast<char>(base + axes_[0]), static_cast<char>(base + axes_[1]), static_cast<char>(base + axes_[2])};
+    std::string text;
+    for (std::size_t i = 0; i < 3; ++i) {
+        text += signs_[i] < 0 ? "-" : "";
+        text += static_cast<char>((intrinsic_ ? 'X' : 'x') + axes_[i]);
+    }
+    return text;
 }
 
 namespace euler {
 namespace {
+
+Eigen::Vector3d signed_by(EulerSequence sequence, const Eigen::Vector3d& numbers) noexcept {
+    return {sequence.sign(0) * numbers[0], sequence.sign(1) * numbers[1], sequence.sign(2) * numbers[2]};
+}
 
 /// The axis of one outer turn, `near`, is fixed in the frame. Then w = near' e_n + R_n (middle' e_m + R_m far' e_f)
 /// with R_n and R_m turns about the axes n and m, inverse in body axes, and e_f = e_k, or e_n for a proper sequence.
@@ -45,8 +53,9 @@ struct RateSystem {
           n(value.sequence.axis(static_cast<std::size_t>(near))), m(value.sequence.axis(1)), k(3 - n - m) {
         const double order = (m - n + 3) % 3 == 1 ? 1.0 : -1.0; // e_n x e_m = order e_k
         const double sense = frame == Frame::body ? -order : order;
-        const auto outer = sine_cosine<double>(value.angles[near], value.unit);
-        const auto middle = sine_cosine<double>(value.angles[1], value.unit);
+        const Eigen::Vector3d angles = signed_by(value.sequence, value.angles);
+        const auto outer = sine_cosine<double>(angles[near], value.unit);
+        const auto middle = sine_cosine<double>(angles[1], value.unit);
         cosine = outer.cosine;
         sine = sense * outer.sine;
         far_along = value.sequence.proper() ? middle.cosine : sense * middle.sine;
@@ -104,16 +113,17 @@ Eigen::Vector3d rate(const EulerAngles& value, const Eigen::Vector3d& w, Frame f
     rates[s.far] = across / s.far_across;
     rates[1] = s.cosine * w[s.m] + s.sine * w[s.k];
     rates[s.near] = w[s.n] - s.far_along * rates[s.far];
-    return rates * units_per_radian(value.unit);
+    return signed_by(value.sequence, rates) * units_per_radian(value.unit);
 }
 
 Eigen::Vector3d angular_velocity(const EulerAngles& value, const Eigen::Vector3d& rates, Frame frame) noexcept {
     const RateSystem s(value, frame);
-    const double across = s.far_across * rates[s.far];
+    const Eigen::Vector3d turning = signed_by(value.sequence, rates);
+    const double across = s.far_across * turning[s.far];
     Eigen::Vector3d w;
-    w[s.n] = rates[s.near] + s.far_along * rates[s.far];
-    w[s.m] = s.cosine * rates[1] - s.sine * across;
-    w[s.k] = s.cosine * across + s.sine * rates[1];
+    w[s.n] = turning[s.near] + s.far_along * turning[s.far];
+    w[s.m] = s.cosine * turning[1] - s.sine * across;
+    w[s.k] = s.cosine * across + s.sine * turning[1];
     return w / units_per_radian(value.unit);
 }
 
@@ -150,8 +160,9 @@ void nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, co
     const std::array exact{two_sum(v[0], rest[0]), two_sum(v[1], rest[1]), two_sum(v[2], rest[2])};
     if (diagnostics.has(DiagnosticKind::gimbal_lock)) { // only the sum or the difference of the outer angles counts
         const FixedAxes axes(spec.sequence);
-        const bool is_low = v[1] < (spec.sequence.proper() ? 0.5 * half_turn_in(unit).hi : 0.0);
-        const double sum_sign = is_low == (spec.sequence.proper() || axes.sign > 0.0) ? 1.0 : -1.0;
+        const bool is_low = axes.proper ? v[1] < 0.5 * half_turn_in(unit).hi : spec.sequence.sign(1) * v[1] < 0.0;
+        const double sum_sign =
+            (is_low == (axes.proper || axes.sign > 0.0) ? 1.0 : -1.0) * spec.sequence.sign(0) * spec.sequence.sign(2);
         const DoubleDouble first = exact[0] + scaled(exact[2] - last[2], sum_sign);
         v[0] = plus_half_turns(first, 2.0 * nearest_turns(last[0] - first.hi, unit), unit).hi;
         v[1] = plus_half_turns(exact[1], 2.0 * nearest_turns(last[1] - v[1], unit), unit).hi;
@@ -184,6 +195,9 @@ void wrap(double* v) noexcept {
     v[2] = without_turns(v[2]);
 }
 
+constexpr auto presets_of_sequences =
+    std::to_array<PresetMeaning>({{"bunge", {}, EulerSequence("ZXZ")}, {"opk", {}, EulerSequence("XYZ")}});
+
 constexpr Codec codec_of_angles(const Representation& representation) noexcept {
     return {
         .representation = representation,
@@ -204,7 +218,8 @@ constinit const Codec codecs::euler = codec_of_angles(
      .text = "euler",
      .size = 3,
      .columns = {"e1", "e2", "e3"},
-     .modifiers = {Modifier::passive, Modifier::deg},
+     .modifiers = {Modifier::passive, Modifier::deg, Modifier::positive},
+     .presets = presets_of_sequences,
      .takes_sequence = true,
      .has_gimbal_lock = true,
      .range = "1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)",
@@ -212,15 +227,16 @@ constinit const Codec codecs::euler = codec_of_angles(
      .singular_attitude = "gimbal lock",
      .formula = "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"});
 
-constinit const Codec codecs::rpy = codec_of_angles({.name = RepresentationId::rpy,
-                                                     .text = "rpy",
-                                                     .size = 3,
-                                                     .columns = {"roll", "pitch", "yaw"},
-                                                     .modifiers = {Modifier::passive, Modifier::deg},
-                                                     .has_gimbal_lock = true,
-                                                     .range = "roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]",
-                                                     .singular = "gimbal lock: pitch at its limit",
-                                                     .singular_attitude = "gimbal lock",
-                                                     .formula = "R = R_z(yaw) R_y(pitch) R_x(roll)"});
+constinit const Codec codecs::rpy =
+    codec_of_angles({.name = RepresentationId::rpy,
+                     .text = "rpy",
+                     .size = 3,
+                     .columns = {"roll", "pitch", "yaw"},
+                     .modifiers = {Modifier::passive, Modifier::deg, Modifier::positive},
+                     .has_gimbal_lock = true,
+                     .range = "roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]",
+                     .singular = "gimbal lock: pitch at its limit",
+                     .singular_attitude = "gimbal lock",
+                     .formula = "R = R_z(yaw) R_y(pitch) R_x(roll)"});
 
 } // namespace rotconv

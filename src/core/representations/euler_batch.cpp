@@ -9,6 +9,8 @@ template <class T>
 void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
     const FixedAxes axes(spec.sequence);
     Column<DoubleDouble> half;
+    const double half_signs[] = {0.5 * spec.sequence.sign(axes.places[0]), 0.5 * spec.sequence.sign(1),
+                                 0.5 * spec.sequence.sign(axes.places[2])};
     Columns<T, 3> cosines;
     Columns<T, 3> sines;
     for (std::size_t i = 0; i < rows; ++i) {
@@ -17,7 +19,7 @@ void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBat
     }
     for (std::size_t turn = 0; turn < 3; ++turn) {
         for (std::size_t i = 0; i < rows; ++i) {
-            half.set(i, 0.5 * numbers[3 * i + axes.places[turn]]);
+            half.set(i, half_signs[turn] * numbers[3 * i + axes.places[turn]]);
         }
         sine_cosine(half, rows, spec.unit, cosines[turn], sines[turn]);
     }
@@ -51,13 +53,17 @@ template <class T, class HalfAngle> void read_by(const Spec& spec, const HalfAng
 
 Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
     defect = 0.0;
-    const auto half_angle = [&](std::size_t i) { return sine_cosine<double>(0.5 * numbers[i], spec.unit); };
+    const auto half_angle = [&](std::size_t i) {
+        return sine_cosine<double>(0.5 * spec.sequence.sign(i) * numbers[i], spec.unit);
+    };
     read_by(spec, half_angle, q);
     return all_finite(numbers, 3) ? Error::none : Error::not_finite;
 }
 
 void read_carefully(const Spec& spec, const double* numbers, Careful (&q)[4]) noexcept {
-    const auto half_angle = [&](std::size_t i) { return sine_cosine(Careful(numbers[i]).shifted(-1), spec.unit); };
+    const auto half_angle = [&](std::size_t i) {
+        return sine_cosine(Careful(spec.sequence.sign(i) * numbers[i]).shifted(-1), spec.unit);
+    };
     read_by(spec, half_angle, q);
 }
 
@@ -74,9 +80,13 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
     Columns<T, 2> middle;
     Columns<T, 2> third;
     Columns<T, 2> lengths;
+    const AngleRanges ranges(axes, spec);
     for (std::size_t i = 0; i < rows; ++i) {
         const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
-        const TurnVectors<T> vectors(axes, q);
+        TurnVectors<T> vectors(axes, q);
+        if (ranges.is_other) {
+            vectors.take_other();
+        }
         first.set(i, {vectors.first.x, vectors.first.y});
         middle.set(i, {vectors.middle.x, vectors.middle.y});
         third.set(i, {vectors.third.x, vectors.third.y});
@@ -95,7 +105,6 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
             third.set(i, {vectors.third.x, vectors.third.y});
         }
     }
-    const AngleRanges ranges(axes, spec.unit);
     Columns<DoubleDouble, 3> angles;
     angles_of(first[0], first[1], rows, spec.unit, angles[axes.places[0]]);
     angles_of(middle[0], middle[1], rows, spec.unit, angles[1]);
@@ -103,10 +112,18 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
     for (std::size_t i = 0; i < rows; ++i) {
         angles[1].set(i, scaled(angles[1][i], ranges.middle_factor));
     }
+    for (std::size_t i = 0; i < rows && spec.sequence.has_signs(); ++i) {
+        angles[0].set(i, scaled(angles[0][i], spec.sequence.sign(0)));
+        angles[2].set(i, scaled(angles[2][i], spec.sequence.sign(2)));
+    }
     for (std::size_t i = 0; i < rows; ++i) {
         numbers[3 * i] = ranges.outer(angles[0].hi[i]);
         numbers[3 * i + 1] = angles[1].hi[i];
         numbers[3 * i + 2] = ranges.outer(angles[2].hi[i]);
+    }
+    for (std::size_t i = 0; i < rows && spec.positive; ++i) {
+        numbers[3 * i] = ranges.positive(angles[0][i]).hi;
+        numbers[3 * i + 2] = ranges.positive(angles[2][i]).hi;
     }
     for (std::size_t i = 0; i < rows; ++i) {
         if (diagnostics[i].has(DiagnosticKind::gimbal_lock)) {
@@ -123,19 +140,25 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
 
 template <class T> DiagnosticSet write_one(const Spec& spec, double lock_margin, const T (&q)[4], T* numbers) noexcept {
     const FixedAxes axes(spec.sequence);
+    const AngleRanges ranges(axes, spec);
     const T own[4] = {q[0], q[1 + axes.i], q[1 + axes.j], q[1 + axes.k]};
     TurnVectors<T> vectors(axes, own);
     const Lock<T> lock(vectors.cosine_length, vectors.sine_length, LockLimit(lock_margin));
     if (lock.locked) {
         vectors.give_up_one(axes, own);
+    } else if (ranges.is_other) {
+        vectors.take_other();
     }
-    const AngleRanges ranges(axes, spec.unit);
     const auto angle = [&](const Vector<T>& vector) { return angle_of(vector.x, vector.y, spec.unit); };
+    const auto outer = [&](const Vector<T>& vector, std::size_t place) {
+        const auto canonical = ranges.outer(scaled(angle(vector), spec.sequence.sign(place)));
+        return rounded_to<T>(spec.positive ? ranges.positive(canonical) : canonical);
+    };
     const auto middle = lock.locked ? Precise<T>(lock.upper ? ranges.upper : ranges.lower)
                                     : scaled(angle(vectors.middle), ranges.middle_factor);
-    numbers[axes.places[0]] = rounded_to<T>(ranges.outer(angle(vectors.first)));
+    numbers[axes.places[0]] = outer(vectors.first, axes.places[0]);
     numbers[1] = rounded_to<T>(middle);
-    numbers[axes.places[2]] = rounded_to<T>(ranges.outer(angle(vectors.third)));
+    numbers[axes.places[2]] = outer(vectors.third, axes.places[2]);
     return lock.diagnostics();
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include <rotconv/euler.hpp>
+#include <rotconv/spec.hpp>
 
 #include "../numerics/elementary.hpp"
 #include "../numerics/scaled_double_double.hpp"
@@ -88,6 +88,12 @@ template <class T> struct TurnVectors {
                   axes.proper ? sine_length : scaled(clean_difference(q[0] * q[2], q[1] * k), 2.0)};
     }
 
+    /// Of a proper sequence the other triple, a + pi, -b, c + pi.
+    ROTCONV_INLINE void take_other() noexcept {
+        first = {-first.x, -first.y};
+        third = {-third.x, -third.y};
+    }
+
     /// At lock only s (where S = 0) or t (where C = 0) is defined: of the angles that are listed first and last the
     /// last is 0 and the first twice that.
     void give_up_one(const FixedAxes& axes, const T (&q)[4]) noexcept {
@@ -146,22 +152,32 @@ template <class T> struct Lock {
     bool upper, locked, nearly_locked; ///< upper: the middle angle is nearer to its upper limit
 };
 
-/// The ranges of the angles of a sequence, in a unit.
+/// The ranges of the angles of a SPEC.
 struct AngleRanges {
-    AngleRanges(const FixedAxes& axes, AngleUnit unit) noexcept
-        : half_turn(half_turn_in(unit)), middle_factor(axes.proper ? 2.0 : 1.0),
-          upper(scaled(half_turn, axes.proper ? 1.0 : 0.5)), lower(axes.proper ? DoubleDouble() : -upper) {}
+    AngleRanges(const FixedAxes& axes, const Spec& spec) noexcept
+        : half_turn(half_turn_in(spec.unit)), is_other(axes.proper && spec.sequence.sign(1) < 0.0),
+          middle_factor(axes.proper ? 2.0 : spec.sequence.sign(1)),
+          upper(scaled(half_turn, axes.proper ? 1.0 : 0.5 * spec.sequence.sign(1))),
+          lower(axes.proper ? DoubleDouble() : -upper) {}
 
     /// In (-pi, pi] or (-180, 180], as it is printed.
     template <class T> [[nodiscard]] ROTCONV_INLINE T outer(const T& angle) const noexcept {
         return select(to_double(angle) <= -half_turn.hi, T(half_turn.hi), angle);
     }
-    /// What the angle, or the same a full turn further, has beside the number that is printed.
+    /// In [0, 2 pi) or [0, 360), as it is printed: what rounds to the end is 0.
+    template <class T> [[nodiscard]] T positive(const T& angle) const noexcept {
+        const T positive = to_double(angle) < 0.0 ? angle + rounded_to<T>(scaled(half_turn, 2.0)) : angle;
+        return to_double(positive) >= 2.0 * half_turn.hi ? T(0.0) : positive;
+    }
+    /// What the angle, or the same whole turns further, has beside the number that is printed.
     [[nodiscard]] double rest_of(DoubleDouble angle, double printed) const noexcept {
-        return (select(angle.hi <= -half_turn.hi, angle + scaled(half_turn, 2.0), angle) - printed).hi;
+        const double beyond = printed - angle.hi; // about -1, 0 or 1 full turn
+        const double turns = beyond > half_turn.hi ? 2.0 : beyond < -half_turn.hi ? -2.0 : 0.0;
+        return (angle + scaled(half_turn, turns) - printed).hi;
     }
 
     DoubleDouble half_turn;
+    bool is_other;             ///< of the two triples the one whose middle angle, of a proper sequence, is negative
     double middle_factor;      ///< from the angle of its vector to the middle angle
     DoubleDouble upper, lower; ///< limits of that
 };

@@ -55,7 +55,8 @@ constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", xyzw},
                                                            {"baruh", xyzw},
                                                            {"trawny", xyzw},
                                                            {"jpl", xyzw},
-                                                           {"stuelpnagel", passive}});
+                                                           {"stuelpnagel", passive},
+                                                           {"colmap", passive}});
 
 Eigen::Quaterniond value_of(const Spec& /*spec*/, const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
 

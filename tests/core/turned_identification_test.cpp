@@ -1,0 +1,169 @@
+// Conventions that differ by constant turns as well are found again, and no wrong one is.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <rotconv/identification.hpp>
+
+#include "accuracy.hpp"
+#include "catch.hpp"
+#include "oracle.hpp"
+
+using namespace rotconv;
+using accuracy::spec;
+
+namespace {
+
+using Row = std::vector<double>;
+using oracle::Matrix3;
+using oracle::Quaternion;
+using oracle::Real;
+using oracle::Vector3;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// A convention against another: rows of an attitude written in the one, and turned and written in the other.
+struct Case {
+    std::string name;
+    Spec unknown;
+    Spec known;
+    Quaternion left;
+    Quaternion right;
+    bool has_turns;
+};
+
+class Attitudes {
+public:
+    explicit Attitudes(unsigned seed) : random_(seed) {}
+    Quaternion any() {
+        Quaternion q(normal_(random_), normal_(random_), normal_(random_), normal_(random_));
+        return q.normalized();
+    }
+    /// A turn of a normally distributed vector, standard deviation in radians on each axis, at most thrice that long.
+    Quaternion small(double deviation) {
+        Vector3 v;
+        do {
+            v = {normal_(random_), normal_(random_), normal_(random_)};
+        } while (v.norm() > 3);
+        return oracle::about(v, v.norm() * deviation);
+    }
+
+private:
+    std::mt19937_64 random_;
+    std::normal_distribution<double> normal_;
+};
+
+/// The proper rotation whose rows are these, or their opposites.
+Quaternion axes(const std::array<std::array<int, 3>, 3>& rows) {
+    Matrix3 m;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            m(i, k) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+        }
+    }
+    return Quaternion(m.determinant() < 0 ? Matrix3(-m) : m).normalized();
+}
+
+const Quaternion ned_to_enu = axes({{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}});
+const Quaternion frd_to_flu = axes({{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}});
+const Quaternion ruf_to_flu = axes({{{0, 0, 1}, {-1, 0, 0}, {0, 1, 0}}}); // left-handed to right-handed
+const Quaternion rdf_to_rub = frd_to_flu;
+const Quaternion identity = Quaternion::Identity();
+
+std::vector<Case> cases() {
+    const Quaternion mounting = oracle::attitude(spec("rpy:deg"), std::vector<double>{3.1, -12.7, 4.4});
+    return {
+        {"NED and FRD to ENU and FLU", spec("quat"), spec("quat:xyzw"), ned_to_enu, frd_to_flu.conjugate(), true},
+        {"Unity", spec("quat:xyzw"), spec("dcm"), ruf_to_flu, ruf_to_flu.conjugate(), true},
+        {"Unreal", spec("euler:Z-Y-X:deg"), spec("quat"), identity, identity, false},
+        {"COLMAP to NeRF", spec("quat:passive"), spec("dcm"), identity, rdf_to_rub.conjugate(), true},
+        {"OPK from a camera with other axes", spec("rotvec:passive"), spec("euler:XYZ:deg"), ned_to_enu,
+         rdf_to_rub.conjugate(), true},
+        {"a mounting", spec("euler:ZYX:deg"), spec("quat"), identity, mounting, true},
+        {"compass heading", spec("euler:-ZYX:deg"), spec("quat"),
+         oracle::attitude(spec("rpy:deg"), std::vector<double>{0, 0, 90}), identity, true},
+        {"negated pitch", spec("euler:Z-YX:deg"), spec("quat"), identity, identity, false},
+    };
+}
+
+/// The rows of a case, with noise, radians on each axis.
+Row rows_of(const Case& each, Attitudes& random, std::size_t count, double noise) {
+    Row rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Quaternion own = random.any();
+        const Row unknown = oracle::numbers(each.unknown, own);
+        Quaternion turned = each.left * oracle::attitude(each.unknown, unknown) * each.right;
+        if (noise > 0) {
+            turned = turned * random.small(noise);
+        }
+        const Row known = oracle::numbers(each.known, turned);
+        rows.insert(rows.end(), unknown.begin(), unknown.end());
+        rows.insert(rows.end(), known.begin(), known.end());
+    }
+    return rows;
+}
+
+/// What the answer makes of an attitude, written as the unknown numbers are, less what the case makes of it, in
+/// radians.
+double error_of(const Candidate& found, const Case& each, const Quaternion& own) {
+    const Row numbers = oracle::numbers(each.unknown, own);
+    Row ordered;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        ordered.push_back(numbers[found.columns.at(i)]);
+    }
+    const auto turn = [](const std::optional<Rotation>& rotation) {
+        return rotation ? oracle::attitude(*rotation) : identity;
+    };
+    const Quaternion answer = turn(found.left) * oracle::attitude(found.spec, ordered) * turn(found.right);
+    const Quaternion truth = each.left * oracle::attitude(each.unknown, numbers) * each.right;
+    return oracle::error_in_eps(answer, truth) * oracle::eps;
+}
+
+void check(const Case& each, int seed, std::size_t count, double noise, double within, double allowed) {
+    Attitudes random(static_cast<unsigned>(seed));
+    std::size_t wrong = 0;
+    std::size_t undecided = 0;
+    const Identification fresh(each.unknown.size(), each.known, {}, {.within = within});
+    constexpr int runs = 1000;
+    for (int run = 0; run < runs; ++run) {
+        const Row rows = rows_of(each, random, count, noise);
+        const std::vector<std::size_t> lines(count, 1);
+        std::vector<RowReport> reports;
+        Identification identification = fresh;
+        identification.add(rows, lines, reports);
+        const Verdict verdict = identification.verdict();
+        if (verdict.fitting != 1) {
+            ++undecided;
+            continue;
+        }
+        const Candidate found = verdict.turned ? *verdict.turned : identification.best_first().front();
+        CHECK(verdict.turned.has_value() == each.has_turns);
+        wrong += error_of(found, each, random.any()) <= allowed ? 0 : 1;
+    }
+    INFO(each.name);
+    CHECK(wrong == 0);
+    CHECK(undecided == 0);
+}
+
+} // namespace
+
+// Would catch: a turn on the wrong side or the wrong way round, a sign or an order that is not tried, one of two
+// conventions that are the same but for turns.
+TEST_CASE("conventions with constant turns are found, and no wrong one is") {
+    int seed = 1;
+    for (const Case& each : cases()) {
+        check(each, ++seed, 8, 0.0, 1e-3, 1e-12);
+    }
+}
+
+// Would catch: turns that are taken from the first rows alone, and limits for exact numbers.
+TEST_CASE("conventions with constant turns are found in noise of 0.2 degrees") {
+    int seed = 100;
+    for (const Case& each : cases()) {
+        check(each, ++seed, 40, 0.2 * degree, 1.0 * degree, 0.5 * degree);
+    }
+}
