@@ -7,6 +7,7 @@
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
+#include "numerics/quaternion_algebra.hpp"
 
 namespace rotconv {
 namespace {
@@ -32,12 +33,12 @@ std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn
     return turn ? std::optional(turn->inverse()) : std::nullopt;
 }
 
-ExactQuaternion exact(const std::optional<FixedRotation>& turn) noexcept {
-    if (!turn) {
-        return {};
-    }
-    const Rotation& q = turn->rotation;
-    return {{q.w(), q.x(), q.y(), q.z()}, {turn->rest[0], turn->rest[1], turn->rest[2], turn->rest[3]}};
+ExactQuaternion exact(const FixedRotation& turn) noexcept {
+    const Rotation& q = turn.rotation;
+    return {{q.w(), q.x(), q.y(), q.z()}, {turn.rest[0], turn.rest[1], turn.rest[2], turn.rest[3]}};
+}
+FixedRotation fixed(const ExactQuaternion& q) noexcept {
+    return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
 }
 
 } // namespace
@@ -54,7 +55,26 @@ FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double
     to_own_order(spec, numbers.data(), 1, own.data());
     ExactQuaternion q{};
     kernel_table().read_exactly(spec, own.data(), q);
-    return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
+    return fixed(q);
+}
+
+FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept {
+    const auto parts = [](const ExactQuaternion& q, std::size_t k) { return DoubleDouble(q.hi[k], q.lo[k]); };
+    const ExactQuaternion first = exact(a);
+    const ExactQuaternion second = exact(b);
+    // NOLINTBEGIN(*-avoid-c-arrays): as multiply() takes them
+    const DoubleDouble left[] = {parts(first, 0), parts(first, 1), parts(first, 2), parts(first, 3)};
+    const DoubleDouble right[] = {parts(second, 0), parts(second, 1), parts(second, 2), parts(second, 3)};
+    DoubleDouble product[4];
+    // NOLINTEND(*-avoid-c-arrays)
+    multiply(left, right, product);
+    return fixed({{product[0].hi, product[1].hi, product[2].hi, product[3].hi},
+                  {product[0].lo, product[1].lo, product[2].lo, product[3].lo}});
+}
+
+Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<FixedRotation>& right) noexcept {
+    const FixedRotation none{Rotation{}};
+    return {left.has_value(), right.has_value(), exact(left.value_or(none)), exact(right.value_or(none))};
 }
 
 // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
@@ -65,10 +85,8 @@ Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSetting
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
     reports.clear();
-    const ExactQuaternion left = exact(left_);
-    const ExactQuaternion right = exact(right_);
-    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, left_ ? &left : nullptr,
-                                right_ ? &right : nullptr};
+    const Turns turns = turns_of(left_, right_);
+    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
     const std::size_t rows = in.size() / from_.size();
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run_batch(batch, in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
