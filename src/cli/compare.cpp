@@ -139,7 +139,7 @@ public:
         set.add("--within", within_, "ANGLE", "The largest angle that passes, in radians or, with -d, degrees");
         set.add("--as", relative_, "SPEC", "With --format csv: print the relative attitude too, in SPEC");
         set.add("--frame", frame_, "FRAME", "Axes of the relative attitude: body (default) or reference");
-        attitudes_.add_turns_to(set);
+        attitudes_.add_to(set, false);
         pairing_.add_to(set);
         add_reading();
         add_writing();

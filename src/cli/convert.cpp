@@ -12,8 +12,7 @@ public:
         set.begin_group("What");
         set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
         set.add("-t,--to", to_, "SPEC", "The representation to write: NAME[:MODIFIER]...");
-        attitudes_.add_turns_to(set);
-        attitudes_.add_continuous_to(set);
+        attitudes_.add_to(set);
         add_reading();
         add_writing();
         attitudes_.add_lock_margin_to(set);

@@ -157,20 +157,15 @@ std::string explain(const SpecError& error) {
 
 std::string explain(const AxesError& error) {
     using What = AxesError::What;
-    constexpr std::string_view sets = "n s e w u d, f b l r u d, or x y z with signs";
+    constexpr std::string_view sets = "n s e w u d, f b l r u d, or x y z, with - if against them";
     switch (error.what) {
     case What::form:
-        return fmt::format(" is not FROM:TO, such as ned:enu or frd:flu: three letters each, for where x, y and z "
-                           "point, of {}",
-                           sets);
+        return fmt::format(" is not FROM:TO, such as ned:enu: where x, y and z point, in three letters of {}", sets);
     case What::mixed_sets: return fmt::format(": the letters must be of one set: {}", sets);
-    case What::same_direction:
+    case What::same_direction: return fmt::format(": {} has one direction twice", quoted(error.triple));
     case What::opposite_directions: break;
     }
-    constexpr std::string_view axes = "xyz";
-    return fmt::format(": in {} {} and {} point in {}, but the three directions must be perpendicular",
-                       quoted(error.triple), axes[error.axes[0]], axes[error.axes[1]],
-                       error.what == What::same_direction ? "the same direction" : "opposite directions");
+    return fmt::format(": {} has opposite directions, but x, y and z are perpendicular", quoted(error.triple));
 }
 
 std::string explain(const stream::RowError& error, const Subject& subject) {

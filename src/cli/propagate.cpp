@@ -37,8 +37,7 @@ public:
                 "Angular velocity between rows: linear (default), or cubic, a row late");
         set.add("--time-unit", time_unit_, "UNIT", "Unit of the times: s (default), ms, us or ns");
         set.add("--renormalise", renormalise_, "Make the numbers unit, or orthogonal, again after every step");
-        attitudes_.add_turns_to(set);
-        attitudes_.add_continuous_to(set);
+        attitudes_.add_to(set);
         add_reading();
         set.describe("--degrees", "Degrees, and degrees a second; :deg alone leaves radians a second");
         add_writing();

@@ -126,8 +126,7 @@ struct AttitudeOptions {
     std::string lock_margin;
     bool continuous = false;
 
-    void add_turns_to(OptionSet& set);
-    void add_continuous_to(OptionSet& set);
+    void add_to(OptionSet& set, bool with_continuous = true);
     void add_lock_margin_to(OptionSet& set);
     /// The settings with those of these options.
     [[nodiscard]] ConversionSettings added_to(ConversionSettings settings, bool degrees) const;

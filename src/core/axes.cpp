@@ -1,114 +1,64 @@
 #include <rotconv/axes.hpp>
 
-#include <optional>
-#include <string_view>
+#include <algorithm>
+#include <array>
 
 namespace rotconv {
 namespace {
 
-/// The letters of each set in the order of x, -x, y, -y, z, -z of right-handed axes. The last has signs instead.
-constexpr std::array<std::string_view, 3> sets{"ewnsud", "fblrud", "x y z "};
+/// The letters for x, -x, y, -y, z, -z of right-handed axes, in each set.
+constexpr std::array<std::string_view, 3> sets{"ewnsud", "fblrud", "xXyYzZ"};
 
-/// Where each axis points: along one of three lines, with a sign.
-struct Triple {
-    std::string text{}; ///< in lower case
-    std::array<std::size_t, 3> line{};
-    std::array<double, 3> sign{};
-    std::array<bool, sets.size()> may_be_of{true, true, true}; ///< the sets that have all its letters
-
-    [[nodiscard]] bool left_handed() const noexcept {
-        return ((line[1] + 3 - line[0]) % 3 == 1) != (sign[0] * sign[1] * sign[2] > 0.0);
-    }
-};
-
-/// Nothing if the text is not three letters of the sets.
-std::optional<Triple> read(std::string_view text) {
-    Triple triple;
-    std::size_t axis = 0;
-    bool has_sign = false;
-    double sign = 1.0;
-    for (const char c : text) {
-        const char letter = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        triple.text += letter;
-        if (!has_sign && (letter == '-' || letter == '+')) {
-            has_sign = true;
-            sign = letter == '-' ? -1.0 : 1.0;
-            continue;
-        }
-        bool known = false;
-        for (std::size_t set = 0; set < sets.size(); ++set) {
-            const std::size_t at = letter == ' ' ? std::string_view::npos : sets.at(set).find(letter);
-            const bool has_letter = at != std::string_view::npos && (!has_sign || set + 1 == sets.size());
-            triple.may_be_of.at(set) = triple.may_be_of.at(set) && has_letter;
-            if (has_letter && axis < 3) {
-                known = true;
-                triple.line.at(axis) = at / 2;
-                triple.sign.at(axis) = at % 2 == 0 ? sign : -1.0;
-            }
-        }
-        if (!known) {
-            return std::nullopt;
-        }
-        ++axis;
-        has_sign = false;
-        sign = 1.0;
-    }
-    return axis == 3 && !has_sign ? std::optional(triple) : std::nullopt;
-}
-
-/// Two of its axes on one line.
-std::optional<AxesError> overlap(const Triple& triple) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = i + 1; j < 3; ++j) {
-            if (triple.line.at(i) == triple.line.at(j)) {
-                const bool same = triple.sign.at(i) == triple.sign.at(j);
-                return AxesError{
-                    same ? AxesError::What::same_direction : AxesError::What::opposite_directions, triple.text, {i, j}};
-            }
+/// A letter for each direction of a triple, in lower case; X for -x.
+std::string letters_of(std::string_view triple) {
+    std::string letters;
+    for (char c : triple) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (letters.ends_with('-')) {
+            letters.back() = c >= 'x' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : '?';
+        } else {
+            letters += c;
         }
     }
-    return std::nullopt;
+    return letters;
 }
 
 } // namespace
 
 FixedRotation AxesChange::turn() const noexcept {
-    std::array<double, 9> rotation = matrix;
-    for (double& entry : rotation) {
-        entry = changes_hand() ? -entry : entry;
-    }
-    Spec dcm;
-    dcm.name = RepresentationId::dcm;
-    return FixedRotation::of_numbers(dcm, rotation);
+    const Dcm rotation = matrix * (changes_hand() ? -1.0 : 1.0);
+    return FixedRotation::of_numbers({.name = RepresentationId::dcm, .column_major = true}, {rotation.data(), 9});
 }
 
 std::variant<AxesChange, AxesError> parse_axes(std::string_view text) {
-    const std::size_t colon = text.find(':');
-    const auto from = read(text.substr(0, colon));
-    const auto to = colon == std::string_view::npos ? std::nullopt : read(text.substr(colon + 1));
-    if (!from || !to) {
-        return AxesError{AxesError::What::form};
+    using What = AxesError::What;
+    const auto colon = std::min(text.find(':'), text.size());
+    const std::array<std::string_view, 2> triples{text.substr(0, colon), text.substr(std::min(colon + 1, text.size()))};
+    const std::array<std::string, 2> letters{letters_of(triples[0]), letters_of(triples[1])};
+    const std::string all = letters[0] + letters[1];
+    if (letters[0].size() != 3 || letters[1].size() != 3 || all.find_first_not_of("nsewudfblrxXyYzZ") != all.npos) {
+        return AxesError{What::form};
     }
-    bool of_one_set = false;
-    for (std::size_t set = 0; set < sets.size(); ++set) {
-        of_one_set = of_one_set || (from->may_be_of.at(set) && to->may_be_of.at(set));
+    const auto* const set =
+        std::ranges::find(sets, all.npos, [&](std::string_view legal) { return all.find_first_not_of(legal); });
+    if (set == sets.end()) {
+        return AxesError{What::mixed_sets};
     }
-    if (!of_one_set) {
-        return AxesError{AxesError::What::mixed_sets};
-    }
-    for (const Triple& triple : {*from, *to}) {
-        if (const auto error = overlap(triple)) {
-            return *error;
+    std::array<Dcm, 2> axes; // row by row x, y and z in the set's axes
+    for (std::size_t t = 0; t < 2; ++t) {
+        for (int i = 0; i < 3; ++i) {
+            const auto at = static_cast<int>(set->find(letters.at(t)[static_cast<std::size_t>(i)]));
+            axes.at(t).row(i) = Eigen::RowVector3d::Unit(at / 2) * (at % 2 == 0 ? 1.0 : -1.0);
+            for (int j = 0; j < i; ++j) {
+                const double along = axes.at(t).row(i).dot(axes.at(t).row(j));
+                if (along != 0.0) {
+                    return AxesError{along > 0.0 ? What::same_direction : What::opposite_directions,
+                                     std::string(triples.at(t))};
+                }
+            }
         }
     }
-    AxesChange change{.from_left_handed = from->left_handed(), .to_left_handed = to->left_handed()};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            const bool along = to->line.at(i) == from->line.at(j);
-            change.matrix.at(3 * i + j) = along ? to->sign.at(i) * from->sign.at(j) : 0.0;
-        }
-    }
-    return change;
+    return AxesChange{axes[1] * axes[0].transpose(), axes[0].determinant() < 0.0, axes[1].determinant() < 0.0};
 }
 
 } // namespace rotconv

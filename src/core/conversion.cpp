@@ -37,9 +37,6 @@ ExactQuaternion exact(const FixedRotation& turn) noexcept {
     const Rotation& q = turn.rotation;
     return {{q.w(), q.x(), q.y(), q.z()}, {turn.rest[0], turn.rest[1], turn.rest[2], turn.rest[3]}};
 }
-FixedRotation fixed(const ExactQuaternion& q) noexcept {
-    return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
-}
 
 } // namespace
 
@@ -55,21 +52,19 @@ FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double
     to_own_order(spec, numbers.data(), 1, own.data());
     ExactQuaternion q{};
     kernel_table().read_exactly(spec, own.data(), q);
-    return fixed(q);
+    return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
 }
 
 FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept {
-    const auto parts = [](const ExactQuaternion& q, std::size_t k) { return DoubleDouble(q.hi[k], q.lo[k]); };
-    const ExactQuaternion first = exact(a);
-    const ExactQuaternion second = exact(b);
-    // NOLINTBEGIN(*-avoid-c-arrays): as multiply() takes them
-    const DoubleDouble left[] = {parts(first, 0), parts(first, 1), parts(first, 2), parts(first, 3)};
-    const DoubleDouble right[] = {parts(second, 0), parts(second, 1), parts(second, 2), parts(second, 3)};
-    DoubleDouble product[4];
-    // NOLINTEND(*-avoid-c-arrays)
-    multiply(left, right, product);
-    return fixed({{product[0].hi, product[1].hi, product[2].hi, product[3].hi},
-                  {product[0].lo, product[1].lo, product[2].lo, product[3].lo}});
+    const ExactQuaternion factors[] = {exact(a), exact(b)}; // NOLINT(*-avoid-c-arrays): as multiply() takes them
+    DoubleDouble q[3][4];                                   // NOLINT(*-avoid-c-arrays)
+    for (std::size_t k = 0; k < 4; ++k) {
+        q[0][k] = {factors[0].hi[k], factors[0].lo[k]};
+        q[1][k] = {factors[1].hi[k], factors[1].lo[k]};
+    }
+    multiply(q[0], q[1], q[2]);
+    return {Rotation::near_unit(q[2][0].hi, q[2][1].hi, q[2][2].hi, q[2][3].hi),
+            {q[2][0].lo, q[2][1].lo, q[2][2].lo, q[2][3].lo}};
 }
 
 Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<FixedRotation>& right) noexcept {
