@@ -14,7 +14,8 @@ namespace rotconv {
 
 /// How attitudes are compared.
 struct ComparisonSettings {
-    ConversionSettings reading{};                            ///< for both attitudes and for the relative one
+    /// For both attitudes and for the relative one; `left` and `right` turn only the first attitude, R.
+    ConversionSettings reading{};
     double within = std::numeric_limits<double>::infinity(); ///< a larger angle is reported; in `unit`
     AngleUnit unit = AngleUnit::radians;                     ///< of angles
     std::optional<Spec> relative{};                          ///< write the relative attitude too, in this form

@@ -22,6 +22,8 @@ struct FixedRotation {
     [[nodiscard]] FixedRotation inverse() const noexcept {
         return {rotation.inverse(), {rest[0], -rest[1], -rest[2], -rest[3]}};
     }
+    /// The composition, like that of Rotation, to 2^-100.
+    friend FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept;
 
     Rotation rotation;
     std::array<double, 4> rest; ///< the exact w, x, y, z less those of `rotation`

@@ -139,9 +139,14 @@ public:
         set.add("--within", within_, "ANGLE", "The largest angle that passes, in radians or, with -d, degrees");
         set.add("--as", relative_, "SPEC", "With --format csv: print the relative attitude too, in SPEC");
         set.add("--frame", frame_, "FRAME", "Axes of the relative attitude: body (default) or reference");
+        attitudes_.add_to(set, false);
         pairing_.add_to(set);
         add_reading();
         add_writing();
+        set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu, by their names");
+        set.describe("--body-axes", "Other body axes of FILE's attitudes, such as frd:flu, by their names");
+        set.describe("--left", "Turn the attitudes R of FILE: compare L R; L as \"SPEC: NUMBERS\"");
+        set.describe("--right", "Turn the attitudes R of FILE: compare R S; S as \"SPEC: NUMBERS\"");
         set.describe("--format", "pretty (default), json, or csv: every pair with its angle");
         attitudes_.add_lock_margin_to(set);
     }

@@ -57,6 +57,7 @@ _rotconv_candidates() {
     SPEC | KNOWN) _rotconv_spec ;;
     NAME | SET) _rotconv_add "$names" ;;
     METHOD) _rotconv_add "$methods" ;;
+    FROM:TO) _rotconv_add "ned:enu enu:ned frd:flu flu:frd rdf:rub rdf:flu ruf:flu fru:flu" ;;
     FILE) files=yes ;;
     esac
 }
@@ -101,7 +102,7 @@ if [ -n "${ZSH_VERSION-}" ]; then
         _rotconv_candidates "${words[CURRENT]}" "${(@)words[2,CURRENT-1]}"
         lines=("${(@f)candidates}")
         found=("${(@)lines%% *}")
-        shown=("${(@)lines/ (-|[A-Z]##) #/  }")
+        shown=("${(@)lines/ (-|[A-Z:]##) #/  }")
         compadd ${open:+-S} ${open:+''} -l -d shown -a found
         if [[ -n $files ]]; then
             _files

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rotconv/axes.hpp>
 #include <rotconv/spec.hpp>
 
 #include "../stream/column_list.hpp"
@@ -31,6 +32,9 @@ namespace rotconv::cli::messages {
 
 /// Why a text is not a SPEC, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecError& error);
+
+/// Why the text before it does not name a change of axes.
+[[nodiscard]] std::string explain(const AxesError& error);
 
 /// What the rows of a run are.
 struct Subject {

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include <rotconv/axes.hpp>
 #include <rotconv/rates.hpp>
 
 #include "../stream/delimiter.hpp"
@@ -91,6 +92,24 @@ SelectedColumns with_key(SelectedColumns columns, std::string_view key_option, c
 }
 
 const std::string& or_else(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
+
+/// The change of axes that the option names; none if it was not given.
+AxesChange axes_of(std::string_view option, const std::string& text) {
+    const auto parsed = parse_axes(text.empty() ? "xyz:xyz" : text);
+    if (const auto* error = std::get_if<AxesError>(&parsed)) {
+        throw Usage(fmt::format("{} {}{}", option, quoted(text), messages::explain(*error)));
+    }
+    return std::get<AxesChange>(parsed);
+}
+
+/// For a change of hand on one side alone, which gives no rotation.
+std::string no_rotation(std::string_view option, const std::string& text, const AxesChange& change,
+                        std::string_view other) {
+    const auto colon = text.find(':');
+    const std::string left = change.from_left_handed ? text.substr(0, colon) : text.substr(colon + 1);
+    return fmt::format("{0} {1} changes hand, because {2} is left-handed; so must {3}, such as {3} {1}", option, text,
+                       quoted(left), other);
+}
 
 /// One row of numbers, whatever they are.
 bool is_row(std::string_view text) {
@@ -374,11 +393,15 @@ void RowOptions::pair(RowsCommand& command, const PairingOptions& pairing, strea
     command.reference_subject = std::move(subject);
 }
 
-void AttitudeOptions::add_to(OptionSet& set) {
+void AttitudeOptions::add_to(OptionSet& set, bool with_continuous) {
     set.begin_group("What");
+    set.add("--reference-axes", reference_axes, "FROM:TO", "Other reference axes, such as ned:enu, by their names");
+    set.add("--body-axes", body_axes, "FROM:TO", "Other body axes, such as frd:flu (cameras: rdf:rub), by their names");
     set.add("--left", left, "ATTITUDE", "Other reference axes: write L R instead of R; L as \"SPEC: NUMBERS\"");
     set.add("--right", right, "ATTITUDE", "Other body axes: write R S instead of R; S as \"SPEC: NUMBERS\"");
-    set.add("--continuous", continuous, "Write the numbers nearest to the last result, so that they do not jump");
+    if (with_continuous) {
+        set.add("--continuous", continuous, "Write the numbers nearest to the last result, so that they do not jump");
+    }
 }
 
 void AttitudeOptions::add_lock_margin_to(OptionSet& set) {
@@ -394,6 +417,19 @@ ConversionSettings AttitudeOptions::added_to(ConversionSettings settings, bool d
     }
     if (!right.empty()) {
         settings.right = attitude_of("--right", right, degrees, settings.tolerance);
+    }
+    const AxesChange reference = axes_of("--reference-axes", reference_axes);
+    const AxesChange body = axes_of("--body-axes", body_axes);
+    if (reference.changes_hand() != body.changes_hand()) {
+        throw Usage(reference.changes_hand() ? no_rotation("--reference-axes", reference_axes, reference, "--body-axes")
+                                             : no_rotation("--body-axes", body_axes, body, "--reference-axes"));
+    }
+    const FixedRotation none{Rotation{}};
+    if (!reference_axes.empty()) { // L M R N' S
+        settings.left = settings.left.value_or(none) * reference.turn();
+    }
+    if (!body_axes.empty()) {
+        settings.right = body.turn().inverse() * settings.right.value_or(none);
     }
     return settings;
 }

@@ -121,10 +121,12 @@ private:
 struct AttitudeOptions {
     std::string left;
     std::string right;
+    std::string reference_axes;
+    std::string body_axes;
     std::string lock_margin;
     bool continuous = false;
 
-    void add_to(OptionSet& set);
+    void add_to(OptionSet& set, bool with_continuous = true);
     void add_lock_margin_to(OptionSet& set);
     /// The settings with those of these options.
     [[nodiscard]] ConversionSettings added_to(ConversionSettings settings, bool degrees) const;

@@ -61,8 +61,9 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     InputBatch input(from_, numbers.data(), rows);
     InputBatch reference(reference_, other_numbers.data(), rows);
     const KernelTable& kernels = kernel_table();
-    kernels.read(from_, input.own(), rows, input.attitudes);
-    kernels.read(reference_, reference.own(), rows, reference.attitudes);
+    const Turns turns = turns_of(settings_.reading.left, settings_.reading.right);
+    kernels.read(from_, turns, input.own(), rows, input.attitudes);
+    kernels.read(reference_, no_turns, reference.own(), rows, reference.attitudes);
     AttitudeBatch<double> relative;
     kernels.relate(input.attitudes, reference.attitudes, settings_.frame, rows, relative);
 
@@ -76,8 +77,8 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
         const Spec& to = *settings_.relative;
         std::array<double, batch_rows * most_numbers> own;
         std::array<double, batch_rows * most_numbers> written;
-        kernels.write_relative({&from_, &reference_, &to, settings_.frame, settings_.reading.lock_margin}, input.own(),
-                               reference.own(), rows, own.data(), diagnostics.data());
+        kernels.write_relative({&from_, &turns, &reference_, &to, settings_.frame, settings_.reading.lock_margin},
+                               input.own(), reference.own(), rows, own.data(), diagnostics.data());
         to_written_order(to, own.data(), rows, written.data());
         for (std::size_t i = 0; i < rows; ++i) {
             std::copy_n(written.data() + i * to.size(), to.size(), out + i * width + 1);

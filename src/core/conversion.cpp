@@ -7,6 +7,7 @@
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
+#include "numerics/quaternion_algebra.hpp"
 
 namespace rotconv {
 namespace {
@@ -32,12 +33,9 @@ std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn
     return turn ? std::optional(turn->inverse()) : std::nullopt;
 }
 
-ExactQuaternion exact(const std::optional<FixedRotation>& turn) noexcept {
-    if (!turn) {
-        return {};
-    }
-    const Rotation& q = turn->rotation;
-    return {{q.w(), q.x(), q.y(), q.z()}, {turn->rest[0], turn->rest[1], turn->rest[2], turn->rest[3]}};
+ExactQuaternion exact(const FixedRotation& turn) noexcept {
+    const Rotation& q = turn.rotation;
+    return {{q.w(), q.x(), q.y(), q.z()}, {turn.rest[0], turn.rest[1], turn.rest[2], turn.rest[3]}};
 }
 
 } // namespace
@@ -57,6 +55,23 @@ FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double
     return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
 }
 
+FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept {
+    const ExactQuaternion factors[] = {exact(a), exact(b)}; // NOLINT(*-avoid-c-arrays): as multiply() takes them
+    DoubleDouble q[3][4];                                   // NOLINT(*-avoid-c-arrays)
+    for (std::size_t k = 0; k < 4; ++k) {
+        q[0][k] = {factors[0].hi[k], factors[0].lo[k]};
+        q[1][k] = {factors[1].hi[k], factors[1].lo[k]};
+    }
+    multiply(q[0], q[1], q[2]);
+    return {Rotation::near_unit(q[2][0].hi, q[2][1].hi, q[2][2].hi, q[2][3].hi),
+            {q[2][0].lo, q[2][1].lo, q[2][2].lo, q[2][3].lo}};
+}
+
+Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<FixedRotation>& right) noexcept {
+    const FixedRotation none{Rotation{}};
+    return {left.has_value(), right.has_value(), exact(left.value_or(none)), exact(right.value_or(none))};
+}
+
 // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(from), to_(to), settings_(settings), left_(to.passive ? inverse_of(settings.right) : settings.left),
@@ -65,10 +80,8 @@ Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSetting
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
     reports.clear();
-    const ExactQuaternion left = exact(left_);
-    const ExactQuaternion right = exact(right_);
-    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, left_ ? &left : nullptr,
-                                right_ ? &right : nullptr};
+    const Turns turns = turns_of(left_, right_);
+    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
     const std::size_t rows = in.size() / from_.size();
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run_batch(batch, in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),

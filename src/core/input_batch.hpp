@@ -2,12 +2,17 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include <rotconv/conversion.hpp>
 
 #include "representations/codec.hpp"
 
 namespace rotconv {
+
+/// Constant turns, as kernels take them.
+[[nodiscard]] Turns turns_of(const std::optional<FixedRotation>& left,
+                             const std::optional<FixedRotation>& right) noexcept;
 
 /// A batch of rows of a SPEC and the attitudes that they describe, once a kernel has read them.
 class InputBatch {

@@ -31,14 +31,20 @@ template <class T> ROTCONV_INLINE void turn(const T (&by)[4], bool from_the_left
     const T own[4] = {q[0], q[1], q[2], q[3]};
     multiply(from_the_left ? by : own, from_the_left ? own : by, q);
 }
+template <class T> ROTCONV_INLINE void turn(const ExactQuaternion& by, bool from_the_left, T (&q)[4]) noexcept {
+    T constant[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+        constant[k] = rounded_to<T>(DoubleDouble(by.hi[k], by.lo[k]));
+    }
+    turn(constant, from_the_left, q);
+}
 /// By what there may be.
-template <class T> ROTCONV_INLINE void turn(const ExactQuaternion* by, bool from_the_left, T (&q)[4]) noexcept {
-    if (by != nullptr) {
-        T constant[4];
-        for (std::size_t k = 0; k < 4; ++k) {
-            constant[k] = rounded_to<T>(DoubleDouble(by->hi[k], by->lo[k]));
-        }
-        turn(constant, from_the_left, q);
+template <class T> ROTCONV_INLINE void turn(const Turns& by, T (&q)[4]) noexcept {
+    if (by.has_left) {
+        turn(by.left, true, q);
+    }
+    if (by.has_right) {
+        turn(by.right, false, q);
     }
 }
 /// R_REF' R or R R_REF'.
@@ -48,12 +54,11 @@ template <class T> ROTCONV_INLINE void relate(const T (&reference)[4], Frame fra
 
 // Of a batch.
 
-template <class T>
-void turn(const ExactQuaternion* by, bool from_the_left, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
-    for (std::size_t i = 0; i < rows && by != nullptr; ++i) {
+template <class T> void turn(const Turns& by, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
+    for (std::size_t i = 0; i < rows && (by.has_left || by.has_right); ++i) {
         T q[4];
         attitudes.get(i, q);
-        turn(by, from_the_left, q);
+        turn(by, q);
         attitudes.set(i, q);
     }
 }
@@ -123,8 +128,9 @@ template <class T, class Function> void for_each_careful_row(const Spec& spec, c
     }
 }
 
-/// The attitude of a row, or its inverse, its largest component of size 1/2 to 1.
-void read_carefully(const Spec& spec, const double* numbers, bool inverse, Careful (&q)[4]) noexcept {
+/// The attitude of a row, or its inverse, turned; its largest component was of size 1/2 to 1.
+void read_carefully(const Spec& spec, const double* numbers, bool inverse, const Turns& turns,
+                    Careful (&q)[4]) noexcept {
     kernel_of(spec.name).careful.read(spec, numbers, q);
     int largest = q[0].exponent();
     for (const Careful& component : q) {
@@ -134,6 +140,7 @@ void read_carefully(const Spec& spec, const double* numbers, bool inverse, Caref
         component = component.shifted(-1 - largest);
     }
     q[0] = inverse ? -q[0] : q[0];
+    turn(turns, q);
 }
 
 DiagnosticSet write_carefully(const Spec& spec, double lock_margin, const Careful (&q)[4], double* numbers,
@@ -167,8 +174,7 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     if (inverse) {
         invert(attitudes, rows);
     }
-    turn(batch.left, true, attitudes, rows);
-    turn(batch.right, false, attitudes, rows);
+    turn(*batch.turns, attitudes, rows);
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
     round(attitudes, rows, rounded);
     for_each_careful_row(from, in, attitudes, rows, [&](std::size_t i) {
@@ -176,38 +182,38 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
             return;
         }
         Careful q[4];
-        read_carefully(from, in + i * from.size(), inverse, q);
-        turn(batch.left, true, q);
-        turn(batch.right, false, q);
+        read_carefully(from, in + i * from.size(), inverse, *batch.turns, q);
         diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
                                          rest == nullptr ? nullptr : rest + i * to.size());
         set_rounded(q, i, rounded);
     });
 }
 
-/// The attitudes that rows describe, to 106 bits.
-void read_upright(const Spec& spec, const double* numbers, std::size_t rows,
+/// The attitudes that rows describe, turned, to 106 bits.
+void read_upright(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
                   AttitudeBatch<DoubleDouble>& attitudes) noexcept {
     kernel_of(spec.name).exact.read(spec, numbers, rows, attitudes);
     if (spec.passive) {
         invert(attitudes, rows);
     }
+    turn(turns, attitudes, rows);
     for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
         Careful q[4];
-        read_carefully(spec, numbers + i * spec.size(), spec.passive, q);
+        read_carefully(spec, numbers + i * spec.size(), spec.passive, turns, q);
         attitudes.set(i, {q[0].rounded_parts(), q[1].rounded_parts(), q[2].rounded_parts(), q[3].rounded_parts()});
     });
 }
 
-void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& rounded) noexcept {
+void read(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
+          AttitudeBatch<double>& rounded) noexcept {
     AttitudeBatch<DoubleDouble> attitudes;
-    read_upright(spec, numbers, rows, attitudes);
+    read_upright(spec, turns, numbers, rows, attitudes);
     round(attitudes, rows, rounded);
 }
 
 void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept {
     AttitudeBatch<DoubleDouble> attitudes;
-    read_upright(spec, numbers, 1, attitudes);
+    read_upright(spec, no_turns, numbers, 1, attitudes);
     for (std::size_t k = 0; k < 4; ++k) {
         attitude.hi[k] = attitudes[k].hi[0];
         attitude.lo[k] = attitudes[k].lo[0];
@@ -234,8 +240,8 @@ void write_relative(const RelativeBatch& batch, const double* in, const double* 
     AttitudeBatch<DoubleDouble> attitudes;
     AttitudeBatch<DoubleDouble> references;
     AttitudeBatch<DoubleDouble> relative;
-    read_upright(from, in, rows, attitudes);
-    read_upright(*batch.reference, reference, rows, references);
+    read_upright(from, *batch.turns, in, rows, attitudes);
+    read_upright(*batch.reference, no_turns, reference, rows, references);
     relate(attitudes, references, batch.frame, rows, relative);
     if (to.passive) {
         invert(relative, rows);
@@ -244,8 +250,9 @@ void write_relative(const RelativeBatch& batch, const double* in, const double* 
     const auto careful = [&](std::size_t i) {
         Careful q[4];
         Careful other[4];
-        read_carefully(from, in + i * from.size(), from.passive, q);
-        read_carefully(*batch.reference, reference + i * batch.reference->size(), batch.reference->passive, other);
+        read_carefully(from, in + i * from.size(), from.passive, *batch.turns, q);
+        read_carefully(*batch.reference, reference + i * batch.reference->size(), batch.reference->passive, no_turns,
+                       other);
         relate(other, batch.frame, q);
         q[0] = to.passive ? -q[0] : q[0];
         diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(), nullptr);
@@ -258,7 +265,7 @@ Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& 
     const Error error = kernel_of(spec.name).one.read(spec, numbers, q, defect);
     if (error == Error::none && !all_plain_numbers(spec, numbers, 1)) [[unlikely]] {
         Careful careful[4];
-        read_carefully(spec, numbers, false, careful);
+        read_carefully(spec, numbers, false, no_turns, careful);
         for (std::size_t k = 0; k < 4; ++k) {
             q[k] = careful[k].rounded();
         }

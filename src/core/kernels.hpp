@@ -20,18 +20,27 @@ struct ExactQuaternion {
     double lo[4];
 };
 
+/// Constant rotations by which attitudes are multiplied, from the left and from the right, where there are such.
+struct Turns {
+    bool has_left;
+    bool has_right;
+    ExactQuaternion left;
+    ExactQuaternion right;
+};
+inline constexpr Turns no_turns{};
+
 /// What the conversion of a batch needs beside its rows.
 struct ConversionBatch {
     const Spec* from;
     const Spec* to;
     double lock_margin;
-    const ExactQuaternion* left;  ///< turns the attitudes, as they are written, from the left; or null
-    const ExactQuaternion* right; ///< or from the right
+    const Turns* turns; ///< of the attitudes as they are written
 };
 
 /// What a batch of relative attitudes, R_REF' R or R R_REF', needs beside its rows.
 struct RelativeBatch {
     const Spec* from;
+    const Turns* turns; ///< of the attitudes R
     const Spec* reference;
     const Spec* to;
     Frame frame;
@@ -49,8 +58,9 @@ struct KernelTable {
                          DiagnosticSet* diagnostics) noexcept;
     Convert* convert;
     Convert* convert_fast; ///< in plain double
-    /// The attitudes that rows describe, rounded once.
-    void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes) noexcept;
+    /// The attitudes that rows describe, turned, then rounded once.
+    void (*read)(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
+                 AttitudeBatch<double>& attitudes) noexcept;
     /// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal
     /// quaternions is 0.
     void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,

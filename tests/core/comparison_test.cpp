@@ -83,6 +83,42 @@ TEST_CASE("the angle between any two representations is right near 0, near pi an
     }
 }
 
+// Would catch: a turn of the reference too, sides exchanged, a turn of numbers that are the inverse, and one that the
+// relative attitude or extraordinary rows miss.
+TEST_CASE("constant rotations turn the first attitude of a comparison") {
+    strata::Source source(44);
+    const Spec quat = accuracy::spec("quat");
+    for (int i = 0; i < 400; ++i) {
+        const auto row = oracle::numbers(quat, source.attitude());
+        auto left = oracle::numbers(quat, source.attitude());
+        const auto right = oracle::numbers(quat, source.attitude());
+        auto other = oracle::numbers(quat, source.attitude());
+        const bool is_tiny = i % 4 == 0;
+        if (is_tiny) { // nearly the identity
+            left = {1.0, 1e-300 * source.normal(), 0.0, 1e-200};
+            other = {1.0, 0.0, 0.0, 0.0};
+        }
+        const std::string from = i % 2 == 0 ? "quat" : "quat:passive";
+        const auto exact =
+            oracle::attitude(quat, left) * oracle::attitude(accuracy::spec(from), row) * oracle::attitude(quat, right);
+        const auto exact_other = oracle::attitude(quat, other);
+        ComparisonSettings settings;
+        settings.reading.left = FixedRotation::of_numbers(quat, left);
+        settings.reading.right = FixedRotation::of_numbers(quat, right);
+        const double apart = compare(from, "quat", joined(row, other), settings).numbers.front();
+        CHECK(std::fabs(apart - exact_angle(exact, exact_other)) <= 4.0 * oracle::eps);
+        settings.relative = quat;
+        for (const Frame frame : {Frame::body, Frame::reference}) {
+            settings.frame = frame;
+            auto found = compare(from, "quat", joined(row, other), settings).numbers;
+            found.erase(found.begin());
+            const auto relative =
+                frame == Frame::body ? exact_other.conjugate() * exact : exact * exact_other.conjugate();
+            CHECK(oracle::error_in_eps(relative, oracle::attitude(quat, found)) <= 1.0);
+        }
+    }
+}
+
 // Would catch: quotients, norms or roots that are rounded for one of two equal attitudes.
 TEST_CASE("the same numbers, of either sign, are 0 apart") {
     strata::Source source(42);

@@ -504,6 +504,7 @@ const std::vector<std::string> option_words =
              "--diagnostics=off --diagnostics=rows --inverse --differences --frame=reference --with=rpy --with=mrp "
              "--integrator=rk4 --integrator=magnus6 --substeps=3 --interpolation=cubic --renormalise "
              "--initial=quat:0,1,0,0 --continuous --left=quat:0,1,0,0 --right=rpy:deg:0,90,30 --time-unit=ns "
+             "--reference-axes=ned:enu --body-axes=frd:flu --reference-axes=ruf:flu --body-axes=ruf:flu "
              "--condition=10 --method=shepperd --method=all --key=1 --key=t --key-within=0.5 --key-within=1e-9 "
              "--reference-key=2 --reference-columns=2-5 --reference-columns=a,b,c,d --reference-columns=3,1,2 "
              "--reference-columns=2-4 --within=0.1 --within=0 --as=quat --as=rpy:deg --as=cayley --as=dcm:passive "

@@ -88,6 +88,7 @@ for shell in $shells; do
     check "$shell" "rotconv survey -f quat " rows.csv !list
     check "$shell" "rotconv -i " rows.csv !list
     check "$shell" "rotconv --method " fast trace !quat
+    check "$shell" "rotconv compare --body-axes " frd:flu !quat
     check "$shell" "rotconv propagate --integrator " !quat
     check "$shell" "rotconv rates -" --inverse !--lock-margin
 done
@@ -97,6 +98,7 @@ check_part "rotconv -f euler:ZYX:" euler:ZYX: deg passive ros !xyzw !ZYX
 check_part "rotconv -f dcm:passive:" dcm:passive: col spice !xyzw
 check_part "rotconv -f gibbs:" gibbs: passive !deg
 check_part "rotconv --from=" --from= quat euler
+check_part "rotconv --reference-axes ned:" ned: enu
 check_part "rotconv --from=rotvec:" --from=rotvec: deg
 check_part "rotconv compare -f quat --as=axang:" --as=axang: deg
 

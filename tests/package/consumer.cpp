@@ -18,12 +18,13 @@ using std::numbers::pi;
 // A type that holds an Eigen vector of 16 or 32 bytes by value has an alignment, and so a layout, that depends on
 // flags.
 template <class... Public> constexpr bool have_the_layout_of_doubles = ((alignof(Public) <= alignof(double)) && ...);
-static_assert(have_the_layout_of_doubles<
-              Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector,
-              Modifier, ModifierSet, Preset, PresetMeaning, Representation, Spec, SpecError, FixedRotation,
-              ConversionSettings, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison, Candidate,
-              Verdict, IdentificationSettings, Identification, IntegratorEntry, Stepper, PropagationSettings,
-              Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey, Survey>);
+static_assert(
+    have_the_layout_of_doubles<Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle,
+                               RotationVector, Modifier, ModifierSet, Preset, PresetMeaning, Representation, Spec,
+                               SpecError, FixedRotation, ConversionSettings, RowReport, Conversion, ContinuousNumbers,
+                               ComparisonSettings, Comparison, Candidate, Verdict, IdentificationSettings,
+                               Identification, IntegratorEntry, Stepper, PropagationSettings, Propagated, PushResult,
+                               Propagator, RateSettings, Rates, RepresentationSurvey, Survey, AxesChange, AxesError>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
@@ -104,6 +105,8 @@ void rows() {
     const std::array<double, 6> yaw_pitch_roll{90, 0, 0, 90, 90, 0};
     std::array<double, 8> quaternions{};
     const FixedRotation left(*axis_angle::to_rotation({.angle = 0}));
+    const AxesChange enu = std::get<AxesChange>(parse_axes("ned:enu")); // a half-turn about x = y
+    check(enu.matrix(0, 1) == 1 && !enu.changes_hand() && near((left * enu.turn()).rotation.z(), 0), "AxesChange");
     ConversionSettings settings;
     settings.left = left;
     Conversion(spec_of("euler:ZYX:deg"), Spec{}, settings).run(yaw_pitch_roll, quaternions, reports);

@@ -1,0 +1,64 @@
+#include <rotconv/axes.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace rotconv {
+namespace {
+
+/// The letters for x, -x, y, -y, z, -z of right-handed axes, in each set.
+constexpr std::array<std::string_view, 3> sets{"ewnsud", "fblrud", "xXyYzZ"};
+
+/// A letter for each direction of a triple, in lower case; X for -x.
+std::string letters_of(std::string_view triple) {
+    std::string letters;
+    for (char c : triple) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (letters.ends_with('-')) {
+            letters.back() = c >= 'x' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : '?';
+        } else {
+            letters += c;
+        }
+    }
+    return letters;
+}
+
+} // namespace
+
+FixedRotation AxesChange::turn() const noexcept {
+    const Dcm rotation = matrix * (changes_hand() ? -1.0 : 1.0);
+    return FixedRotation::of_numbers({.name = RepresentationId::dcm, .column_major = true}, {rotation.data(), 9});
+}
+
+std::variant<AxesChange, AxesError> parse_axes(std::string_view text) {
+    using What = AxesError::What;
+    const auto colon = std::min(text.find(':'), text.size());
+    const std::array<std::string_view, 2> triples{text.substr(0, colon), text.substr(std::min(colon + 1, text.size()))};
+    const std::array<std::string, 2> letters{letters_of(triples[0]), letters_of(triples[1])};
+    const std::string all = letters[0] + letters[1];
+    if (letters[0].size() != 3 || letters[1].size() != 3 || all.find_first_not_of("nsewudfblrxXyYzZ") != all.npos) {
+        return AxesError{What::form};
+    }
+    const auto* const set =
+        std::ranges::find(sets, all.npos, [&](std::string_view legal) { return all.find_first_not_of(legal); });
+    if (set == sets.end()) {
+        return AxesError{What::mixed_sets};
+    }
+    std::array<Dcm, 2> axes; // row by row x, y and z in the set's axes
+    for (std::size_t t = 0; t < 2; ++t) {
+        for (int i = 0; i < 3; ++i) {
+            const auto at = static_cast<int>(set->find(letters.at(t)[static_cast<std::size_t>(i)]));
+            axes.at(t).row(i) = Eigen::RowVector3d::Unit(at / 2) * (at % 2 == 0 ? 1.0 : -1.0);
+            for (int j = 0; j < i; ++j) {
+                const double along = axes.at(t).row(i).dot(axes.at(t).row(j));
+                if (along != 0.0) {
+                    return AxesError{along > 0.0 ? What::same_direction : What::opposite_directions,
+                                     std::string(triples.at(t))};
+                }
+            }
+        }
+    }
+    return AxesChange{axes[1] * axes[0].transpose(), axes[0].determinant() < 0.0, axes[1].determinant() < 0.0};
+}
+
+} // namespace rotconv
