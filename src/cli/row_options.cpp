@@ -13,7 +13,6 @@
 
 #include "../stream/delimiter.hpp"
 #include "../stream/fmt.hpp"
-#include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
@@ -91,11 +90,6 @@ SelectedColumns with_key(SelectedColumns columns, std::string_view key_option, c
 }
 
 const std::string& or_else(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
-
-/// One row of numbers, whatever they are.
-bool is_row(std::string_view text) {
-    return !stream::is_blank(text) && !stream::is_comment(text) && text.find_first_of("\r\n") == std::string_view::npos;
-}
 
 } // namespace
 
@@ -186,7 +180,7 @@ Frame frame_of(const std::string& text) {
 }
 
 int time_power_of(const std::string& text) {
-    return one_of<int>("time unit", text, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
+    return text.empty() ? 0 : one_of<int>("time unit", text, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
 }
 
 void RowOptions::add_reading() {
@@ -342,14 +336,10 @@ RowsCommand RowOptions::rows_command(const SelectedColumns& selected, stream::Ro
     };
     command.subject = std::make_shared<messages::Subject>(std::move(subject));
     if (command.has_values) {
-        command.values = fmt::format("{}", fmt::join(operands.values, " "));
-        if (!is_row(command.values)) {
-            throw Usage(fmt::format("the VALUEs are not a row of numbers: {}", quoted(command.values)));
-        }
         stream::InputOptions& in = command.options.input;
-        if (operands.values.size() > 1) {
-            in.delimiter = stream::Delimiter::blanks();
-        }
+        auto row = row_of_values(operands.values, in.delimiter);
+        command.values = std::move(row.text);
+        in.delimiter = row.delimiter;
         if (in.header != stream::HeaderMode::add) {
             in.header = stream::HeaderMode::no;
         }
