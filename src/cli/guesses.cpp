@@ -364,6 +364,9 @@ std::optional<Guess> guess_operand(std::string_view word, const std::vector<std:
 
 std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal) {
     const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
+    if (word.size() > 2 && std::ranges::any_of(legal, [text](auto name) { return name.starts_with(text); })) {
+        return guess_by_spelling(text, legal);
+    }
     if (is_preset(word) || is_modifier(word)) {
         return Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)};
     }

@@ -172,9 +172,7 @@ std::string list(const std::vector<std::string>& words) {
 
 class ListOptions final : public CommandOptions {
 public:
-    ListOptions() {
-        set.take_names("A representation, preset or project, presets, projects, axes, or methods [FROM [TO]]");
-    }
+    ListOptions() { set.take_names("A representation, preset or project, presets, or methods [FROM [TO]]"); }
     [[nodiscard]] Command command(const Operands& operands) const override {
         return PrintCommand{list(operands.files)};
     }
