@@ -310,10 +310,12 @@ std::string mend(std::string_view text) {
         }
     }
     const std::size_t bracket = text.find_first_of("[](){}");
-    if (rest.ends_with('=') || rest.ends_with(':') || rest == "dtype=float") {
+    if (rest.ends_with('=') || rest.ends_with("\":") || rest == "dtype=float") {
         return "; write only the numbers, in the order of the SPEC (rotconv list shows it)";
     }
-    if (!rest.empty() && bracket != std::string_view::npos && text.starts_with(rest[0])) {
+    const std::size_t inside = text.find_first_not_of("[](){} \t\r\n+-.", bracket);
+    if (!rest.empty() && text.starts_with(rest[0]) && inside != std::string_view::npos &&
+        is_alphanumeric(text[inside]) && text.find_first_of("0123456789", bracket) == inside) {
         return fmt::format("; numbers in brackets are read, but without {}", quoted(text.substr(0, bracket)));
     }
     if (rest.empty() && bracket == 0 && text.find_first_of("0123456789") == std::string_view::npos) {
@@ -324,13 +326,12 @@ std::string mend(std::string_view text) {
                                      : "";
 }
 
-std::string mend_count(const stream::RowError& error) {
+std::string mend(const stream::RowError& error) {
+    using What = stream::RowError::What;
     const bool has_comma = error.text.find(',') != std::string::npos && !error.text.ends_with(',');
-    if (error.what != stream::RowError::What::wrong_count || !has_comma) {
-        return {};
-    }
-    const std::string mended = mend(error.text);
-    return mended.empty() && error.found > error.expected ? "; decimal commas must be points" : mended;
+    const bool is_count = error.what == What::wrong_count && has_comma;
+    const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
+    return mended.empty() && is_count && error.found > error.expected ? "; decimal commas must be points" : mended;
 }
 
 std::string answer_to_verb(std::string_view word) {

@@ -188,7 +188,7 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
     using What = stream::RowError::What;
     const std::string text = quoted(error.text);
     switch (error.what) {
-    case What::not_a_number: return fmt::format("not a number: {}{}", text, mend(error.text));
+    case What::not_a_number: return fmt::format("not a number: {}", text);
     case What::too_large: return fmt::format("too large for a double: {}", text);
     case What::wrong_count:
         return fmt::format("{} where {} has {}{}: {}{}", counted(error.found, "field"), subject.text, error.expected,

@@ -95,11 +95,9 @@ struct Guess {
     std::string_view note{}; ///< in the place of all that: what to write instead
 };
 
-/// What to write for a field or word that is almost a number, or for several of them; with "; " in front, or nothing.
+/// What to write for a VALUE or ATTITUDE that is almost numbers, with "; " in front; or nothing.
 [[nodiscard]] std::string mend(std::string_view text);
-
-/// The same for VALUEs that are not as many as they should be.
-[[nodiscard]] std::string mend_count(const stream::RowError& error);
+[[nodiscard]] std::string mend(const stream::RowError& error);
 
 /// What does that of which the word is the name in other programs, or why nothing does; empty for other words.
 [[nodiscard]] std::string answer_to_verb(std::string_view word);

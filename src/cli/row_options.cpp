@@ -123,7 +123,8 @@ FixedRotation attitude_of(std::string_view option, const std::string& text, bool
     error.text = row;
     const auto refuse = [&](stream::RowError::What what) {
         error.what = what;
-        throw Usage(fmt::format("{}: {}", option, messages::explain(error, messages::subject_of(spec, tolerance))));
+        throw Usage(fmt::format("{}: {}{}", option, messages::explain(error, messages::subject_of(spec, tolerance)),
+                                messages::mend(error)));
     };
     std::vector<std::string_view> fields;
     stream::Delimiter::of_row(row).split(row, fields);
