@@ -141,11 +141,26 @@ void refuse_compressed(const std::vector<std::string>& words, const std::vector<
     }
 }
 
+bool is_command(std::string_view word) { return std::ranges::count(commands, word, &Entry::name) > 0; }
+
+/// The command line that is meant by one with `help` or `--list` in front.
+std::vector<std::string> translated(std::vector<std::string> words) {
+    const std::string first = words.empty() ? "" : words[0];
+    if (first == "--list") {
+        words[0] = "list";
+    } else if (first == "help" && words.size() > 1 && !is_command(words[1])) {
+        words[0] = words[1].starts_with('-') ? "--help" : "list";
+    } else if (first == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
+    return words;
+}
+
 Command read(const std::vector<std::string>& words) {
     const Entry* entry = entries.data();
     auto options = options_of(*entry);
-    Arguments arguments = options->set.read(
-        words, 0, [](std::string_view word) { return std::ranges::count(commands, word, &Entry::name) > 0; });
+    Arguments arguments = options->set.read(words, 0, is_command);
     std::string misplaced; // the first option that stands before the name of a command
     if (arguments.end < words.size()) {
         if (!arguments.unknown.empty()) {
@@ -160,6 +175,11 @@ Command read(const std::vector<std::string>& words) {
         arguments.error = error.empty() ? arguments.error : error;
         options->wants_help |= conversion->wants_help;
         options->wants_version = conversion->wants_version;
+    }
+    const std::string verb = arguments.files.empty() || options->set.takes_names() ? "" : arguments.files.front();
+    const std::string answer = messages::answer_to_verb(verb);
+    if (!answer.empty() && stream::File::why_unreadable(verb.c_str()) != 0) { // before its options are looked at
+        throw Usage(fmt::format("{} is not a command: {}", quoted(verb), answer));
     }
     if (!arguments.error.empty()) {
         throw Usage(arguments.error);
@@ -192,7 +212,7 @@ Command read(const std::vector<std::string>& words) {
 
 Command read_command_line(int argc, const char* const* argv) {
     try {
-        return read({argv + std::min(argc, 1), argv + argc});
+        return read(translated({argv + std::min(argc, 1), argv + argc}));
     } catch (const Usage& error) {
         return UsageError{error.what()};
     }

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
 #include <span>
+#include <variant>
 
 #include "../stream/fmt.hpp"
 #include "messages.hpp"
@@ -36,7 +39,7 @@ constexpr auto modifiers = std::to_array<Meaning>({
     {"basilisk", " bn schaub "},
     {"ros", " ros2 tf tf2 "},
     {"spice", " naif "},
-    {"", " nb active rad radians rowmajor row euroc kitti px4 gtsam "},
+    {"", " nb active rad radians rowmajor row numpy euroc kitti px4 gtsam "},
 });
 
 constexpr auto options = std::to_array<Meaning>({
@@ -49,6 +52,78 @@ constexpr auto options = std::to_array<Meaning>({
     {"--header no", " noheader "},
     {"--on-error skip", " skiperrors "},
     {"--columns", " fields "},
+    {"rotconv list", " list l representations formats "},
+    {"no option (radians are what angles are in without :deg or -d)", " radians radian rad r "},
+    {"-t SPEC:passive", " inverse inv invert conjugate transpose "},
+});
+
+/// Projects, and the options for their numbers.
+constexpr auto projects = std::to_array<Meaning>({
+    {"NED to ENU is --reference-axes ned:enu, FRD to FLU --body-axes frd:flu, an OpenCV camera to OpenGL --body-axes "
+     "rdf:rub: three letters say where x, y and z point",
+     " axes frame frames ned enu frd flu rdf rub fru ruf luf nwu esu aircraft camera "},
+    {"rvec is rotvec, of solvePnP (world to camera) rotvec:passive; to OpenGL's camera --body-axes rdf:rub",
+     " opencv cv cv2 rvec solvepnp "},
+    {"Quaternion is quat:xyzw, eulerAngles euler:YXZ:deg with --columns 2,1,3; to ROS's axes "
+     "--reference-axes ruf:flu --body-axes ruf:flu",
+     " unity unity3d "},
+    {"yaw, pitch, roll are euler:Z-Y-X:deg (FRotator holds pitch, yaw, roll: --columns 2,1,3), FQuat is "
+     "quat:xyzw; to ROS's axes --reference-axes fru:flu --body-axes fru:flu",
+     " unreal unrealengine ue ue4 ue5 frotator fquat "},
+    {"quat, FRD to NED; to ROS's axes --reference-axes ned:enu --body-axes frd:flu", " px4 mavlink ardupilot "},
+    {"its numbers are those of quat, rpy, rotvec and dcm", " euroc gtsam drake blender nuscenes "},
+    {"quat and rotvec; its matrices are by columns: dcm:col", " ceres xsens mti opengl gl glm "},
+    {"its rows of twelve are dcm --columns 1-3,5-7,9-11", " kitti "},
+    {"quat; letters of a sequence in the other case: its xyz is euler:XYZ:deg", " mujoco mjcf "},
+    {"quat:passive (world to camera); to NeRF's camera --body-axes rdf:rub", " colmap "},
+    {"rotvec:passive (world to camera)", " opensfm odm webodm "},
+    {"transform_matrix is dcm --columns 1-3,5-7,9-11; to COLMAP's camera --body-axes rub:rdf", " nerf nerfstudio ngp "},
+    {"quat:xyzw; a node's matrix is dcm:col --columns 1-3,5-7,9-11", " gltf "},
+    {"omega, phi, kappa are euler:XYZ:deg; Metashape's yaw, pitch, roll euler:-ZXY:deg",
+     " opk pix4d metashape agisoft "},
+    {"phi1, Phi, phi2 are euler:ZXZ:deg (.ang: euler:ZXZ); the matrix g is dcm:bunge, MTEX's dcm",
+     " bunge mtex ang ctf "},
+    {"rot, tilt, psi are euler:ZYZ:passive:deg; cryoSPARC's pose is then rotvec:passive", " relion cryosparc "},
+    {"az, alt, phi are euler:ZXZ:passive:deg", " eman eman2 "},
+    {"the quaternion is quat:xyzw; GMAT's matrix is dcm:passive, its 321 euler:ZYX:deg", " stk gmat "},
+    {"m2eul(r, 3, 2, 1) is euler:zyx; C-matrices are dcm:spice", " m2eul eul2m "},
+    {"quat, rotvec (axis_angle), euler:XYZ; rotation_6d is 6d:passive", " pytorch3d rotation6d "},
+    {"TYPE_ROTATION_VECTOR is quat:xyzw, the rotation matrix dcm", " android "},
+    {"two meanings: tan(theta/2) n is cayley, theta n (as in OpenCV) is rotvec", " rodrigues rodriguesvector "},
+    {"axis-angle is nx ny nz angle: the angle comes last", " angleaxis "},
+    {"the last number of rpy, or the first of euler:ZYX (yaw, pitch, roll)", " heading "},
+});
+
+/// What rotconv does in another way, or not at all.
+constexpr auto verbs = std::to_array<Meaning>({
+    {":passive on one side inverts, as in rotconv -f quat -t quat:passive", " inverse inv invert conjugate transpose "},
+    {"--left and --right multiply by one attitude; two streams A and B are multiplied by rotconv compare -f quat -t "
+     "quat:passive --format csv --as quat --frame reference A B",
+     " mul multiply mult compose product concat concatenate combine chain "},
+    {"rotconv compare -f SPEC FILE REFERENCE prints angles, with --format csv --as SPEC also the attitudes between "
+     "them",
+     " diff difference delta subtract sub relative angle distance check verify "},
+    {"not here: rotconv has no rows between those it reads; SciPy's Slerp",
+     " slerp squad interpolate interp lerp resample "},
+    {"not here: rotconv takes each row by itself; SciPy's Rotation.mean()", " average mean avg median filter smooth "},
+    {"every conversion does, with --tolerance inf", " normalize normalise norm unit orthogonalize orthonormalize "},
+    {"not here: rotconv makes no attitudes; SciPy's Rotation.random()", " random rand generate "},
+    {"not here: rotconv writes numbers; --format pretty is for people", " plot draw show view visualize "},
+    {"not here: rotconv turns no vectors; -t dcm is the matrix that does", " apply rotate transform "},
+    {"it has no name: rotconv -f SPEC -t SPEC", " convert conversion conv "},
+    {"rotconv propagate", " integrate "},
+    {"rotconv rates --differences", " derivative differentiate velocity "},
+    {"--continuous, as in rotconv -f SPEC -t SPEC --continuous", " unwrap continuous "},
+});
+
+/// What to write for words of numbers that have nothing else but one of these, or it several times.
+constexpr auto marks = std::to_array<Meaning>({
+    {"write the minus sign as -, the one of the keyboard", " − – — － "},
+    {"write the number alone, and :deg after the name of the SPEC or -d", " ° º deg degree degrees "},
+    {"write the number alone: angles are in radians, unless the SPEC has :deg", " rad radian radians "},
+    {"write pi as 3.141592653589793, or angles in degrees, with :deg after the name of the SPEC",
+     " pi π nppi mathpi M_PI "},
+    {"write the number alone", " f F "},
 });
 
 /// Edits (insert, delete, replace) that lead from one text to the other.
@@ -88,10 +163,14 @@ const Meaning* find(std::span<const Meaning> table, std::string_view text) {
     return found == table.end() ? nullptr : &*found;
 }
 
-/// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, and Gohlke's rzyx (rotating axes) and
-/// sxyz (static ones).
+/// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating
+/// axes) and sxyz (static ones).
 std::optional<Guess> guess_sequence(std::string_view text) {
     std::string letters = without_marks(text);
+    if (text.find('\'') != std::string_view::npos) {
+        std::ranges::transform(letters, letters.begin(),
+                               [](char c) { return c >= 'x' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    }
     if (lower(letters).starts_with("euler")) {
         letters.erase(0, 5);
     }
@@ -204,13 +283,94 @@ std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<
 
 std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal) {
     using What = SpecError::What;
+    if (const Meaning* project = find(projects, error.text)) {
+        return Guess{.text = {}, .note = project->text};
+    }
     const auto guess = error.what == What::unknown_name       ? guess_name(error.text, legal)
                        : error.what == What::unknown_sequence ? guess_letters(error.text)
                                                               : guess_modifier(error.text, *error.in);
     return guess ? guess : guess_by_spelling(error.text, legal);
 }
 
+std::string mend(std::string_view text) {
+    std::string rest(text);
+    std::erase_if(rest, [](char c) {
+        return std::string_view("0123456789+-.*/,; \t\r\n[](){}").find(c) != std::string_view::npos;
+    });
+    for (const Meaning& mark : marks) {
+        for (std::string_view words = mark.words.substr(1); !words.empty(); words.remove_prefix(words.find(' ') + 1)) {
+            const std::string_view word = words.substr(0, words.find(' '));
+            std::string_view others = rest;
+            while (others.starts_with(word)) {
+                others.remove_prefix(word.size());
+            }
+            if (!rest.empty() && others.empty()) {
+                return fmt::format("; {}", mark.text);
+            }
+        }
+    }
+    const std::size_t bracket = text.find_first_of("[](){}");
+    if (rest.ends_with('=') || rest.ends_with("\":") || rest == "dtype=float") {
+        return "; write only the numbers, in the order of the SPEC (rotconv list shows it)";
+    }
+    const std::size_t inside = text.find_first_not_of("[](){} \t\r\n+-.", bracket);
+    if (!rest.empty() && text.starts_with(rest[0]) && inside != std::string_view::npos &&
+        is_alphanumeric(text[inside]) && text.find_first_of("0123456789", bracket) == inside) {
+        return fmt::format("; numbers in brackets are read, but without {}", quoted(text.substr(0, bracket)));
+    }
+    if (rest.empty() && bracket == 0 && text.find_first_of("0123456789") == std::string_view::npos) {
+        return "; put brackets and numbers in one pair of quotes";
+    }
+    const bool has_blank = text.find_first_of(" \t") != std::string_view::npos;
+    return rest.empty() && has_blank ? "; only blanks may be between numbers, or only commas (and no decimal commas)"
+                                     : "";
+}
+
+std::string mend(const stream::RowError& error) {
+    using What = stream::RowError::What;
+    const bool has_comma = error.text.find(',') != std::string::npos && !error.text.ends_with(',');
+    const bool is_count = error.what == What::wrong_count && has_comma;
+    const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
+    return mended.empty() && is_count && error.found > error.expected ? "; decimal commas must be points" : mended;
+}
+
+std::string answer_to_verb(std::string_view word) {
+    const Meaning* verb = find(verbs, word);
+    return verb == nullptr ? std::string() : std::string(verb->text);
+}
+
+std::string about_project(std::string_view word) {
+    std::string text;
+    for (const Meaning& project : projects) {
+        if (word == "projects" || find({&project, 1}, word) != nullptr) {
+            text += fmt::format("{}: {}\n", project.words.substr(1, project.words.find(' ', 1) - 1), project.text);
+        }
+    }
+    return text;
+}
+
+std::optional<Guess> guess_operand(std::string_view word, const std::vector<std::string_view>& commands) {
+    if (std::holds_alternative<Spec>(parse_spec(word))) {
+        return Guess{.text = fmt::format("-f {} or -t {}", word, word)};
+    }
+    if (const auto at = word.find('2'); at != std::string_view::npos) { // such as rpy2quat
+        const auto from = guess_name(word.substr(0, at), all_names());
+        const auto to = guess_name(word.substr(at + 1), all_names());
+        if (from && to && !from->text.empty() && !to->text.empty()) {
+            return Guess{.text = fmt::format("-f {} -t {}", from->text, to->text)};
+        }
+    }
+    return guess_by_spelling(word, commands);
+}
+
 std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal) {
+    const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
+    if (word.size() > 2 && std::ranges::any_of(legal, [text](auto name) { return name.starts_with(text); })) {
+        return guess_by_spelling(text, legal);
+    }
+    if (is_preset(word) || is_modifier(word)) {
+        return Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)};
+    }
     const Meaning* meaning = find(options, text);
     return meaning != nullptr ? Guess{std::string(meaning->text)} : guess_by_spelling(text, legal);
 }

@@ -163,6 +163,9 @@ std::string list(const std::vector<std::string>& words) {
         return fmt::format("{}: {}\n  sets       {}\n  leaves     all else unchanged\n", preset->text, preset->about,
                            effects_of(*preset));
     }
+    if (const std::string about = messages::about_project(first); !about.empty()) {
+        return about;
+    }
     const Spec spec = named(first);
     const std::string about = list_one(representation(spec.name));
     return find_representation(first) != nullptr ? about
@@ -171,7 +174,7 @@ std::string list(const std::vector<std::string>& words) {
 
 class ListOptions final : public CommandOptions {
 public:
-    ListOptions() { set.take_names("A representation, a preset, presets, or methods [FROM [TO]]"); }
+    ListOptions() { set.take_names("A representation, preset or project, presets, or methods [FROM [TO]]"); }
     [[nodiscard]] Command command(const Operands& operands) const override {
         return PrintCommand{list(operands.files)};
     }

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "../methods/method.hpp"
+#include "../stream/decimal.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 std::string suggestion(std::string_view word, const std::optional<Guess>& guess) {
     if (!guess) {
         return {};
+    }
+    if (!guess->note.empty()) {
+        return fmt::format("; {}", guess->note);
     }
     if (guess->text.empty()) {
         return fmt::format("; {} needs no modifier: leave it out", quoted(word));
@@ -38,6 +42,29 @@ std::vector<std::string_view> list_of(const ModifierSet& modifiers) {
         }
     }
     return words;
+}
+
+/// What to write instead of a text that is not read as a time.
+std::string_view mend(stream::TimeError error) {
+    using enum stream::TimeError;
+    switch (error) {
+    case none:
+    case not_a_time: break;
+    case blank: return R"(between date and time write T: sed 's/\(-[0-9]*\) \([0-9]*:\)/\1T\2/' FILE | rotconv ...)";
+    case offset: return "offsets are not read: write UTC, as in 2026-11-22T13:00:00Z";
+    case decimal_comma: return "seconds have a decimal point";
+    case leap_second: return "leap seconds are not read: a minute has the seconds 00 to 59";
+    case no_such_time: return "there is no such date or time of day";
+    case has_unit: return "such times are in seconds: leave out --time-unit";
+    }
+    return {};
+}
+
+/// A row of blanks that begins with a date and a time of day, which are two fields.
+bool has_blank_in_time(std::string_view row) {
+    const std::size_t blank = row.find(' ');
+    return blank != std::string_view::npos && row.find(':') < row.find(' ', blank + 1) &&
+           stream::read_time(row.substr(0, blank)).error == stream::TimeError::blank;
 }
 
 /// What the figure of a diagnostic is.
@@ -96,8 +123,10 @@ std::string other_order(std::string_view list, const Spec& from, const std::vect
 }
 
 std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
+    const std::string mended = mend(word);
     return fmt::format("argument: {} is not a number, and cannot be read as a FILE: {}{}", quoted(word),
-                       std::generic_category().message(error), suggestion(word, guess_by_spelling(word, commands)));
+                       std::generic_category().message(error),
+                       mended.empty() ? suggestion(word, guess_operand(word, commands)) : mended);
 }
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
@@ -175,12 +204,14 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
     case What::not_a_number: return fmt::format("not a number: {}", text);
     case What::too_large: return fmt::format("too large for a double: {}", text);
     case What::wrong_count:
-        return fmt::format("{} where {} has {}{}: {}", counted(error.found, "field"), subject.text, error.expected,
-                           error.found > error.expected ? " (--columns selects)" : "", text);
+        return fmt::format("{} where {} has {}{}: {}{}", counted(error.found, "field"), subject.text, error.expected,
+                           error.found > error.expected ? " (--columns selects)" : "", text,
+                           has_blank_in_time(error.text) ? fmt::format("; {}", mend(stream::TimeError::blank)) : "");
     case What::missing_column:
         return fmt::format("no column {}, the row has {}: {}", error.expected, error.found, text);
     case What::key_order: return fmt::format("the key does not increase: {}", text);
     case What::open_quote: return fmt::format("a quote is left open: {}", text);
+    case What::time: return fmt::format("not a time that is read: {}; {}", text, mend(error.time));
     case What::attitude: break;
     }
     switch (error.error) {

@@ -96,13 +96,27 @@ struct Guess {
     std::string text;        ///< a legal text; empty: nothing needs to be said
     std::string_view kind{}; ///< what the word is in another place, such as "preset"; may be empty
     std::string of{};        ///< the representations that have the word as such a kind
+    std::string_view note{}; ///< in the place of all that: what to write instead
 };
+
+/// What to write for a VALUE or ATTITUDE that is almost numbers, with "; " in front; or nothing.
+[[nodiscard]] std::string mend(std::string_view text);
+[[nodiscard]] std::string mend(const stream::RowError& error);
+
+/// What does that of which the word is the name in other programs, or why nothing does; empty for other words.
+[[nodiscard]] std::string answer_to_verb(std::string_view word);
+
+/// The options for the numbers of a project, as a line; of `projects` those of all; empty for other words.
+[[nodiscard]] std::string about_project(std::string_view word);
 
 /// The legal word that begins with the text; otherwise the nearest.
 [[nodiscard]] std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<std::string_view>& legal);
 
 /// `legal`: the words that could stand in the place of the one at fault.
 [[nodiscard]] std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal);
+
+/// A word that is neither an option nor a number nor a FILE; `commands`: the words that could stand in its place.
+[[nodiscard]] std::optional<Guess> guess_operand(std::string_view word, const std::vector<std::string_view>& commands);
 
 /// An option, perhaps with its argument.
 [[nodiscard]] std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -32,11 +33,65 @@ void define(CLI::App& app, const std::vector<Option>& options) {
     }
 }
 
-bool begins_with_number(std::string_view word) {
-    return stream::is_number(word.substr(0, word.find_first_of(",;\t ", word.find_first_not_of(" \t"))));
+constexpr std::string_view brackets = "[](){}";
+
+/// The word is a number, or begins with one; after brackets its first character is enough.
+bool is_value(std::string_view word) {
+    const std::size_t first = std::min(word.find_first_not_of("[](){} \t\r\n"), word.size());
+    const bool has_bracket = word.substr(0, first).find_first_of(brackets) != std::string_view::npos;
+    word.remove_prefix(first);
+    return stream::is_number(word.substr(0, word.find_first_of(",; \t\r\n[](){}"))) ||
+           (has_bracket && word.find_first_of("0123456789+-.") == 0);
+}
+
+/// Such as -90deg and -pi/2, which are not options.
+bool resembles_number(std::string_view word) {
+    return word.find_first_of("0123456789.") == 1 || word.starts_with("-pi");
 }
 
 } // namespace
+
+ValueRow row_of_values(const std::vector<std::string>& values, std::optional<stream::Delimiter> given) {
+    std::string text = fmt::format("{}", fmt::join(values, " "));
+    if (!given || values.size() > 1) {
+        given = text.find(',') != std::string::npos ? stream::Delimiter::character(',') : stream::Delimiter::blanks();
+    }
+    if (text.find_first_of("[](){};\r\n") == std::string::npos) {
+        return {std::move(text), *given};
+    }
+    ValueRow row{{}, *given};
+    std::string blanks; // since the last character of a number, like these:
+    std::size_t delimiters = 0;
+    bool has_bracket = false;
+    bool has_line_end = false;
+    const auto separate = [&](bool at_edge) { // a bracket or line end leaves no empty field beside it
+        if (!has_bracket && !has_line_end && delimiters == 0) {
+            row.text += at_edge ? "" : blanks;
+        } else {
+            const std::size_t least = at_edge ? 0 : 1;
+            row.text.append(has_bracket || given->is_blanks() ? least : std::max(delimiters, least), given->text());
+        }
+        blanks.clear();
+        delimiters = 0;
+        has_bracket = has_line_end = false;
+    };
+    for (const char c : text) {
+        if (c == ';' || (c == given->text() && !given->is_blanks())) {
+            ++delimiters;
+        } else if (brackets.find(c) != std::string_view::npos) {
+            has_bracket = true;
+        } else if (c == '\n' || c == '\r') {
+            has_line_end = true;
+        } else if (c == ' ' || c == '\t') {
+            blanks += c;
+        } else {
+            separate(row.text.empty());
+            row.text += c;
+        }
+    }
+    separate(true);
+    return row;
+}
 
 std::vector<std::string> Option::each_name() const {
     const auto comma = names.find(',');
@@ -114,14 +169,14 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
     bool only_operands = false;
     for (; at < words.size(); ++at) {
         const std::string& word = words[at];
-        const bool is_number = begins_with_number(word);
-        if (only_operands || is_number || !word.starts_with('-') || word == "-") {
-            const bool is_value = is_number && !takes_names();
-            if (!only_operands && !is_value && read.values.empty() && read.files.empty() && is_command(word)) {
+        const bool is_number = is_value(word);
+        if (only_operands || is_number || !word.starts_with('-') || word == "-" || resembles_number(word)) {
+            const bool takes_value = is_number && !takes_names();
+            if (!only_operands && !takes_value && read.values.empty() && read.files.empty() && is_command(word)) {
                 break;
             }
-            (is_value ? read.values : read.files).push_back(word);
-            if (!is_value) {
+            (takes_value ? read.values : read.files).push_back(word);
+            if (!takes_value) {
                 read.file_words.push_back({at, 0});
             }
         } else if (word == "--") {

@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "../stream/delimiter.hpp"
 
 namespace rotconv::cli {
 
@@ -34,6 +37,15 @@ struct Option {
     /// "--from".
     [[nodiscard]] std::string name() const { return each_name().back(); }
 };
+
+/// VALUEs as one row.
+struct ValueRow {
+    std::string text;
+    stream::Delimiter delimiter;
+};
+/// Brackets, semicolons and line ends separate numbers too, as commas do if there are any, otherwise as blanks do: so a
+/// matrix of NumPy, MATLAB or JSON can be pasted. Several words are a row with commas or blanks, whatever is `given`.
+[[nodiscard]] ValueRow row_of_values(const std::vector<std::string>& values, std::optional<stream::Delimiter> given);
 
 /// Where in the command line a file to read is named: from a character of one of its words to the word's end.
 struct FileWord {
@@ -69,7 +81,8 @@ public:
     [[nodiscard]] std::string help() const;
 
     /// Reads words from the one at `begin` on, and sets the values of the options. A word that reads as a number, or
-    /// begins with one before a comma, semicolon, blank or tab, is a VALUE, except where an option awaits its argument.
+    /// begins with one before a separator, perhaps after brackets, is a VALUE, except where an option awaits its
+    /// argument.
     /// Any other word that is not an option is a FILE, or ends the reading if it comes first and names a command.
     [[nodiscard]] Arguments read(const std::vector<std::string>& words, std::size_t begin,
                                  const std::function<bool(std::string_view)>& is_command) const;

@@ -67,6 +67,7 @@ public:
             settings.initial = attitude_of("--initial", initial_, degrees, tolerance).rotation;
         }
         auto numbers = operations::propagation_numbers();
+        numbers.has_unit = !time_unit_.empty();
         messages::Subject about{"t wx wy wz", numbers.names.size(), settings.representation.name, tolerance, true};
         return rows_command({.list = columns}, std::move(numbers), operations::propagate(rows), std::move(about),
                             operands);
@@ -79,7 +80,7 @@ private:
     std::string integrator_;
     std::string substeps_;
     std::string interpolation_ = "linear";
-    std::string time_unit_ = "s";
+    std::string time_unit_;
     bool renormalise_ = false;
     AttitudeOptions attitudes_;
 };

@@ -40,7 +40,9 @@ public:
                                 operands);
         };
         if (differences_) {
-            return command("t with {}", operations::difference_numbers(spec),
+            auto numbers = operations::difference_numbers(spec);
+            numbers.has_unit = !time_unit_.empty();
+            return command("t with {}", std::move(numbers),
                            operations::differences({.spec = spec,
                                                     .time_power = time_power_of(time_unit_),
                                                     .degrees = degrees,
@@ -61,7 +63,7 @@ public:
 private:
     std::string from_;
     std::string frame_ = "body";
-    std::string time_unit_ = "s";
+    std::string time_unit_;
     bool inverse_ = false;
     bool differences_ = false;
 };

@@ -14,7 +14,6 @@
 
 #include "../stream/delimiter.hpp"
 #include "../stream/fmt.hpp"
-#include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
@@ -111,11 +110,6 @@ std::string no_rotation(std::string_view option, const std::string& text, const 
                        quoted(left), other);
 }
 
-/// One row of numbers, whatever they are.
-bool is_row(std::string_view text) {
-    return !stream::is_blank(text) && !stream::is_comment(text) && text.find_first_of("\r\n") == std::string_view::npos;
-}
-
 } // namespace
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
@@ -148,7 +142,8 @@ FixedRotation attitude_of(std::string_view option, const std::string& text, bool
     error.text = row;
     const auto refuse = [&](stream::RowError::What what) {
         error.what = what;
-        throw Usage(fmt::format("{}: {}", option, messages::explain(error, messages::subject_of(spec, tolerance))));
+        throw Usage(fmt::format("{}: {}{}", option, messages::explain(error, messages::subject_of(spec, tolerance)),
+                                messages::mend(error)));
     };
     std::vector<std::string_view> fields;
     stream::Delimiter::of_row(row).split(row, fields);
@@ -205,7 +200,7 @@ Frame frame_of(const std::string& text) {
 }
 
 int time_power_of(const std::string& text) {
-    return one_of<int>("time unit", text, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
+    return text.empty() ? 0 : one_of<int>("time unit", text, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
 }
 
 void RowOptions::add_reading() {
@@ -361,14 +356,10 @@ RowsCommand RowOptions::rows_command(const SelectedColumns& selected, stream::Ro
     };
     command.subject = std::make_shared<messages::Subject>(std::move(subject));
     if (command.has_values) {
-        command.values = fmt::format("{}", fmt::join(operands.values, " "));
-        if (!is_row(command.values)) {
-            throw Usage(fmt::format("the VALUEs are not a row of numbers: {}", quoted(command.values)));
-        }
         stream::InputOptions& in = command.options.input;
-        if (operands.values.size() > 1) {
-            in.delimiter = stream::Delimiter::blanks();
-        }
+        auto row = row_of_values(operands.values, in.delimiter);
+        command.values = std::move(row.text);
+        in.delimiter = row.delimiter;
         if (in.header != stream::HeaderMode::add) {
             in.header = stream::HeaderMode::no;
         }

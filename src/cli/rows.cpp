@@ -105,7 +105,9 @@ private:
         }
         const bool is_first = errors_ == 1 && !error.of_reference;
         tell(error.line,
-             messages::explain(error, subject_of(error.of_reference)) + (is_first ? advice_at(error.line) : ""),
+             messages::explain(error, subject_of(error.of_reference)) + (command_->has_values ? messages::mend(error)
+                                                                         : is_first           ? advice_at(error.line)
+                                                                                              : ""),
              error.of_reference);
     }
     void add(const stream::Diagnostic& diagnostic) {

@@ -98,7 +98,7 @@ ConstantTurns constant_turns(TurnedSide side, std::span<const Rotation> unknown,
         const Rotation right = right_turn(unknown, turns.left, known);
         const double moved = angle_of(right * turns.right.inverse());
         turns.right = right;
-        if (moved < 1e-15) {
+        if (moved < 1e-9) { // exact rows are there at once
             break;
         }
     }

@@ -24,7 +24,7 @@ public:
             return std::numeric_limits<double>::quiet_NaN();
         }
         if (text != nullptr) {
-            next_text_ = stream::Decimal::parse(*text).value_or(stream::Decimal());
+            next_text_ = stream::read_time(*text).value;
             return (next_text_ - last_text_).rounded(power_);
         }
         next_ = time;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <limits>
 
@@ -159,6 +160,66 @@ int Decimal::sign_of_sum(std::initializer_list<Term> terms) noexcept {
         --place;
     }
     return sum;
+}
+
+Time read_time(std::string_view text) {
+    using namespace std::chrono;
+    if (auto number = Decimal::parse(text)) {
+        return {*std::move(number)};
+    }
+    text = trimmed(text);
+    std::string form(text); // 0 for any digit
+    std::ranges::replace_if(
+        form, [](char c) { return c >= '0' && c <= '9'; }, '0');
+    const bool is_ordinal = !form.starts_with("0000-00-00");
+    const std::size_t hour = is_ordinal ? 9 : 11;
+    if (is_ordinal && !form.starts_with("0000-000")) {
+        return {.error = TimeError::not_a_time};
+    }
+    if (form.size() < hour || form[hour - 1] == ' ') {
+        return {.error = TimeError::blank};
+    }
+    const bool has_seconds = form.compare(hour, 8, "00:00:00") == 0;
+    const std::size_t end = hour + (has_seconds ? 8 : 5);
+    if (form[hour - 1] != 'T' || !(has_seconds || form.compare(hour, 5, "00:00") == 0)) {
+        return {.error = TimeError::not_a_time};
+    }
+    const bool has_fraction = has_seconds && (form.substr(end, 2) == ".0" || form.substr(end, 2) == ",0");
+    const std::string_view fraction =
+        text.substr(end, has_fraction ? std::min(form.find_first_not_of('0', end + 1), form.size()) - end : 0);
+    const std::string zone = form.substr(end + fraction.size());
+    if (zone.starts_with("+0") || zone.starts_with("-0")) {
+        return {.error = TimeError::offset};
+    }
+    if (!zone.empty() && zone != "Z") {
+        return {.error = TimeError::not_a_time};
+    }
+    if (fraction.starts_with(',')) {
+        return {.error = TimeError::decimal_comma};
+    }
+    const auto number = [&text](std::size_t at, std::size_t size) {
+        unsigned value = 0;
+        std::from_chars(text.data() + at, text.data() + at + size, value);
+        return value;
+    };
+    const year first(static_cast<int>(number(0, 4)));
+    const year_month_day date = is_ordinal ? first / January / 1 : first / month(number(5, 2)) / day(number(8, 2));
+    const days later(is_ordinal ? static_cast<int>(number(5, 3)) - 1 : 0);
+    const unsigned second = has_seconds ? number(hour + 6, 2) : 0;
+    const bool is_date =
+        date.ok() && later >= days(0) && sys_days(date) + later < sys_days((first + years(1)) / January / 1);
+    if (!is_date || number(hour, 2) > 23 || number(hour + 3, 2) > 59 || second > 60) {
+        return {.error = TimeError::no_such_time};
+    }
+    if (second == 60) {
+        return {.error = TimeError::leap_second};
+    }
+    // The fraction goes forward from the second before it, also before 1970.
+    constexpr sys_days origin = year(0) / January / 1;
+    const seconds whole =
+        sys_days(date) + later - origin + hours(number(hour, 2)) + minutes(number(hour + 3, 2)) + seconds(second);
+    static const Decimal from_origin = *Decimal::parse(std::to_string(seconds(sys_days{} - origin).count()));
+    return {*Decimal::parse(std::to_string(whole.count()).append(fraction)) - from_origin};
 }
 
 double Decimal::rounded(int power) const {

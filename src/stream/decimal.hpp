@@ -47,4 +47,25 @@ private:
     std::int64_t point_ = 0; ///< the value is 0.digits_ times 10^point_; 0 for 0
 };
 
+/// What is wrong with a time; `blank`: one in the place of T, or a date alone; `has_unit`: it should be a number.
+enum class TimeError : std::uint8_t {
+    none,
+    not_a_time,
+    blank,
+    offset,
+    decimal_comma,
+    leap_second,
+    no_such_time,
+    has_unit
+};
+
+struct Time {
+    Decimal value{}; ///< in the unit of the text; of ISO 8601 seconds since 1970
+    TimeError error = TimeError::none;
+};
+
+/// A number, or a time of ISO 8601 with a date of the calendar (2026-11-22) or of the year (2026-326), a T and at least
+/// hours and minutes, in UTC with or without Z. As in POSIX there are no leap seconds.
+[[nodiscard]] Time read_time(std::string_view text);
+
 } // namespace rotconv::stream

@@ -10,6 +10,7 @@
 #include <rotconv/reading.hpp>
 
 #include "column_list.hpp"
+#include "decimal.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
@@ -23,6 +24,7 @@ struct RowError {
         missing_column, ///< `found` fields, column `expected` is selected
         open_quote,
         key_order, ///< `text` is a key that does not increase
+        time,      ///< `text` resembles a time, and `time` says what is wrong with it
         attitude,  ///< the numbers describe none: see `error`, `defect`
     };
     std::size_t line = 0;
@@ -32,6 +34,7 @@ struct RowError {
     std::size_t expected = 0;
     Error error = Error::none;
     double defect = 0.0;
+    TimeError time = TimeError::none;
     double norm = 0.0;         ///< of a quaternion; 0 where it is not known
     bool of_reference = false; ///< the line is one of the reference
 };

@@ -50,15 +50,18 @@ void PairReader::Side::take_line() {
 void PairReader::Side::find_key(Waiting& row) {
     parts.clear();
     const auto key_text = reader.key(row.row.line.text, parts);
-    auto key = key_text ? Decimal::parse(*key_text) : std::nullopt;
+    auto key = key_text ? reader.time_of(*key_text) : Time();
     if (!key_text) {
         row.error = std::move(parts.error);
-    } else if (!key) {
-        row.error = RowError{.what = RowError::What::not_a_number, .text = *key_text};
-    } else if (newest && *key <= *newest) {
+    } else if (key.error != TimeError::none) {
+        const bool is_near = key.error != TimeError::not_a_time;
+        row.error = RowError{.what = is_near ? RowError::What::time : RowError::What::not_a_number,
+                             .text = *key_text,
+                             .time = key.error};
+    } else if (newest && key.value <= *newest) {
         row.error = RowError{.what = RowError::What::key_order, .text = *key_text};
     } else {
-        newest = row.key = *std::move(key);
+        newest = row.key = std::move(key.value);
     }
 }
 

@@ -16,7 +16,8 @@ namespace rotconv::stream {
 struct RowNumbers {
     std::vector<std::string> names{}; ///< what its numbers are called; none: that is not yet known
     std::optional<Spec> attitude{}; ///< what the first of them are, after those that are kept, if they are an attitude
-    std::size_t kept = 0;           ///< how many of the first, such as a time or a key, also pass through unchanged
+    std::size_t kept = 0; ///< how many of the first also pass through unchanged: a time or a key, which may be ISO 8601
+    bool has_unit = false; ///< those are numbers in a unit, and ISO 8601 is an error
 };
 
 /// Rows that have their numbers, in the order of the stream.

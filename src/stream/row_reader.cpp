@@ -36,9 +36,18 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
         if (error == NumberError::not_a_number) { // or quoted
             error = read_number(layout_->delimiter.text_of(field), number);
         }
-        if (error != NumberError::none) {
-            to.error = {.what = error == NumberError::too_large ? What::too_large : What::not_a_number,
-                        .text = std::string(field)};
+        TimeError time_error = TimeError::not_a_time;
+        if (error == NumberError::not_a_number && i < options_->numbers.kept) {
+            const Time time = time_of(layout_->delimiter.text_of(field));
+            number = time.value.rounded();
+            time_error = time.error;
+        }
+        if (error != NumberError::none && time_error != TimeError::none) {
+            to.error = {.what = error == NumberError::too_large       ? What::too_large
+                                : time_error == TimeError::not_a_time ? What::not_a_number
+                                                                      : What::time,
+                        .text = std::string(field),
+                        .time = time_error};
             to.numbers.resize(first_number);
             return false;
         }
@@ -47,6 +56,14 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
         to.kept.push_back(layout_->delimiter.text_of(to.fields[first_field + position(i)]));
     }
     return true;
+}
+
+Time RowReader::time_of(std::string_view text) const {
+    Time time = read_time(text);
+    if (time.error == TimeError::none && options_->numbers.has_unit && !is_number(text)) {
+        time.error = TimeError::has_unit;
+    }
+    return time;
 }
 
 std::optional<std::string> RowReader::key(std::string_view row, RowParts& to) const {

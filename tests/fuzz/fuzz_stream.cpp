@@ -59,6 +59,7 @@ fuzz::Reach reach{
         "runs of pairs by key of which many threads had a part",
         "row compared", "failed row under stop", "failed row under nan", "failed row under skip", "header", "added header",
         "blank row", "comment", "row before the header", "byte order mark", "CRLF", "last row without newline", "missing field", "quoted number",
+        "time of ISO 8601",
         "detected delimiter comma", "detected delimiter tab", "detected delimiter semicolon", "detected delimiter blank",
         "given delimiter comma", "given delimiter tab", "given delimiter semicolon", "given delimiter blank",
         "given delimiter character",
@@ -325,6 +326,7 @@ fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowNum
     fuzz::Rules rules;
     rules.inputs = numbers.names.size();
     rules.kept = numbers.kept;
+    rules.has_unit = numbers.has_unit;
     rules.input_names = numbers.names;
     rules.columns = argument_of(words, "--columns");
     rules.delimiter = argument_of(words, "--delimiter");

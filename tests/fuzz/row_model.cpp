@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <regex>
 #include <set>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -178,6 +180,38 @@ std::optional<Key> key_of(const std::string& text, bool& modelled) {
     digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1)); // which would mean octal
     const Key key = Key(digits) * pow(Key(10), static_cast<unsigned>(scale - decimals + power));
     return text.starts_with('-') ? Key(-key) : key;
+}
+
+/// Of a time of ISO 8601 in UTC the seconds since 1970, as they are written; any other text as it is.
+std::string as_number(const std::string& text) {
+    static const std::regex form(R"((\d{4})-(?:(\d{3})|(\d\d)-(\d\d))T(\d\d):(\d\d)(?::(\d\d)(?:\.(\d+))?)?Z?)");
+    std::smatch part;
+    if (!std::regex_match(text, part, form)) {
+        return text;
+    }
+    const auto number = [&part](std::size_t i) { return part[i].matched ? std::stol(part[i].str()) : 0; };
+    const auto leaps = [](long year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; };
+    const std::array<long, 12> months{31, leaps(number(1)) ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    long day = part[2].matched ? number(2) : number(4); // of the year
+    const long last = leaps(number(1)) ? 366 : 365;
+    if (!part[2].matched) {
+        if (number(3) < 1 || number(3) > 12 || day < 1 || day > months.at(static_cast<std::size_t>(number(3) - 1))) {
+            return text;
+        }
+        day = std::accumulate(months.begin(), months.begin() + number(3) - 1, day);
+    }
+    if (day < 1 || day > last || number(5) > 23 || number(6) > 59 || number(7) > 59) {
+        return text;
+    }
+    for (long year = number(1); year != 1970; year += year < 1970 ? 1 : -1) {
+        day += year < 1970 ? (leaps(year) ? -366 : -365) : (leaps(year - 1) ? 366 : 365);
+    }
+    const std::string fraction = part[8].str();
+    const std::string part_of_second = fraction.substr(std::min(fraction.find_first_not_of('0'), fraction.size()));
+    const Key units = (Key(day - 1) * 86400 + number(5) * 3600 + number(6) * 60 + number(7)) *
+                          pow(Key(10), static_cast<unsigned>(fraction.size())) +
+                      (part_of_second.empty() ? Key(0) : Key(part_of_second));
+    return units.str() + "e-" + std::to_string(fraction.size());
 }
 
 bool stands_for_missing(const std::string& text) {
@@ -365,8 +399,9 @@ private:
             if (rules_.by_key) {
                 const bool closed = split(lines_[at].text, delimiter_, fields);
                 double value = 0.0;
-                const std::string text =
-                    closed && positions_[0] < fields.size() ? content(fields[positions_[0]], delimiter_) : "";
+                const std::string text = closed && positions_[0] < fields.size()
+                                             ? as_number(content(fields[positions_[0]], delimiter_))
+                                             : "";
                 key = read(text, value) ? key_of(text, modelled) : std::nullopt;
                 if (key && !rows.empty() && *key <= rows.back().second) {
                     key.reset();
@@ -700,8 +735,12 @@ private:
             }
             const std::string text = content(fields[at], delimiter_);
             const bool has_digits = text.find_first_of("0123456789") != std::string::npos;
-            if (!read(text, numbers[i]) || (std::isinf(numbers[i]) && has_digits)) {
+            const std::string number = i < rules_.kept && !rules_.has_unit ? as_number(text) : text;
+            if (!read(number, numbers[i]) || (std::isinf(numbers[i]) && has_digits)) {
                 return std::nullopt;
+            }
+            if (number != text) {
+                meet("time of ISO 8601");
             }
             texts.push_back(text);
             if (has_quotes(fields[at], delimiter_)) {

@@ -28,6 +28,7 @@ using Calculate = std::function<Answer(const std::vector<double>& numbers, const
 struct Rules {
     std::size_t inputs = 0;
     std::size_t kept = 0;           ///< of them, the first that stay in the row
+    bool has_unit = false;          ///< those are no times of ISO 8601
     std::vector<std::string> names; ///< of the result's columns, those of diagnostics included
     Calculate calculate;
     std::vector<std::string> input_names; ///< of the numbers that are read

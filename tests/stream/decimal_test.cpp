@@ -4,6 +4,8 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -169,4 +171,97 @@ TEST_CASE("decimals are the numbers that are read as such") {
     CHECK(numbers > 10000);
     CHECK_FALSE(Decimal::parse("nan"));
     CHECK_FALSE(Decimal::parse("-inf"));
+}
+
+// Catches days that are counted wrong at the ends of February, of years and of centuries, in any year of four digits:
+// each day is one more than the one before, whether by the month or by the year, and 1970 begins at 0.
+TEST_CASE("times of ISO 8601 count days one by one") {
+    const auto text = [](int value, std::size_t width) {
+        const std::string digits = std::to_string(value);
+        return std::string(width - digits.size(), '0') + digits;
+    };
+    long long day = -719528; // of the year 0 before 1970
+    std::size_t wrong = 0;
+    for (int year = 0; year <= 9999; ++year) {
+        const bool leaps = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+        int of_year = 0;
+        for (int month = 1; month <= 12; ++month) {
+            const int last = month == 2                                                ? (leaps ? 29 : 28)
+                             : (month == 4 || month == 6 || month == 9 || month == 11) ? 30
+                                                                                       : 31;
+            for (int of_month : {1, last}) {
+                const Decimal seconds = decimal(std::to_string(86400 * (day + of_month - 1)));
+                const auto ordinal = text(year, 4) + "-" + text(of_year + of_month, 3) + "T00:00";
+                const auto date = text(year, 4) + "-" + text(month, 2) + "-" + text(of_month, 2) + "T00:00:00Z";
+                wrong += read_time(date).value == seconds && read_time(ordinal).value == seconds ? 0U : 1U;
+            }
+            day += last;
+            of_year += last;
+            const auto none = text(year, 4) + "-" + text(month, 2) + "-" + text(last + 1, 2) + "T00:00";
+            wrong += read_time(none).error == TimeError::no_such_time ? 0U : 1U;
+        }
+        const auto none = text(year, 4) + "-" + text(of_year + 1, 3) + "T00:00";
+        wrong += read_time(none).error == TimeError::no_such_time ? 0U : 1U;
+    }
+    CHECK(wrong == 0);
+    CHECK(read_time("1970-01-01T00:00:00").value == Decimal());
+}
+
+TEST_CASE("times of ISO 8601 are exact, and numbers are themselves") {
+    const auto check = [](const std::string& text, const std::string& seconds) {
+        INFO(text);
+        const Time time = read_time(text);
+        CHECK(time.error == TimeError::none);
+        CHECK(time.value == decimal(seconds));
+    };
+    check("2026-11-22T13:00:00.5Z", "1795352400.5");
+    check(" 2026-326T13:00:00.123456789012345678901 ", "1795352400.123456789012345678901");
+    check("1969-12-31T23:59:59.25", "-0.75");
+    check("2024-02-29T23:59", "1709251140");
+    check("-1.5e3", "-1500");
+    check("20261122", "20261122");
+}
+
+TEST_CASE("what is not read as a time") {
+    using enum TimeError;
+    const std::vector<std::pair<std::string, TimeError>> texts{
+        {"", not_a_time},
+        {"nan", not_a_time},
+        {"2026-11", not_a_time},
+        {"2026-11-2", not_a_time},
+        {"x2026-11-22T13:00", not_a_time},
+        {"2026-11-22T", not_a_time},
+        {"2026-11-22T13", not_a_time},
+        {"2026-11-22T13:0", not_a_time},
+        {"2026-11-22T13:00:0", not_a_time},
+        {"2026-11-22T13:00:00.", not_a_time},
+        {"2026-11-22T13:00:00.5z", not_a_time},
+        {"2026-11-22t13:00:00", not_a_time},
+        {"2026-11-22T13:00.5", not_a_time},
+        {"2026-11-22T13:00:00ZZ", not_a_time},
+        {"2026-3260T13:00:00", not_a_time},
+        {"20261122T130000Z", not_a_time},
+        {"2026-11-22", blank},
+        {"2026-326", blank},
+        {"2026-11-22 13:00:00", blank},
+        {"2026-11-22T13:00:00+00:00", offset},
+        {"2026-11-22T13:00:00.5-08", offset},
+        {"2026-11-22T13:00+0530", offset},
+        {"2026-11-22T13:00:00,5", decimal_comma},
+        {"2026-11-22T13:00:00,5+01:00", offset},
+        {"2026-12-31T23:59:60", leap_second},
+        {"2026-12-31T23:59:60.9Z", leap_second},
+        {"2026-12-31T23:59:61", no_such_time},
+        {"2026-12-31T23:60", no_such_time},
+        {"2026-12-31T24:00", no_such_time},
+        {"2026-13-01T00:00", no_such_time},
+        {"2026-00-01T00:00", no_such_time},
+        {"2026-000T00:00", no_such_time},
+        {"2025-366T00:00", no_such_time},
+        {"2025-02-29T00:00", no_such_time},
+    };
+    for (const auto& [text, error] : texts) {
+        INFO(text);
+        CHECK(read_time(text).error == error);
+    }
 }
