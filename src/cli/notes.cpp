@@ -154,15 +154,14 @@ public:
         return notes;
     }
 
-    /// The size of each number above which its row may have a note: less than the norm of a rotation vector.
-    [[nodiscard]] std::vector<double> largest() const {
-        std::vector<double> sizes;
-        for (const auto& [first, spec] : attitudes_) {
-            for (std::size_t i = first_angle(spec); i < spec.size() && spec.unit == AngleUnit::radians; ++i) {
-                sizes.resize(units_.size(), std::numeric_limits<double>::infinity());
-                sizes[first + i] = most_turns * full_turn / (spec.name == RepresentationId::rotvec ? 2.0 : 1.0);
-            }
-        }
+    /// The size of each number above which its row may have a note: less than the norm of a rotation vector, and one
+    /// for all but keys and times, because that is quickly looked at.
+    [[nodiscard]] std::vector<double> largest(std::size_t kept) const {
+        const bool has_radians = std::ranges::any_of(attitudes_, [](const auto& attitude) {
+            return first_angle(attitude.second) < attitude.second.size() && attitude.second.unit == AngleUnit::radians;
+        });
+        std::vector<double> sizes(has_radians ? units_.size() : 0, most_turns * full_turn / 2.0);
+        std::fill_n(sizes.begin(), std::min(kept, sizes.size()), std::numeric_limits<double>::infinity());
         return sizes;
     }
 
@@ -204,7 +203,7 @@ private:
 
 void add_notes(stream::InputOptions& input, const ReadAs& reading) {
     const Notes notes(input, reading);
-    input.largest = notes.largest();
+    input.largest = notes.largest(input.numbers.kept);
     input.notes_of = notes;
 }
 

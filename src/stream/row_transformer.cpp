@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 namespace rotconv::stream {
+namespace {
+
+constexpr double any_size = std::numeric_limits<double>::infinity();
+
+} // namespace
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout),
@@ -19,12 +24,11 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
     if (reference_layout != nullptr) {
         reference_reader_.emplace(options.pairing->reference, *reference_layout);
     }
-    constexpr double any = std::numeric_limits<double>::infinity();
     largest_ = options.input.largest;
     if (reference_layout != nullptr && !(largest_.empty() && options.pairing->reference.largest.empty())) {
-        largest_.resize(layout.count, any);
+        largest_.resize(layout.count, any_size);
         std::ranges::copy(options.pairing->reference.largest, std::back_inserter(largest_));
-        largest_.resize(layout.count + reference_layout->count, any);
+        largest_.resize(layout.count + reference_layout->count, any_size);
     }
 }
 
@@ -181,16 +185,18 @@ std::size_t RowTransformer::answer(bool flush) {
 }
 
 void RowTransformer::look_for_notes() {
-    std::uint64_t beyond = 0; // bits, because compilers vectorise those
-    const std::size_t size = largest_.size();
-    for (std::size_t i = 0; i < size; ++i) {
-        const double largest = largest_[i];
-        for (std::size_t at = i; largest < std::numeric_limits<double>::max() && at < parts_.numbers.size();
-             at += size) {
-            beyond |= std::abs(parts_.numbers[at]) > largest ? 1U : 0U;
-        }
+    const std::span<const double> numbers = parts_.numbers;
+    const bool is_uniform = std::ranges::adjacent_find(largest_, std::not_equal_to{}) == largest_.end();
+    if (is_uniform) { // without keys: a fifth of the time
+        may_have_notes_ = !largest_.empty() && std::ranges::any_of(numbers, [size = largest_.front()](double number) {
+            return std::abs(number) > size;
+        });
+        return;
     }
-    may_have_notes_ = beyond != 0;
+    may_have_notes_ = false;
+    for (std::size_t i = 0; i < numbers.size() && !may_have_notes_; ++i) {
+        may_have_notes_ = std::abs(numbers[i]) > largest_[i % largest_.size()];
+    }
 }
 
 void RowTransformer::tell_notes(const Row& row, Output& output) {
@@ -209,7 +215,7 @@ void RowTransformer::tell_notes(const Row& row, Output& output) {
             note.line = of_reference ? row.reference_number : row.number;
             note.of_reference = of_reference;
             output.events.emplace_back(std::move(note));
-            std::ranges::fill(largest, std::numeric_limits<double>::infinity()); // one is enough
+            std::ranges::fill(largest, any_size); // one is enough
         }
     }
 }
