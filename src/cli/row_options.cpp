@@ -201,8 +201,7 @@ void RowOptions::add_reading() {
     set.begin_group("Columns");
     set.add("--columns", columns, "LIST", "The columns to read: indices from 1, ranges such as 5-8, or names");
     set.add("--header", header_, "MODE", "Header of the input: auto (default), yes, no, or add (none; print one)");
-    set.add("--comment", comment_, "PREFIX",
-            "What lines that are not rows begin with (default #); none: there are none");
+    set.add("--comment", comment_, "PREFIX", "What comments begin with (default #); none: there are none");
     set.add("--delimiter", delimiter_, "D", "What separates fields: a character, or comma, tab, semicolon, blank");
     set.add("-i,--input", input, "FILE", "Read FILE; - is standard input");
     set.add("--input-format", input_format, "FORMAT", "csv (default), which is text, or f64, little-endian doubles");
