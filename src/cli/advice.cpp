@@ -54,9 +54,6 @@ template <class Edit> std::string edited(const std::vector<stream::Line>& lines,
     return text;
 }
 
-/// A line that is neither blank nor a comment.
-bool counts(std::string_view line) { return !stream::is_blank(line) && !stream::is_comment(line); }
-
 /// Reads the rows' numbers, for reads().
 class Nothing final : public stream::RowOperation {
 public:
@@ -96,7 +93,7 @@ std::string advice_on_width(std::string_view text, const std::vector<stream::Lin
         return {};
     }
     std::size_t header = row > at ? at + 1 : at; // after the header, so far
-    while (header > 0 && !counts(lines[header - 1].text)) {
+    while (header > 0 && !input.is_row(lines[header - 1].text)) {
         --header;
     }
     const Fields names = header > 0 ? split(lines[header - 1].text, input) : Fields();
@@ -159,7 +156,7 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
     }
     const auto lines = lines_of(beginning);
     const auto is_first_row = [&input](const stream::Line& each) {
-        return counts(each.text) && is_row(split(each.text, input));
+        return input.is_row(each.text) && is_row(split(each.text, input));
     };
     const auto row = static_cast<std::size_t>(std::ranges::find_if(lines, is_first_row) - lines.begin());
     const std::size_t at = line - 1;
@@ -176,8 +173,13 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
     const auto offer_lines = [&](const auto& edit, const std::string& command) { offer(edited(lines, edit), command); };
     const std::string_view text = lines[at].text;
     const std::string name = file == "-" ? "" : " " + file_in_shell(file);
-    for (const std::string_view mark : {"//", "%"}) {
+    for (const std::string_view mark : {"//", "%", "COMMENT"}) {
         if (text.starts_with(mark)) {
+            stream::InputOptions with_comment = input;
+            with_comment.comment = mark;
+            if (found.empty() && reads(beginning, std::move(with_comment))) {
+                found = fmt::format("lines that begin with {} are not rows: add --comment {}", mark, in_shell(mark));
+            }
             offer_lines([mark](auto each) { return each.starts_with(mark) ? std::nullopt : std::optional(each); },
                         fmt::format("to leave out lines that begin with {}: grep -v '^{}'{}", mark, mark, name));
             offer_lines(

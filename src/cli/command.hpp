@@ -65,6 +65,7 @@ struct RowsCommand {
     std::string values{};                     ///< the VALUEs as one row
     std::string reference{};                  ///< the stream with which the rows are paired; see stream::Pairing
     messages::Subject reference_subject{};    ///< what the rows of the reference are
+    std::vector<stream::Note> notes{};        ///< of the command line
     std::shared_ptr<Conclusion> conclusion{}; ///< null: the rows are all there is
 };
 

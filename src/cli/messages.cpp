@@ -117,8 +117,7 @@ std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
 
 std::string other_order(std::string_view list, const Spec& from, const std::vector<std::string_view>& order,
                         const std::optional<Spec>& right) {
-    return fmt::format("{} is not the order of {}, which is {}{} (if the file is mislabelled, select by index)",
-                       quoted(list), from.text(), fmt::join(order, ","),
+    return fmt::format("{} is not the order of {}, which is {}{}", quoted(list), from.text(), fmt::join(order, ","),
                        right ? fmt::format("; it is the order of {}", right->text()) : "");
 }
 
@@ -254,6 +253,7 @@ std::string explain(const stream::StreamError& error, const Subject& subject) {
         return fmt::format("the line is longer than {} MiB", stream::IoBlockReader::longest_line >> 20U);
     case What::json: return "the input looks like JSON";
     case What::far_key: return "the row cannot be paired: too many comments and failed rows stand before the next key";
+    case What::names: return error.wrong;
     case What::count: return fmt::format("{}: {}", error.wrong, quoted(error.column.text));
     case What::columns: return explain(error.column, subject);
     }

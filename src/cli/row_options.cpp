@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -61,10 +62,8 @@ void refuse_other_order(const SelectedColumns& columns, const stream::InputOptio
     auto names = input.columns.names();
     names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(input.numbers.kept)); // such as a key
     names.resize(std::min(names.size(), spec->size()));
-    const auto order = name_order(*spec);
-    if (names != order && std::ranges::is_permutation(names, order)) {
-        throw Usage(fmt::format("{} {}", columns.option,
-                                messages::other_order(columns.list, *spec, order, spec_in_order(*spec, names))));
+    if (const std::string wrong = wrong_order(*spec, names, columns.list); !wrong.empty()) {
+        throw Usage(fmt::format("{} {} (if the file is mislabelled, select by index)", columns.option, wrong));
     }
 }
 
@@ -111,6 +110,13 @@ std::string no_rotation(std::string_view option, const std::string& text, const 
 }
 
 } // namespace
+
+std::string wrong_order(const Spec& spec, const std::vector<std::string_view>& names, std::string_view list) {
+    const auto order = name_order(spec);
+    return names != order && std::ranges::is_permutation(names, order)
+               ? messages::other_order(list, spec, order, spec_in_order(spec, names))
+               : std::string();
+}
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     if (text.empty()) {
@@ -209,6 +215,7 @@ void RowOptions::add_reading() {
     set.begin_group("Columns");
     set.add("--columns", columns, "LIST", "The columns to read: indices from 1, ranges such as 5-8, or names");
     set.add("--header", header_, "MODE", "Header of the input: auto (default), yes, no, or add (none; print one)");
+    set.add("--comment", comment_, "PREFIX", "What comments begin with (default #); none: there are none");
     set.add("--delimiter", delimiter_, "D", "What separates fields: a character, or comma, tab, semicolon, blank");
     set.add("-i,--input", input, "FILE", "Read FILE; - is standard input");
     set.add("--input-format", input_format, "FORMAT", "csv (default), which is text, or f64, little-endian doubles");
@@ -287,7 +294,7 @@ std::size_t RowOptions::width_of(const stream::InputOptions& in) const {
 
 /// How one stream is read, or the VALUEs.
 stream::InputOptions RowOptions::input_of(const SelectedColumns& selected, stream::RowNumbers numbers,
-                                          const messages::Subject& subject, bool has_values) const {
+                                          const messages::Subject& subject, bool has_values, bool refuses) const {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
     in.header = one_of<HeaderMode>(
@@ -307,14 +314,24 @@ stream::InputOptions RowOptions::input_of(const SelectedColumns& selected, strea
         const std::size_t keys = selected.key.empty() ? 0 : 1;
         static_cast<void>(parse(selected.list, count - keys, selected.option, subject)); // for its message
         in.columns = parse(selected.all(), count, selected.option, subject);
-        refuse_other_order(selected, in);
+        if (refuses) {
+            refuse_other_order(selected, in);
+        }
     }
     const bool headless = in.header == HeaderMode::no || in.header == HeaderMode::add;
     if (in.columns.has_names() && (headless || has_values)) {
         throw Usage("--columns selects by name, but there is no header with names; use indices");
     }
     in.width = has_values ? 0 : width_of(in);
+    in.comment = has_values || comment_ == "none" ? "" : comment_;
+    add_notes(in, {.degrees = degrees, .time_unit = argument_of("--time-unit"), .refuses = refuses});
     return in;
+}
+
+std::string RowOptions::argument_of(std::string_view option) const {
+    const auto& all = set.all();
+    const auto found = std::ranges::find(all, option, &Option::name);
+    return found == all.end() ? std::string() : *std::get<std::string*>(found->value);
 }
 
 SelectedColumns RowOptions::columns_of_file(const PairingOptions& pairing, const Operands& operands) const {
@@ -339,7 +356,7 @@ RowsCommand RowOptions::rows_command(const SelectedColumns& selected, stream::Ro
     command.output = output_;
     const auto threads = static_cast<std::size_t>(count_of("--threads", threads_, 1 << 20U));
     command.options = {
-        .input = input_of(selected, std::move(numbers), subject, command.has_values),
+        .input = input_of(selected, numbers, subject, command.has_values, numbers.attitude.has_value()),
         .operation = std::move(operation),
         .format = one_of<stream::Format>("format", format.empty() ? "csv" : format,
                                          {{"csv", stream::Format::csv},
@@ -354,6 +371,11 @@ RowsCommand RowOptions::rows_command(const SelectedColumns& selected, stream::Ro
         .threads = threads > 0 ? threads : stream::processors(),
         .describe = messages::describe,
     };
+    for (const char* option : {"--left", "--right", "--initial"}) {
+        if (const std::string text = argument_of(option); !text.empty()) {
+            std::ranges::move(notes_of_attitude(option, text, degrees), std::back_inserter(command.notes));
+        }
+    }
     command.subject = std::make_shared<messages::Subject>(std::move(subject));
     if (command.has_values) {
         stream::InputOptions& in = command.options.input;
@@ -374,7 +396,8 @@ void RowOptions::pair(RowsCommand& command, const PairingOptions& pairing, strea
                   .option = pairing.reference_columns.empty() ? "--columns (of REFERENCE too)" : "--reference-columns"},
                  "--reference-key", pairing.key.empty() ? "" : or_else(pairing.reference_key, pairing.key));
     stream::Pairing& pairs = command.options.pairing.emplace();
-    pairs.reference = input_of(selected, std::move(numbers), subject, false);
+    const bool refuses = command.options.input.numbers.attitude.has_value(); // identify does not
+    pairs.reference = input_of(selected, std::move(numbers), subject, false, refuses);
     pairs.by_key = !pairing.key.empty();
     if (!pairing.key_within.empty()) {
         static_cast<void>(amount_of("--key-within", pairing.key_within, 0.0, false));

@@ -31,6 +31,9 @@ template <class Value> Value one_of(std::string_view what, std::string_view text
 }
 
 [[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
+/// What is wrong with canonical names, written as the list, in another order than the SPEC's; otherwise empty.
+[[nodiscard]] std::string wrong_order(const Spec& spec, const std::vector<std::string_view>& names,
+                                      std::string_view list);
 /// Refuses a SPEC whose numbers have no rates.
 void require_rates(std::string_view option, const Spec& spec);
 /// The attitude of "SPEC: NUMBERS".
@@ -43,6 +46,20 @@ void require_rates(std::string_view option, const Spec& spec);
 [[nodiscard]] Frame frame_of(const std::string& text);
 /// The power of ten of the seconds in a unit of time.
 [[nodiscard]] int time_power_of(const std::string& text);
+
+// What the input says of its numbers against how they are read: names and units in a header, large angles; in
+// notes.cpp.
+
+/// How a command takes numbers, beside their SPEC.
+struct ReadAs {
+    bool degrees = false; ///< -d: angular velocities too
+    std::string time_unit{};
+    bool refuses = true; ///< names in another order end the run, unless --columns selects
+};
+void add_notes(stream::InputOptions& input, const ReadAs& reading);
+/// The same for an option's "SPEC: NUMBERS", which has been read.
+[[nodiscard]] std::vector<stream::Note> notes_of_attitude(std::string_view option, const std::string& text,
+                                                          bool degrees);
 
 inline constexpr int widest_row = 100'000; ///< doubles
 
@@ -102,9 +119,12 @@ private:
     [[nodiscard]] stream::Digits digits() const;
     [[nodiscard]] std::size_t width_of(const stream::InputOptions& in) const;
     [[nodiscard]] stream::InputOptions input_of(const SelectedColumns& selected, stream::RowNumbers numbers,
-                                                const messages::Subject& subject, bool has_values) const;
+                                                const messages::Subject& subject, bool has_values, bool refuses) const;
+    /// What was given; empty if the command does not have the option.
+    [[nodiscard]] std::string argument_of(std::string_view option) const;
 
     std::string output_ = "-";
+    std::string comment_ = "#";
     std::string delimiter_;
     std::string header_ = "auto";
     std::string on_error_ = "stop";

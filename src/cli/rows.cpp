@@ -81,7 +81,26 @@ public:
         }
     }
 
+    void add(const stream::Note& note) {
+        const auto is_same = [&note](const auto& told) {
+            return told.kind == note.kind && told.of_reference == note.of_reference;
+        };
+        if (std::ranges::any_of(notes_, is_same)) {
+            return;
+        }
+        notes_.push_back(note);
+        if (command_->diagnostics == ShowDiagnostics::off) {
+            return;
+        }
+        if (note.line == 0) {
+            print_error(note.text);
+        } else {
+            tell(note.kind == stream::Note::Kind::comments ? 0 : note.line, note.text, note.of_reference);
+        }
+    }
+
     [[nodiscard]] std::size_t errors() const noexcept { return errors_; }
+    [[nodiscard]] bool has_notes() const noexcept { return !notes_.empty(); }
     [[nodiscard]] std::size_t beyond() const { return count_of_beyond().rows; }
     [[nodiscard]] std::size_t first_beyond() const { return count_of_beyond().first.line; }
     /// Any kind but normalized.
@@ -153,6 +172,7 @@ private:
     std::string reference_;
     std::string beginning_;                                 ///< of the input
     std::array<Count, 2 * diagnostic_kind_count> counts_{}; ///< of the input, and of the reference
+    std::vector<stream::Note> notes_;                       ///< one of each kind
     std::size_t errors_ = 0;
 };
 
@@ -239,6 +259,7 @@ ExitCode run_rows(const RowsCommand& command) {
     Progress progress(*inputs.front(), !on_screen);
     stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : progress;
     Reporter reporter(command, other == nullptr && command.options.on_error == stream::OnError::nan);
+    std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
     const auto report = [&reporter](const stream::Event& event) { reporter.add(event); };
     stream::Source* const reference = inputs.size() > 1 ? inputs.back().get() : nullptr;
     const stream::RunResult ending = stream::run(source, sink, command.options, report, reference);
@@ -254,7 +275,7 @@ ExitCode run_rows(const RowsCommand& command) {
     }
     progress.clear();
     const bool is_whole = !ending.error && !ending.stopped;
-    const bool strict = command.strict && reporter.met_singularity();
+    const bool strict = command.strict && (reporter.met_singularity() || reporter.has_notes());
     RowsResult result{.code = !is_whole                         ? ExitCode::incomplete
                               : reporter.errors() > 0 || strict ? ExitCode::completed_with_failures
                                                                 : ExitCode::done,

@@ -49,6 +49,7 @@ stream::RowNumbers comparison_numbers(const Comparison& comparison, const Compar
     stream::RowNumbers numbers = attitude_numbers(comparison.from(), rows.by_key);
     if (!rows.paired) {
         numbers.names = joined(numbers.names, names_of(comparison.reference()));
+        numbers.second = comparison.reference();
     }
     return numbers;
 }

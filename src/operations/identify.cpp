@@ -50,6 +50,7 @@ stream::RowNumbers identification_numbers(const IdentificationRows& rows) {
     }
     if (!rows.paired && rows.count > 0) {
         numbers.names = joined(numbers.names, names_of(rows.known));
+        numbers.second = rows.known;
     }
     return numbers;
 }

@@ -53,7 +53,17 @@ struct FirstBytes {
     std::string text;
 };
 
-using Event = std::variant<RowError, Diagnostic, FirstBytes>;
+/// What the input says of its numbers that is at odds with how they are read, in words. Each kind is told once.
+struct Note {
+    enum class Kind : std::uint8_t { order, unit, time_unit, angle, comments };
+    Kind kind = Kind::order;
+    std::string text;
+    bool ends_run = false;     ///< it is an error
+    std::size_t line = 0;      ///< 0: it is about the command line
+    bool of_reference = false; ///< the line is one of the reference
+};
+
+using Event = std::variant<RowError, Diagnostic, FirstBytes, Note>;
 
 /// What a block of rows became: bytes to write and then events to report, both in the order of the rows.
 struct Output {
@@ -84,6 +94,7 @@ struct StreamError {
         line_too_long, ///< line `line`
         partial_row,   ///< the input ends in row `line`, which begins at byte `offset`
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
+        names,         ///< those in the header at `line` are at odds with how the columns are read; `wrong` says how
         count,         ///< of the fields in the row at `line`, which is `column.text`; `wrong` says why
         json,          ///< the input begins with JSON
         far_key,       ///< too much stands between the row at `line` and the next key, on which its partner depends

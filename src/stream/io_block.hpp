@@ -31,12 +31,6 @@ struct Line {
 /// Nothing but blanks.
 [[nodiscard]] bool is_blank(std::string_view line) noexcept;
 
-/// Begins with '#'.
-[[nodiscard]] inline bool is_comment(std::string_view line) noexcept { return line.starts_with('#'); }
-
-/// Neither blank nor a comment.
-[[nodiscard]] inline bool is_row(std::string_view line) noexcept { return !is_comment(line) && !is_blank(line); }
-
 /// Whole lines as they came in one read, each with its line end except perhaps the last of the stream.
 struct IoBlock {
     Buffer bytes;          ///< room, used again

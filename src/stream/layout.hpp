@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "delimiter.hpp"
+#include "event.hpp"
 #include "json.hpp"
 #include "number_text.hpp"
 
@@ -18,7 +19,7 @@ namespace rotconv::stream {
 struct Layout {
     Delimiter delimiter = Delimiter::blanks();
     std::size_t count = 0;       ///< numbers of a row
-    std::size_t field_count = 0; ///< of the first data row
+    std::size_t field_count = 0; ///< of the first data row; 0 before it
     /// Positions of the selected fields, in the order of the operation's numbers; empty where --columns selects none
     /// and a row is its numbers.
     std::vector<std::size_t> positions{};
@@ -26,6 +27,7 @@ struct Layout {
     bool appends = false;                ///< nothing is replaced: the result stands at the end
     JsonKeys keys{};                     ///< of the other fields, under Format::json
     std::string line_end = "\n";         ///< for a last row that has none
+    std::vector<Note> notes{};           ///< of the header and the first row, or of comments alone
 
     /// The numbers stand in the chosen fields, or are the whole row where none is chosen; the first `kept` of them are
     /// not replaced.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,6 +16,7 @@
 #include "decimal.hpp"
 #include "delimiter.hpp"
 #include "event.hpp"
+#include "io_block.hpp"
 #include "number_text.hpp"
 #include "row_operation.hpp"
 
@@ -32,6 +34,14 @@ enum class Format : std::uint8_t {
 
 enum class OnError : std::uint8_t { stop, nan, skip };
 
+/// What the input says of its numbers: one of these at a time.
+struct Said {
+    std::vector<std::string> names{};  ///< those of the selected columns in the header
+    std::span<const double> numbers{}; ///< those of a row...
+    bool is_first = false;             ///< ...which is the first
+    std::string_view comment{};        ///< the first of a stream that has no row
+};
+
 /// How the rows of a stream are read.
 struct InputOptions {
     RowNumbers numbers{};
@@ -39,10 +49,19 @@ struct InputOptions {
     std::optional<Delimiter> delimiter{}; ///< nothing: that of the first data row
     std::size_t width = 0;                ///< doubles of a row of binary input; 0: the input is text
     HeaderMode header = HeaderMode::automatic;
+    std::string comment = "#"; ///< what comments begin with; empty: there are none
     bool refuses_json = false; ///< a first row that is JSON ends the run
     /// Where the numbers are not yet known: of the count of fields of the first row, the count of numbers, or what is
     /// wrong with it.
     std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};
+    /// What is to be told of the header, the first row, a row beyond `largest`, or comments alone.
+    std::function<std::vector<Note>(const Said& said)> notes_of{};
+    std::vector<double> largest{}; ///< the greatest size of each number that needs no note; none: no row is looked at
+
+    [[nodiscard]] bool is_comment(std::string_view line) const noexcept {
+        return !comment.empty() && !line.empty() && line.front() == comment.front() && line.starts_with(comment);
+    }
+    [[nodiscard]] bool is_row(std::string_view line) const noexcept { return !is_comment(line) && !is_blank(line); }
 };
 
 /// How the rows of two streams are paired. The operation gets the numbers of a row and then those of its partner.

@@ -38,7 +38,7 @@ void PairReader::Side::take_line() {
     Waiting next{.row = {.number = line++}, .text = text};
     Row& row = next.row;
     row.line = next_row(rest, options->width);
-    row.passes = options->width == 0 && !is_row(row.line.text);
+    row.passes = options->width == 0 && !options->is_row(row.line.text);
     if (!row.passes && by_key) {
         find_key(next);
     }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "row_reader.hpp"
 #include "row_writer.hpp"
 
 namespace rotconv::stream {
@@ -32,7 +33,7 @@ bool has_decimal_comma(std::string text) noexcept {
 
 /// Lines of other programs that may look like a header: remarks after // or %, COMMENT, KEY = value, FMT.
 bool is_remark(const HeaderLine& row) noexcept {
-    const std::string_view text = row.line.text;
+    const std::string_view text = row.prefix.empty() ? row.line.text : "";
     const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
     return text.starts_with("//") || text.starts_with('%') || first == "FMT" || first == "COMMENT" ||
            std::ranges::any_of(row.fields, [](auto field) { return trimmed(field) == "="; });
@@ -83,7 +84,7 @@ public:
                 continue;
             }
             // A comment is split by the delimiter of the data, so that prose is not taken for names.
-            auto found = find_names(lines_[i], is_comment(lines_[i].text) ? delimiter : std::nullopt);
+            auto found = find_names(lines_[i], options_.is_comment(lines_[i].text) ? delimiter : std::nullopt);
             if (has_all(found.second)) {
                 last = std::move(found);
                 at = i;
@@ -165,14 +166,14 @@ private:
 
     /// The last comment; an empty line where there is none.
     [[nodiscard]] Line last_comment() const {
-        const auto found =
-            std::find_if(lines_.rbegin(), lines_.rend(), [](const Line& line) { return is_comment(line.text); });
+        const auto found = std::find_if(lines_.rbegin(), lines_.rend(),
+                                        [this](const Line& line) { return options_.is_comment(line.text); });
         return found == lines_.rend() ? Line{} : *found;
     }
 
     /// The last comment, if it is the header of a row; under HeaderMode::yes as many fields are enough.
     [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
-        HeaderLine header(last_comment(), row.delimiter);
+        HeaderLine header(last_comment(), row.delimiter, options_.comment);
         auto names = selected(header);
         if (header.line.text.empty() || !header.is_closed || header.fields.size() != row.fields.size() || !names) {
             return std::nullopt;
@@ -209,7 +210,7 @@ private:
             }
         }
         for (;; tried.pop_back()) {
-            HeaderLine header(line, tried.back());
+            HeaderLine header(line, tried.back(), options_.comment);
             auto found = options_.columns.positions(is_remark(header) ? std::vector<std::string>() : header.names());
             if (has_all(found) || tried.size() == 1) {
                 return {std::move(header), std::move(found)};
@@ -222,7 +223,7 @@ private:
         const HeaderLine row(line, delimiter_of(line.text));
         ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);
         column.text = line.text;
-        const HeaderLine above(last_comment(), row.delimiter);
+        const HeaderLine above(last_comment(), row.delimiter, options_.comment);
         for (const HeaderLine* header : {&row, &above}) {
             if (header->is_closed && header->fields.size() == row.fields.size() && !is_remark(*header) &&
                 std::ranges::none_of(header->names(), is_number)) {
@@ -239,9 +240,11 @@ private:
 
 } // namespace
 
-HeaderLine::HeaderLine(const Line& line_, Delimiter delimiter_) : line(line_), delimiter(delimiter_) {
+HeaderLine::HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view comment)
+    : line(line_), delimiter(delimiter_) {
+    const bool is_comment = !comment.empty() && line.text.starts_with(comment);
     const std::size_t size =
-        is_comment(line.text) ? std::min(line.text.find_first_not_of(" \t", 1), line.text.size()) : 0;
+        is_comment ? std::min(line.text.find_first_not_of(" \t", comment.size()), line.text.size()) : 0;
     prefix = line.text.substr(0, size);
     is_closed = delimiter.split(line.text.substr(size), fields);
 }
@@ -280,13 +283,20 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
     if (!has_row_ && options_->width > 0 && !rest.empty()) {
         layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
         layout_.field_count = options_->width;
+        hear_numbers(rest.substr(0, options_->width * sizeof(double)), line);
         begin_rows(output);
     }
     while (!has_row_ && !rest.empty()) {
         std::string_view after = rest;
         const Line current = next_line(after);
         const std::string_view whole = rest.substr(0, rest.size() - after.size());
-        bool is_data = is_row(current.text);
+        bool is_data = options_->is_row(current.text);
+        if (is_data) {
+            std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
+            only_comments_ = false;
+        } else if (only_comments_ && layout_.notes.empty() && options_->is_comment(current.text)) {
+            hear({.comment = current.text}, line);
+        }
         if (!header_done_) {
             hold(whole);
             is_data = is_data && follow(decide(lines(), *options_, false), output);
@@ -329,7 +339,7 @@ void Preamble::finish(Output& output, bool at_end) {
 void Preamble::hold(std::string_view line) {
     const std::size_t begin = held_.size();
     held_.append(line);
-    if (is_comment(line)) {
+    if (options_->is_comment(line)) {
         comment_begin_ = begin;
         comment_end_ = held_.size();
     }
@@ -361,6 +371,12 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
     if (beginning.header) {
         const HeaderLine& header = *beginning.header;
         const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
+        hear_names(header, held_line_ + static_cast<std::size_t>(std::count(
+                                            held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(begin), '\n')));
+        if (error_) {
+            held_.clear();
+            return false;
+        }
         pass(std::string_view(held_).substr(0, begin), output);
         if (is_written()) {
             write_header(output.bytes, *written_, layout_, header);
@@ -403,6 +419,42 @@ void Preamble::limit(Output& output) {
     }
 }
 
+void Preamble::hear(const Said& said, std::size_t line) {
+    if (!options_->notes_of) {
+        return;
+    }
+    for (Note& note : options_->notes_of(said)) {
+        note.line = line;
+        if (note.ends_run) {
+            error_ = StreamError{.what = StreamError::What::names, .line = line, .wrong = std::move(note.text)};
+        } else {
+            layout_.notes.push_back(std::move(note));
+        }
+    }
+}
+
+void Preamble::hear_names(const HeaderLine& header, std::size_t line) {
+    Said said{.names = header.names()};
+    if (!layout_.positions.empty()) {
+        std::vector<std::string> all = std::exchange(said.names, {});
+        for (const std::size_t position : layout_.positions) {
+            if (position < all.size()) {
+                said.names.push_back(all[position]);
+            }
+        }
+    }
+    if (said.names.size() == layout_.count) {
+        hear(said, line);
+    }
+}
+
+void Preamble::hear_numbers(std::string_view row, std::size_t line) {
+    RowParts parts;
+    if (!options_->largest.empty() && RowReader(*options_, layout_).read(row, parts)) {
+        hear({.numbers = parts.numbers, .is_first = true}, line);
+    }
+}
+
 void Preamble::take_layout(const Line& row, std::size_t number) {
     layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(row.text));
     layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
@@ -418,6 +470,7 @@ void Preamble::take_layout(const Line& row, std::size_t number) {
             layout_.select({}, std::get<std::size_t>(taken), options_->numbers.kept);
         }
     }
+    hear_numbers(row.text, number);
 }
 
 void Preamble::begin_rows(Output& output) {

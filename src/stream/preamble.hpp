@@ -12,15 +12,15 @@
 
 namespace rotconv::stream {
 
-/// A line as a header: its fields, behind a '#' and blanks if it has them.
+/// A line as a header: its fields, behind the mark of a comment and blanks if it has them.
 struct HeaderLine {
-    HeaderLine(const Line& line_, Delimiter delimiter_);
+    HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view comment = {});
 
     [[nodiscard]] std::string name(std::size_t at) const;
     [[nodiscard]] std::vector<std::string> names() const;
 
     Line line;
-    std::string_view prefix; ///< the '#' and the blanks before the first name
+    std::string_view prefix; ///< the mark and the blanks before the first name
     Delimiter delimiter;
     std::vector<std::string_view> fields;
     bool is_closed; ///< no quote is left open
@@ -70,6 +70,11 @@ private:
     void release(std::size_t bytes, Output& output);
     /// Lets go of what has waited for too long.
     void limit(Output& output);
+    /// Adds what is to be told of it, or ends the run.
+    void hear(const Said& said, std::size_t line);
+    void hear_names(const HeaderLine& header, std::size_t line);
+    /// The same of the first row's numbers.
+    void hear_numbers(std::string_view row, std::size_t line);
     /// The layout becomes that of the first row.
     void take_layout(const Line& row, std::size_t number);
     /// The layout is final.
@@ -81,6 +86,7 @@ private:
     std::optional<StreamError> error_;
     bool header_done_;
     bool has_row_ = false;
+    bool only_comments_ = true; ///< and blank rows, so far
     std::string held_;
     std::size_t held_line_ = 1;     ///< the number of the first line that is held
     std::size_t comment_begin_ = 0; ///< where the last comment among them stands

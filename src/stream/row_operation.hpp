@@ -16,6 +16,7 @@ namespace rotconv::stream {
 struct RowNumbers {
     std::vector<std::string> names{}; ///< what its numbers are called; none: that is not yet known
     std::optional<Spec> attitude{}; ///< what the first of them are, after those that are kept, if they are an attitude
+    std::optional<Spec> second{};   ///< what the last of them are, if they are an attitude too
     std::size_t kept = 0; ///< how many of the first also pass through unchanged: a time or a key, which may be ISO 8601
     bool has_unit = false; ///< those are numbers in a unit, and ISO 8601 is an error
 };

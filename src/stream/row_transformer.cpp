@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 namespace rotconv::stream {
+namespace {
+
+constexpr double any_size = std::numeric_limits<double>::infinity();
+
+} // namespace
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout),
@@ -16,6 +23,12 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
       nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {
     if (reference_layout != nullptr) {
         reference_reader_.emplace(options.pairing->reference, *reference_layout);
+    }
+    largest_ = options.input.largest;
+    if (reference_layout != nullptr && !(largest_.empty() && options.pairing->reference.largest.empty())) {
+        largest_.resize(layout.count, any_size);
+        std::ranges::copy(options.pairing->reference.largest, std::back_inserter(largest_));
+        largest_.resize(layout.count + reference_layout->count, any_size);
     }
 }
 
@@ -104,8 +117,8 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
             output.answered += end - next;
             next = end;
         };
-        while (next_report_ < reports_.size() && !output.stopped) {
-            write_clean(reports_[next_report_].row);
+        while ((may_have_notes_ ? next < rows : next_report_ < reports_.size()) && !output.stopped) {
+            write_clean(may_have_notes_ ? next : reports_[next_report_].row);
             Row row{.line = {text.substr(next * row_size, row_size), {}}, .number = line + next, .index = next};
             write_row(row, output);
             ++next;
@@ -127,7 +140,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
         Row& row = rows_.emplace_back();
         row.line = next_row(text, width);
         row.number = line++;
-        row.passes = width == 0 && !is_row(row.line.text);
+        row.passes = width == 0 && !options_->input.is_row(row.line.text);
         if (!row.passes) {
             read(row);
         }
@@ -166,8 +179,45 @@ void RowTransformer::read(Row& row) {
 }
 
 std::size_t RowTransformer::answer(bool flush) {
+    look_for_notes();
     results_.resize(lines_.size() * operation_->answers_of_row() * operation_->names.size());
     return operation_->run_ahead({parts_.numbers, lines_, parts_.kept}, flush, results_, reports_);
+}
+
+void RowTransformer::look_for_notes() {
+    const std::span<const double> numbers = parts_.numbers;
+    const bool is_uniform = std::ranges::adjacent_find(largest_, std::not_equal_to{}) == largest_.end();
+    if (is_uniform) { // without keys: a fifth of the time
+        may_have_notes_ = !largest_.empty() && std::ranges::any_of(numbers, [size = largest_.front()](double number) {
+            return std::abs(number) > size;
+        });
+        return;
+    }
+    may_have_notes_ = false;
+    for (std::size_t i = 0; i < numbers.size() && !may_have_notes_; ++i) {
+        may_have_notes_ = std::abs(numbers[i]) > largest_[i % largest_.size()];
+    }
+}
+
+void RowTransformer::tell_notes(const Row& row, Output& output) {
+    const auto numbers = std::span(parts_.numbers).subspan(row.index * largest_.size(), largest_.size());
+    for (const bool of_reference : {false, true}) {
+        if (of_reference && row.reference_number == 0) {
+            return;
+        }
+        const InputOptions& input = of_reference ? options_->pairing->reference : options_->input;
+        const std::size_t first = of_reference ? layout_->count : 0;
+        const auto largest = std::span(largest_).subspan(first, input.largest.size());
+        if (std::ranges::none_of(largest, [](double size) { return std::isfinite(size); })) {
+            continue;
+        }
+        for (Note& note : input.notes_of({.numbers = numbers.subspan(first, largest.size())})) {
+            note.line = of_reference ? row.reference_number : row.number;
+            note.of_reference = of_reference;
+            output.events.emplace_back(std::move(note));
+            std::ranges::fill(largest, any_size); // one is enough
+        }
+    }
 }
 
 void RowTransformer::make_continuous(std::size_t answered, Output& output, const InTurn& in_turn) {
@@ -215,7 +265,10 @@ void RowTransformer::write(Output& output) {
 
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
-    const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
+    if (may_have_notes_ && row.has_numbers()) {
+        tell_notes(row, output);
+    }
+    const bool is_ours = row.number > 0; // else there is nothing but an error of the reference
     if (is_ours && options_->input.width > 0 && layout_->has_other_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }

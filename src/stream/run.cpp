@@ -1,6 +1,7 @@
 #include "run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <condition_variable>
 #include <deque>
@@ -69,6 +70,8 @@ private:
     /// turn it is never waits for another.
     bool in_turn(Job& job, const std::function<void()>& what);
     [[nodiscard]] std::unique_ptr<Job> idle_job();
+    /// Adds the notes of each stream, once, when it has a row or is at its end.
+    void tell_notes(Output& output, bool at_end);
     /// Writes the bytes and then reports the events; false where the run is over.
     bool hand_on(const Output& output);
 
@@ -76,8 +79,9 @@ private:
     Sink* sink_;
     const Options* options_;
     const std::function<void(const Event&)>* report_;
-    std::size_t large_; ///< bytes of a block that is worth another thread
-    RunResult ending_;  ///< of the thread that writes
+    std::size_t large_;          ///< bytes of a block that is worth another thread
+    RunResult ending_;           ///< of the thread that writes
+    std::array<bool, 2> told_{}; ///< the notes of the stream, and of the reference; of the thread that reads
 
     std::mutex mutex_; ///< of all that follows
     std::condition_variable changed_;
@@ -107,6 +111,9 @@ RunResult Run::operator()() {
             transformer->finish(output);
         } else {
             reader_->finish(output, !reader_->error());
+        }
+        if (!reader_->error()) {
+            tell_notes(output, true);
         }
         if (hand_on(output)) {
             ending_.error = reader_->error();
@@ -176,6 +183,7 @@ void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) 
     Job& job = *made;
     lock.unlock();
     const bool goes_on = reader_->read(job);
+    tell_notes(job.output, false);
     lock.lock();
     all_read_ = !goes_on;
     if (job.size() == 0 && job.output.bytes.size() == 0 && job.output.events.empty()) {
@@ -246,6 +254,21 @@ std::unique_ptr<Job> Run::idle_job() {
     job->output.clear();
     job->done = false;
     return job;
+}
+
+void Run::tell_notes(Output& output, bool at_end) {
+    for (const bool of_reference : {false, true}) {
+        const Layout* const layout = of_reference ? reader_->reference_layout() : &reader_->layout();
+        bool& told = told_.at(of_reference ? 1 : 0);
+        if (layout == nullptr || told || (layout->field_count == 0 && !at_end)) {
+            continue;
+        }
+        told = true;
+        for (Note note : layout->notes) {
+            note.of_reference = of_reference;
+            output.events.emplace_back(std::move(note));
+        }
+    }
 }
 
 bool Run::hand_on(const Output& output) {

@@ -65,6 +65,7 @@ fuzz::Reach reach{
         "given delimiter character",
         "pair by row", "pair by key", "unpaired row of the stream", "unpaired row of the reference",
         "failed row of the stream", "failed row of the reference", "failed key of the stream", "failed key of the reference",
+        "notes of an order that agree", "notes of an angle that agree", "notes of comments that agree", "refused order that agrees",
         "angle that agrees", "relative attitude that agrees", "refusal that agrees",
     // clang-format on
 };
@@ -106,10 +107,11 @@ struct Result {
     std::size_t beyond = 0;
     std::array<std::size_t, 4> unpaired{}; ///< of the stream and of the reference how many, and the line of the first
     std::string conclusion;                ///< of survey and identify
+    std::string notes;                     ///< as those of fuzz::Outcome
     std::size_t threads = 0;
     friend bool operator==(const Result& a, const Result& b) {
         return a.bytes == b.bytes && a.failed == b.failed && a.to_the_end == b.to_the_end && a.answered == b.answered &&
-               a.unpaired == b.unpaired && a.error == b.error && a.conclusion == b.conclusion;
+               a.unpaired == b.unpaired && a.error == b.error && a.conclusion == b.conclusion && a.notes == b.notes;
     }
 };
 
@@ -170,6 +172,12 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
             result.failed.push_back({error->line, error->of_reference});
         } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
             result.beyond += diagnostic->kind == DiagnosticKind::beyond ? 1 : 0;
+        } else if (const auto* note = std::get_if<Note>(&event)) {
+            const char kind = "outac"[static_cast<std::size_t>(note->kind)];
+            const std::string text =
+                fmt::format("{}{}{}", note->of_reference ? " of the reference " : "", kind, note->line);
+            const bool is_known = result.notes.find(text.substr(0, text.find(kind) + 1)) != std::string::npos;
+            result.notes += is_known || kind == 'u' || kind == 't' ? "" : text; // units are not modelled
         }
     };
     Pieces reference(input.reference, input.piece);
@@ -322,13 +330,42 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
 }
 
 /// How a stream is read.
+fuzz::Attitude attitude_of(const Spec& spec, std::size_t first) {
+    fuzz::Attitude attitude{.first = first, .names = {}, .angles = {}};
+    const std::string text = spec.text();
+    const auto columns = spec.columns();
+    if (spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
+        attitude.names.assign(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size()));
+    } else if (text.starts_with("rpy") || (text.starts_with("euler:") && text[6] != text[8])) {
+        for (const char axis : text.starts_with("rpy") ? std::string("xyz") : text.substr(6, 3)) {
+            attitude.names.emplace_back((axis | 0x20) == 'x' ? "roll" : (axis | 0x20) == 'y' ? "pitch" : "yaw");
+        }
+    }
+    if (spec.unit == AngleUnit::radians && spec.name == RepresentationId::rotvec) {
+        attitude.angles = {{first, first + 1, first + 2}};
+    } else if (spec.unit == AngleUnit::radians && spec.name == RepresentationId::axis_angle) {
+        attitude.angles = {{first + 3}};
+    } else if (spec.unit == AngleUnit::radians && text.find_first_of("er") == 0 && spec.size() == 3) { // euler, rpy
+        attitude.angles = {{first}, {first + 1}, {first + 2}};
+    }
+    return attitude;
+}
+
 fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowNumbers& numbers) {
     fuzz::Rules rules;
     rules.inputs = numbers.names.size();
     rules.kept = numbers.kept;
     rules.has_unit = numbers.has_unit;
     rules.input_names = numbers.names;
+    rules.refuses_order = numbers.attitude.has_value();
+    if (numbers.attitude) {
+        rules.attitudes.push_back(attitude_of(*numbers.attitude, numbers.kept));
+    }
+    if (numbers.second) {
+        rules.attitudes.push_back(attitude_of(*numbers.second, numbers.names.size() - numbers.second->size()));
+    }
     rules.columns = argument_of(words, "--columns");
+    rules.comment = argument_of(words, "--comment", "#");
     rules.delimiter = argument_of(words, "--delimiter");
     rules.header = argument_of(words, "--header", "auto");
     rules.on_error = argument_of(words, "--on-error", "stop");
@@ -423,6 +460,10 @@ void compare_with_model(const Input& input, const std::vector<std::string>& word
     Result right{
         .failed = std::move(outcome->failed), .to_the_end = outcome->to_the_end, .answered = outcome->answered};
     const bool is_json = rules->format == "json";
+    right.notes = program.is_paired() ? result.notes : outcome->notes;
+    if (outcome->refused_line > 0) {
+        right.error = fmt::format("{} {}", static_cast<int>(StreamError::What::names), outcome->refused_line);
+    }
     right.bytes = is_json && fuzz::json_agrees(result.bytes, *outcome, *rules) ? result.bytes : outcome->bytes;
     for (std::size_t i = 0; i < 2 && right.to_the_end; ++i) {
         const auto& lines = outcome->unpaired.at(i);
@@ -432,6 +473,12 @@ void compare_with_model(const Input& input, const std::vector<std::string>& word
     std::ranges::sort(right.failed); // those of the reference and of the stream come as they are read
     std::ranges::sort(result.failed);
     require_same("the rules of rows say otherwise", result, right);
+    for (const auto& [kind, what] :
+         {std::pair('o', "an order"), std::pair('a', "an angle"), std::pair('c', "comments")}) {
+        const bool has_note = !program.is_paired() && outcome->notes.find(kind) != std::string::npos;
+        reach.add(fmt::format("notes of {} that agree", what), has_note ? 1 : 0);
+    }
+    reach.add("refused order that agrees", outcome->refused_line > 0 ? 1 : 0);
     std::ranges::for_each(outcome->met, [](const std::string& rule) { reach.add(rule); });
 }
 
@@ -502,7 +549,8 @@ const std::vector<std::string> option_words =
              "--columns=2-10 --columns=1,3-7 --columns=3-8 --columns=t,wx,wy,wz --columns=1-7 --delimiter=comma "
              "--delimiter=tab --delimiter=semicolon --delimiter=blank --delimiter=| --append --strict --degrees "
              "--precision=6 --precision=17 --decimals=0 --decimals=6 --threads=16 --input-format=f64 --width=4 "
-             "--width=6 --width=10 --tolerance=inf --tolerance=0 --lock-margin=0.01 --diagnostics=columns "
+             "--width=6 --width=10 --comment=none --comment=% --comment=1 --tolerance=inf --tolerance=0 "
+             "--lock-margin=0.01 --diagnostics=columns "
              "--diagnostics=off --diagnostics=rows --inverse --differences --frame=reference --with=rpy --with=mrp "
              "--integrator=rk4 --integrator=magnus6 --substeps=3 --interpolation=cubic --renormalise "
              "--initial=quat:0,1,0,0 --continuous --left=quat:0,1,0,0 --right=rpy:deg:0,90,30 --time-unit=ns "

@@ -21,19 +21,22 @@ using Fields = std::vector<std::string_view>;
 struct Line {
     std::string_view text;
     std::string_view end;
+    std::string_view mark; ///< with which it is a comment; empty: it is not
     [[nodiscard]] bool blank() const { return text.find_first_not_of(" \t") == std::string_view::npos; }
-    [[nodiscard]] bool comment() const { return text.starts_with('#'); }
+    [[nodiscard]] bool comment() const { return !mark.empty(); }
     [[nodiscard]] bool row() const { return !blank() && !comment(); }
 };
 
-std::vector<Line> lines_of(std::string_view text) {
+std::vector<Line> lines_of(std::string_view text, std::string_view comment) {
+    comment = comment == "none" ? "" : comment;
     std::vector<Line> lines;
     while (!text.empty()) {
         const std::size_t newline = text.find('\n');
         const std::size_t size = std::min(newline, text.size() - 1) + 1;
         std::string_view line = text.substr(0, size);
         const std::size_t end_size = newline == std::string_view::npos ? 0 : line.ends_with("\r\n") ? 2 : 1;
-        lines.push_back({line.substr(0, size - end_size), line.substr(size - end_size)});
+        lines.push_back({line.substr(0, size - end_size), line.substr(size - end_size), {}});
+        lines.back().mark = lines.back().text.starts_with(comment) ? comment : "";
         text.remove_prefix(size);
     }
     return lines;
@@ -222,8 +225,8 @@ bool stands_for_missing(const std::string& text) {
 /// more: they are not modelled. Nor is a comment that names columns with their units.
 bool may_be_remark(const Line& line) {
     const auto has = [&line](std::string_view word) { return line.text.find(word) != std::string_view::npos; };
-    return line.text.starts_with("//") || line.text.starts_with('%') || has("FMT") || has("COMMENT") || has("=") ||
-           (line.comment() && has("_deg_s"));
+    return (!line.comment() && (line.text.starts_with("//") || line.text.starts_with('%'))) || has("FMT") ||
+           has("COMMENT") || has("=") || (line.comment() && has("_deg_s"));
 }
 
 /// An item of --columns: a name, or a position.
@@ -288,6 +291,9 @@ public:
         if (!begin(text)) {
             return std::nullopt;
         }
+        if (refused_) {
+            return Outcome{.to_the_end = false, .refused_line = *header_ + 1};
+        }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
             write_added_header(i);
             write_line(i);
@@ -296,7 +302,8 @@ public:
     }
 
     std::optional<Outcome> operator()(std::string_view text, Model& reference, std::string_view reference_text) {
-        if (!begin(text) || !reference.begin(reference_text) || !pair_with(reference)) {
+        if (!begin(text) || !reference.begin(reference_text) || refused_ || reference.refused_ ||
+            !pair_with(reference)) {
             return std::nullopt;
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
@@ -326,15 +333,24 @@ private:
             text.remove_prefix(3);
             meet("byte order mark");
         }
-        lines_ = lines_of(text);
+        lines_ = lines_of(text, rules_.comment);
         if (std::ranges::any_of(lines_, may_be_remark) || !find_header() ||
-            (rules_.header == "add" && first_data_ == lines_.size())) {
+            (rules_.header == "add" && first_data_ == lines_.size()) || !hear_names()) {
             return false;
+        }
+        const auto comment = std::ranges::find_if(lines_, &Line::comment);
+        if (comment != lines_.end() && std::ranges::none_of(lines_, &Line::row)) {
+            note('c', static_cast<std::size_t>(comment - lines_.begin()) + 1);
         }
         if (first_data_ < lines_.size()) {
             const Line& first = lines_[first_data_];
             delimiter_ = delimiter_of(first.text, rules_.delimiter);
             line_end_ = first.end.empty() ? "\n" : first.end;
+            Fields fields;
+            std::vector<std::string> texts;
+            if (const auto numbers = numbers_of(first, fields, texts)) {
+                note_angles(*numbers, 1.0, first_data_ + 1);
+            }
             meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
         }
         return true;
@@ -443,6 +459,59 @@ private:
         const auto* const found =
             std::ranges::find(delimiters, delimiter, [](const auto& entry) { return entry.second; });
         return found == delimiters.end() ? "character" : found->first;
+    }
+
+    /// The first of its kind.
+    void note(char kind, std::size_t line) {
+        if (outcome_.notes.find(kind) == std::string::npos) {
+            outcome_.notes += fmt::format("{}{}", kind, line);
+        }
+    }
+
+    void note_angles(const std::vector<double>& numbers, double turns, std::size_t line) {
+        for (const Attitude& attitude : rules_.attitudes) {
+            for (const auto& angle : attitude.angles) {
+                double squares = 0.0;
+                for (const std::size_t at : angle) {
+                    squares += numbers[at] * numbers[at];
+                }
+                if (std::sqrt(squares) > turns * 6.283185307179586 && std::isfinite(squares)) {
+                    note('a', line);
+                }
+            }
+        }
+    }
+
+    /// The names of the header against those of the attitudes; false where they may have units, which are not modelled.
+    bool hear_names() {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; header_ && i < rules_.inputs; ++i) {
+            if (place(i) >= header_names_.size() || (items_.empty() && header_names_.size() != rules_.inputs)) {
+                return true;
+            }
+            const std::string name = lower(header_names_[place(i)]);
+            const std::string letter = name.substr(name.empty() ? 0 : name.size() - 1);
+            const bool has_prefix = name.starts_with("q_") && name.ends_with('_' + letter) && letter != "s";
+            const bool is_letter = std::set<std::string>{"w", "x", "y", "z"}.contains(letter);
+            if ((name.find('_') != std::string::npos && !(has_prefix && is_letter)) || name.ends_with(']') ||
+                name.ends_with(')')) {
+                return false;
+            }
+            names.push_back(is_letter && (has_prefix || name == letter) ? "q" + letter : name);
+        }
+        for (const Attitude& attitude : rules_.attitudes) {
+            if (names.empty() || attitude.names.empty()) {
+                continue;
+            }
+            const auto first = names.begin() + static_cast<std::ptrdiff_t>(attitude.first);
+            const auto last = first + static_cast<std::ptrdiff_t>(attitude.names.size());
+            if (std::is_permutation(first, last, attitude.names.begin()) &&
+                !std::equal(first, last, attitude.names.begin())) {
+                note('o', *header_ + 1);
+                refused_ = refused_ || (rules_.refuses_order && items_.empty());
+            }
+        }
+        return true;
     }
 
     void meet(std::string rule) { outcome_.met.push_back(std::move(rule)); }
@@ -580,8 +649,8 @@ private:
     }
 
     static std::string_view prefix_of(const Line& line) {
-        return line.comment() ? line.text.substr(0, std::min(line.text.find_first_not_of(" \t", 1), line.text.size()))
-                              : std::string_view{};
+        return line.text.substr(
+            0, line.comment() ? std::min(line.text.find_first_not_of(" \t", line.mark.size()), line.text.size()) : 0);
     }
 
     /// Sets positions_ where the line has all the names, and returns the delimiter under which it has.
@@ -636,6 +705,9 @@ private:
         Fields fields;
         const std::string_view prefix = prefix_of(line);
         split(line.text.substr(prefix.size()), delimiter, fields);
+        for (const std::string_view field : fields) {
+            header_names_.push_back(content(field, delimiter));
+        }
         const auto whole = without_last_blanks(line.text, delimiter);
         header_text_ = rules_.append
                            ? fmt::format("{}{}{}", whole, delimiter, joined(rules_.names, delimiter))
@@ -770,6 +842,9 @@ private:
             }
             numbers->insert(numbers->end(), others->begin(), others->end());
         }
+        if (reference_ == nullptr) {
+            note_angles(*numbers, 10.0, at + 1);
+        }
         Answer answer = rules_.calculate(*numbers, texts);
         answer.of_reference = answer.of_reference && reference_ != nullptr;
         return answer;
@@ -865,6 +940,8 @@ private:
     std::size_t first_data_ = 0;
     std::optional<std::size_t> header_;
     std::string header_text_;
+    std::vector<std::string> header_names_;
+    bool refused_ = false; ///< for the order of those names
     char delimiter_ = ',';
     std::string_view line_end_ = "\n";
     Outcome outcome_;

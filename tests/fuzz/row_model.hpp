@@ -24,6 +24,13 @@ struct Answer {
 };
 using Calculate = std::function<Answer(const std::vector<double>& numbers, const std::vector<std::string>& texts)>;
 
+/// An attitude among the numbers of a row.
+struct Attitude {
+    std::size_t first = 0;
+    std::vector<std::string> names;               ///< of quat, dcm, or roll, pitch and yaw, in the SPEC's order
+    std::vector<std::vector<std::size_t>> angles; ///< in radians: of each the numbers of which it is the norm
+};
+
 /// The options as they are written, and what the command makes of numbers.
 struct Rules {
     std::size_t inputs = 0;
@@ -32,7 +39,9 @@ struct Rules {
     std::vector<std::string> names; ///< of the result's columns, those of diagnostics included
     Calculate calculate;
     std::vector<std::string> input_names; ///< of the numbers that are read
-    std::string columns, delimiter, header = "auto", format = "csv", on_error = "stop";
+    std::vector<Attitude> attitudes;      ///< that are read
+    bool refuses_order = false;           ///< of names in a header, without --columns
+    std::string comment = "#", columns, delimiter, header = "auto", format = "csv", on_error = "stop";
     int precision = 0;
     int decimals = -1;
     bool append = false, diagnostic_columns = false;
@@ -58,6 +67,8 @@ struct Outcome {
     std::size_t answered = 0;
     std::array<std::vector<std::size_t>, 2> unpaired; ///< lines, of the stream and of the reference
     bool to_the_end = true;
+    std::size_t refused_line = 0;                 ///< of a header that ends the run
+    std::string notes;                            ///< o, a and c with a line: other order, large angle, comments alone
     std::vector<std::string> met;                 ///< rules that had a part in it
     std::vector<std::vector<std::string>> others; ///< under json, of each row the values of its other fields; "": any
 };

@@ -74,8 +74,11 @@ TEST_CASE("compare ends as diff does") {
 
     files.add("none", "# nothing\n\n");
     const auto none = files("compare -f rotvec @none @none");
-    CHECK(none ==
-          Failure{1, "rows      0\nunpaired  0\nfailed    0\n", {"rotconv: there was no row with an attitude\n"}, 1});
+    CHECK(none == Failure{1,
+                          "rows      0\nunpaired  0\nfailed    0\n",
+                          {"none: there was nothing but comments, such as '# nothing'; ",
+                           "rotconv: there was no row with an attitude\n"},
+                          3});
     CHECK(files("compare -f rotvec --format json @none @none").out ==
           R"({"rows": 0, "within": null, "beyond": null, "first_beyond": null, "unpaired": 0, "failed": 0, )"
           R"("max": null, "max_line": null, "rms": null, "mean": null})"

@@ -104,14 +104,14 @@ TEST_CASE("a comment that is not the first row's header passes") {
     CHECK(run(convert, "# a,b,c,d\nw,x,y,z\n1,0,0,0\n") == done("# a,b,c,d\nqx,qy,qz,qw\n0,0,0,1\n"));
     CHECK(run(convert, "w,x,y,z\n# a,b,c,d\n1,0,0,0\n") == done("qx,qy,qz,qw\n# a,b,c,d\n0,0,0,1\n"));
     CHECK(run(convert, "1,0,0,0\n# a,b,c,d\n1,0,0,0\n") == done("0,0,0,1\n# a,b,c,d\n0,0,0,1\n"));
-    CHECK(run(convert, "# qw qx qy qz\n\n# end") == done("# qw qx qy qz\n\n# end"));
+    CHECK(run(convert, "# qw qx qy qz\n\n# end").out == "# qw qx qy qz\n\n# end");
 }
 
 TEST_CASE("comments and blank rows before the first row keep their order and use no memory") {
     // Catches lines that are lost where they wait for the row that tells, and those that pile up.
     const std::string many = repeated("# " + std::string(100, 'c') + "\n\n", 20'000);
     CHECK((run(convert, many + "#a,b,c,d\n1,0,0,0\n") == done(many + "#qx,qy,qz,qw\n0,0,0,1\n")));
-    CHECK((run(convert, many) == done(many)));
+    CHECK((run(convert, many).out == many));
     CHECK((run(convert + "--columns qw,qx,qy,qz", many + "#qw,qx,qy,qz\n# note\n\n1,0,0,0\n") ==
            done(many + "#qx,qy,qz,qw\n# note\n\n0,0,0,1\n")));
     const std::string wide = "# " + std::string(4'000'000, 'c') + "\n";

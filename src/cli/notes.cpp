@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "../stream/fmt.hpp"
+#include "../stream/number_text.hpp"
+#include "row_options.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+using Kind = stream::Note::Kind;
+
+constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double most_turns = 10.0; ///< of unwrapped angles, such as those of --continuous
+
+std::string lower(std::string_view text) {
+    std::string made(text);
+    std::ranges::transform(made, made.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    return made;
+}
+
+/// deg or rad, also of a rate, or a unit of time, as headers write it; empty for others.
+std::string_view unit_of(std::string_view text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
+        {{"deg", " deg degree degrees dps \u00B0 "},
+         {"rad", " rad radian radians rps "},
+         {"s", " s sec second seconds "},
+         {"ms", " ms msec millisecond milliseconds "},
+         {"us", " us usec \u00B5s microsecond microseconds "},
+         {"ns", " ns nsec nanosecond nanoseconds "}}};
+    std::string unit = lower(text);
+    std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
+    for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
+        const std::string word = ' ' + unit.substr(0, unit.size() - std::min(unit.size(), per_second.size())) + ' ';
+        for (const auto& [name, words] : units) {
+            const bool fits = per_second.empty() || name == "deg" || name == "rad";
+            if (fits && unit.ends_with(per_second) && word.size() > 2 && words.find(word) != words.npos) {
+                return name;
+            }
+        }
+    }
+    return {};
+}
+
+bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
+
+/// The name and the unit that a text of a header holds: "yaw [deg]", "w_x_rad_s".
+std::pair<std::string, std::string_view> name_and_unit(const std::string& text) {
+    const auto bracket = text.ends_with(']') ? text.rfind('[') : text.ends_with(')') ? text.rfind('(') : text.npos;
+    if (bracket != text.npos) {
+        return {lower(stream::trimmed(text.substr(0, bracket))),
+                unit_of(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2))};
+    }
+    for (auto at = text.find('_', 1); at != text.npos; at = text.find('_', at + 1)) {
+        if (const auto unit = unit_of(std::string_view(text).substr(at)); !unit.empty()) {
+            return {lower(text.substr(0, at)), unit};
+        }
+    }
+    return {lower(text), {}};
+}
+
+/// A number's canonical name: w, q_w and q_RS_w of a quaternion are qw.
+std::string own_name(const Spec& spec, const std::string& text) {
+    const std::string name = name_and_unit(text).first;
+    const auto letter = name.find_last_of("wxyz");
+    const std::string stem = name.substr(0, letter);
+    const bool is_one = spec.name == RepresentationId::quat && letter + 1 == name.size() &&
+                        (stem.empty() || stem == "q" || (stem.starts_with("q_") && stem.ends_with('_')));
+    return is_one ? std::string("q") + name.back() : name;
+}
+
+std::string_view unit_of(const Spec& spec) { return spec.unit == AngleUnit::degrees ? "deg" : "rad"; }
+
+/// The first of a SPEC's numbers that is an angle, as are those after it.
+std::size_t first_angle(const Spec& spec) {
+    return !representation(spec.name).has_angles() ? spec.size() : spec.name == RepresentationId::axis_angle ? 3 : 0;
+}
+
+/// That an angle above the limit, which is read in radians, may be in degrees; otherwise empty.
+std::string large_angle(const Spec& spec, std::span<const double> numbers, double limit) {
+    double squares = 0.0;
+    double largest = 0.0;
+    for (std::size_t i = first_angle(spec); i < spec.size(); ++i) {
+        squares += numbers[i] * numbers[i];
+        largest = std::max(largest, std::abs(numbers[i]));
+    }
+    const double angle = spec.name == RepresentationId::rotvec ? std::sqrt(squares) : largest;
+    return spec.unit == AngleUnit::radians && angle > limit && std::isfinite(angle)
+               ? fmt::format("an angle of {:.6g} is read in radians; if it is in degrees: {}", angle,
+                             spec.in_degrees().text())
+               : std::string();
+}
+
+/// What is told of one stream.
+class Notes {
+public:
+    Notes(const stream::InputOptions& input, const ReadAs& reading)
+        : reading_(reading), selects_(!input.columns.empty()), units_(input.numbers.names.size()) {
+        const auto& [names, attitude, second, kept] = input.numbers;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool is_rate = names[i] == "wx" || names[i] == "wy" || names[i] == "wz";
+            units_[i] = names[i] == "t" ? reading.time_unit : is_rate ? (reading.degrees ? "deg" : "rad") : "";
+        }
+        if (attitude) {
+            attitudes_.emplace_back(kept, *attitude);
+        }
+        if (second) {
+            attitudes_.emplace_back(names.size() - second->size(), *second);
+        }
+        for (const auto& [first, spec] : attitudes_) {
+            for (std::size_t i = first_angle(spec); i < spec.size(); ++i) {
+                units_[first + i] = unit_of(spec);
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<stream::Note> operator()(const stream::Said& said) const {
+        std::vector<stream::Note> notes;
+        const auto add = [&notes](Kind kind, const std::string& text, bool ends_run = false) {
+            if (!text.empty()) {
+                notes.push_back({kind, text, ends_run});
+            }
+        };
+        if (!said.comment.empty()) {
+            add(Kind::comments, fmt::format("there was nothing but comments, such as {}; if these are rows: --comment "
+                                            "none",
+                                            quoted(said.comment)));
+        }
+        for (const auto& [first, spec] : attitudes_) {
+            if (!said.numbers.empty()) {
+                add(Kind::angle, large_angle(spec, said.numbers.subspan(first, spec.size()),
+                                             said.is_first ? full_turn : most_turns * full_turn));
+            }
+            if (!said.names.empty()) {
+                add(Kind::order, other_order(spec, std::span(said.names).subspan(first, spec.size())),
+                    reading_.refuses && !selects_);
+            }
+        }
+        for (std::size_t i = 0; i < said.names.size(); ++i) {
+            const auto unit = name_and_unit(said.names[i]).second;
+            const std::string& own = units_[i];
+            if (!unit.empty() && !own.empty() && unit != own && is_angle(unit) == is_angle(own)) {
+                add(is_angle(own) ? Kind::unit : Kind::time_unit,
+                    fmt::format("the header's {} is in {}, but {}", quoted(said.names[i]), unit, mend(i, unit)));
+            }
+        }
+        return notes;
+    }
+
+    /// The size of each number above which its row may have a note: less than the norm of a rotation vector, and one
+    /// for all but keys and times, because that is quickly looked at.
+    [[nodiscard]] std::vector<double> largest(std::size_t kept) const {
+        const bool has_radians = std::ranges::any_of(attitudes_, [](const auto& attitude) {
+            return first_angle(attitude.second) < attitude.second.size() && attitude.second.unit == AngleUnit::radians;
+        });
+        std::vector<double> sizes(has_radians ? units_.size() : 0, most_turns * full_turn / 2.0);
+        std::fill_n(sizes.begin(), std::min(kept, sizes.size()), std::numeric_limits<double>::infinity());
+        return sizes;
+    }
+
+private:
+    [[nodiscard]] std::string other_order(const Spec& spec, std::span<const std::string> names) const {
+        std::vector<std::string> own;
+        std::ranges::transform(names, std::back_inserter(own),
+                               [&spec](const auto& name) { return own_name(spec, name); });
+        const std::string wrong = wrong_order(spec, {own.begin(), own.end()}, fmt::format("{}", fmt::join(names, ",")));
+        const bool ends_run = reading_.refuses && !selects_;
+        return wrong.empty()
+                   ? wrong
+                   : fmt::format("the header {}{}", wrong, ends_run ? " (if it is mislabelled, select by index)" : "");
+    }
+
+    [[nodiscard]] std::string mend(std::size_t at, std::string_view unit) const {
+        if (!is_angle(unit)) {
+            return fmt::format("times are read in {}: --time-unit {}", units_[at], unit);
+        }
+        for (const auto& [first, spec] : attitudes_) {
+            if (at >= first && at < first + spec.size()) {
+                Spec right = spec;
+                right.unit = unit == "deg" ? AngleUnit::degrees : AngleUnit::radians;
+                return fmt::format("is read by {}: {}{}", spec.text(), right.text(),
+                                   reading_.degrees ? ", without -d" : "");
+            }
+        }
+        return fmt::format("angular velocities are read in {}/s: {} -d", units_[at],
+                           unit == "deg" ? "add" : "leave out");
+    }
+
+    ReadAs reading_;
+    bool selects_;                                        ///< --columns is given
+    std::vector<std::string> units_;                      ///< of each number; empty: not one of those in headers
+    std::vector<std::pair<std::size_t, Spec>> attitudes_; ///< each with the place of its first number
+};
+
+} // namespace
+
+void add_notes(stream::InputOptions& input, const ReadAs& reading) {
+    const Notes notes(input, reading);
+    input.largest = notes.largest(input.numbers.kept);
+    input.notes_of = notes;
+}
+
+std::vector<stream::Note> notes_of_attitude(std::string_view option, const std::string& text, bool degrees) {
+    const auto colon = text.rfind(':');
+    const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
+    const Spec spec = spec_of(option, text.substr(0, colon), degrees);
+    std::vector<std::string_view> fields;
+    stream::Delimiter::of_row(row).split(row, fields);
+    std::vector<double> numbers(fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        static_cast<void>(stream::read_number(fields[i], numbers[i]));
+    }
+    const std::string large = large_angle(spec, numbers, full_turn);
+    return large.empty() ? std::vector<stream::Note>()
+                         : std::vector<stream::Note>{{Kind::angle, fmt::format("{}: {}", option, large)}};
+}
+
+} // namespace rotconv::cli
