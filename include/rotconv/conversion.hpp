@@ -35,7 +35,7 @@ struct ConversionSettings {
     std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes...
     std::optional<FixedRotation> right{};            ///< ...or R right: other body axes
     bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
-    /// Report rows with a condition above `few_digits_condition`, for a caller who knows how many digits they have.
+    /// Report rows with a condition above `few_digits_condition` that may have few digits, for a caller who knows.
     bool few_digits = false;
 };
 
@@ -86,10 +86,11 @@ private:
     std::optional<FixedRotation> left_;
     std::optional<FixedRotation> right_;
     const Codec* out_codec_;
-    /// If these numbers of the result are within the limits, its condition is at most few_digits_condition.
+    /// Within the inner limits of these numbers of the result its condition is at most few_digits_condition, within the
+    /// outer ones at most 1e5.
     struct Limits {
         std::size_t first, count;
-        double low, high;
+        double low, high, lowest, highest;
     };
     Limits limits_{};
 };

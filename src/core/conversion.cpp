@@ -44,6 +44,17 @@ bool passes_numbers(const Spec& from, const Spec& to) noexcept {
     return are_angles ? same(0) && same(2) : from.name == to.name;
 }
 
+/// False, without a look at a text, if a row whose condition is at most 1e5 has too many digits to leave it open: if
+/// its largest number does not end within 7 decimals.
+bool may_have_few_digits(std::span<const double> numbers) noexcept {
+    double largest = 0.0;
+    for (const double number : numbers) {
+        largest = std::max(largest, std::abs(number));
+    }
+    const double units = 1e7 * largest;
+    return std::abs(units - std::nearbyint(units)) <= 1e-3 + 0x1p-51 * units; // what is rounded
+}
+
 /// Whether numbers of the result are a convention, and another kind says so.
 bool is_convention(DiagnosticSet found) noexcept {
     return found.has(DiagnosticKind::gimbal_lock) || found.has(DiagnosticKind::infinite) ||
@@ -96,13 +107,14 @@ Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSetting
     }
     const double unit = to.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
     if (representation(to.name).has_gimbal_lock) {
-        const double middle = to.sequence.proper() ? std::numbers::pi / 2 : 0.0;
-        constexpr double far = std::numbers::pi / 2 - 0.142; // from lock a little more than 2 asin(1/(10 sqrt 2))
-        limits_ = {.first = 1, .count = 1, .low = unit * (middle - far), .high = unit * (middle + far)};
+        const double middle = to.sequence.proper() ? unit * std::numbers::pi / 2 : 0.0;
+        const double inner = unit * (std::numbers::pi / 2 - 0.142); // a little more than 2 asin(1/(10 sqrt 2))
+        const double outer = unit * (std::numbers::pi / 2 - 0.142e-4);
+        limits_ = {1, 1, middle - inner, middle + inner, middle - outer, middle + outer};
     } else if (to.name == RepresentationId::axis_angle) {
-        limits_ = {.first = 3, .count = 1, .low = unit * 0.101, .high = 4.0 * unit};
+        limits_ = {3, 1, unit * 0.101, unit * 4.0, unit * 0.101e-4, unit * 4.0};
     } else if (to.name == RepresentationId::cayley) {
-        limits_ = {.first = 0, .count = 3, .low = -2.5, .high = 2.5}; // |c|^2 is less than 19
+        limits_ = {0, 3, -2.5, 2.5, -250.0, 250.0}; // |c|^2 is less than 19 and 2e5
     }
 }
 
@@ -136,7 +148,11 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
     for (std::size_t k = limits_.first; k < limits_.first + limits_.count; ++k) {
         for (std::size_t i = 0; i < rows; ++i) {
             const double number = out[i * to_.size() + k];
-            diagnostics[i] |= {DiagnosticKind::few_digits, number < limits_.low || number > limits_.high};
+            if (number < limits_.low || number > limits_.high) {
+                diagnostics[i] |=
+                    {DiagnosticKind::few_digits, number < limits_.lowest || number > limits_.highest ||
+                                                     may_have_few_digits({in + i * from_.size(), from_.size()})};
+            }
         }
     }
     report(input, diagnostics.data(), first, rows, out, reports);

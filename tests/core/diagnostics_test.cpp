@@ -308,35 +308,44 @@ TEST_CASE("numbers within half a digit leave the result open by as much as is sa
 TEST_CASE("few digits are looked at from a condition of 10 on, where asked for") {
     const auto found = [](const std::string& from, const std::string& to, const std::vector<double>& row,
                           bool asked = true) {
-        for (const bool figures : {false, true}) {
-            const auto report = report_of(from, to, row, {.sensitivity = figures, .few_digits = asked});
-            CHECK(report.diagnostics.has(DiagnosticKind::few_digits) ==
-                  report_of(from, to, row, {.few_digits = asked}).diagnostics.has(DiagnosticKind::few_digits));
-        }
-        return report_of(from, to, row, {.few_digits = asked}).diagnostics.has(DiagnosticKind::few_digits);
+        const auto is_reported = [&](bool figures) {
+            const auto report =
+                report_of(from, to, row, {.tolerance = infinity, .sensitivity = figures, .few_digits = asked});
+            return report.diagnostics.has(DiagnosticKind::few_digits);
+        };
+        CHECK(is_reported(true) == is_reported(false));
+        return is_reported(false);
     };
-    const double steep = 2 * std::asin(0.1 / std::sqrt(2.0)); // the margin at a condition of 10
     for (const double factor : {0.999, 1.001}) {
-        const double margin = factor * steep;
-        const double angle = factor * 2 * std::asin(0.05);
+        const double half_margin = factor * std::asin(0.1 / std::sqrt(2.0)); // of a condition of 10, times the factor
+        const double up = std::tan(pi / 4 - half_margin);
+        const double small = std::tan(half_margin);
+        const double axis = std::tan(factor * std::asin(0.05));
         const double c = std::sqrt(19.0) / factor;
         INFO(factor);
-        CHECK(found("rotvec", "euler:ZXZ", {margin, 0, 0}) == (factor < 1));
-        CHECK(found("rotvec", "euler:ZYZ:deg", {pi - margin, 0, 0}) == (factor < 1));
-        CHECK(found("quat", "rpy:deg", {std::cos((pi / 2 - margin) / 2), 0, std::sin((pi / 2 - margin) / 2), 0}) ==
-              (factor < 1));
-        CHECK(found("rotvec", "rpy", {0, margin - pi / 2, 0}) == (factor < 1));
-        CHECK(found("rotvec", "rpy", {0, margin - pi / 2, 0}, false) == false);
-        CHECK(found("rotvec", "axis-angle:deg", {0, 0.6 * angle, 0.8 * angle}) == (factor < 1));
-        CHECK(found("mrp", "cayley", {0, std::tan(std::atan(c) / 2), 0}) == (factor < 1));
-        CHECK(found("mrp", "rotvec", {0, std::tan(std::atan(c) / 2), 0}) == false);
-        CHECK(found("cayley:passive", "cayley", {0, c, 0}) == false);
-        CHECK(found("rpy:deg", "euler:ZYX", {10, 89.99, 20}) == false);
-        CHECK(found("rpy:deg", "euler:XYZ:passive", {10, 89.99, 20}) == false);
-        CHECK(found("euler:ZXZ", "euler:zyz", {0.3, 0.001, 0.2}) == false);
-        CHECK(found("euler:XYZ:deg", "rpy", {0, 89.99, 0}) == true);
+        CHECK(found("quat", "rpy:deg", {1, 0, up, 0}) == (factor < 1));
+        CHECK(found("quat", "rpy", {1, 0, -up, 0}) == (factor < 1));
+        CHECK(found("quat:xyzw", "euler:ZYX:deg", {0, up, 0, 1}) == (factor < 1));
+        CHECK(found("quat", "euler:ZXZ", {1, small, 0, 0}) == (factor < 1));
+        CHECK(found("quat", "euler:ZYZ:deg", {small, 1, 0, 0}) == (factor < 1));
+        CHECK(found("quat", "axis-angle:deg", {1, 0, 0.6 * axis, 0.8 * axis}) == (factor < 1));
+        CHECK(found("quat", "cayley", {1 / c, 0, 0, 1}) == (factor < 1));
+        CHECK(found("quat", "rpy", {1, 0, up, 0}, false) == false);
+        CHECK(found("quat", "rotvec", {1 / c, 0, 0, 1}) == false);
     }
-    CHECK(found("quat", "euler:ZYX", {std::sqrt(0.5), 0, std::sqrt(0.5), 0}) == false);
+    // Seven decimals, and more.
+    CHECK(found("rotvec:deg", "rpy", {0, 89.9991234, 0}) == true);
+    CHECK(found("rotvec:deg", "rpy", {0, 89.9991234, 1e-11}) == true);
+    CHECK(found("rotvec:deg", "rpy", {0, 89.99912345, 0}) == false);
+    CHECK(found("rotvec:deg", "rpy", {0, 89.99991234567, 0}) == true);
+    // The numbers that were given.
+    CHECK(found("cayley:passive", "cayley", {0, 10, 0}) == false);
+    CHECK(found("rpy:deg", "euler:ZYX", {10, 89.99, 20}) == false);
+    CHECK(found("rpy:deg", "euler:XYZ:passive", {10, 89.99, 20}) == false);
+    CHECK(found("euler:ZXZ", "euler:zyz", {0.3, 0.001, 0.2}) == false);
+    CHECK(found("euler:XYZ:deg", "rpy", {0, 89.99, 0}) == true);
+    // Conventions.
+    CHECK(found("quat", "euler:ZYX", {1, 0, 1, 0}) == false);
     CHECK(found("quat", "cayley", {0, 0.6, 0.8, 0}) == false);
     CHECK(found("quat", "axis-angle", {1, 0, 0, 0}) == false);
 }
