@@ -260,8 +260,8 @@ TEST_CASE("numbers within half a digit leave the result open by as much as is sa
                       source.uniform(-pi, pi) * unit};
         }
         auto numbers = accuracy::own(to, from)(result);
-        double half = 1.0; // a digit, with which the figure is 0.01 to 0.1
-        while (rotconv::attitude_error(from, numbers, half) * condition > 0.1) {
+        double half = 1.0; // a digit, with which the figure is 0.003 to 0.03: small angles
+        while (rotconv::attitude_error(from, numbers, half) * condition > 0.03) {
             half /= 10.0;
         }
         for (double& number : numbers) {
@@ -271,13 +271,24 @@ TEST_CASE("numbers within half a digit leave the result open by as much as is sa
         const auto [given, report] = accuracy::converted(from, to, numbers, settings);
         REQUIRE(report.diagnostics.has(DiagnosticKind::few_digits));
         const double figure = rotconv::attitude_error(from, numbers, half) * report.sensitivity.condition;
+        const bool is_quaternion = from.name == rotconv::RepresentationId::quat;
         double worst = 0.0;
         int further = 0;
         const auto convert = accuracy::own(from, to);
         for (int row = 0; row < rows; ++row) {
             auto near = numbers;
-            for (double& number : near) {
-                number += source.uniform(-half, half);
+            bool rounds_to_given = false;
+            while (!rounds_to_given) {
+                double square = 0.0;
+                for (std::size_t i = 0; i < near.size(); ++i) {
+                    near[i] = numbers[i] + source.uniform(-half, half);
+                    square += near[i] * near[i];
+                }
+                rounds_to_given = true;
+                for (std::size_t i = 0; i < near.size() && is_quaternion; ++i) {
+                    near[i] /= std::sqrt(square); // attitudes have unit quaternions
+                    rounds_to_given = rounds_to_given && std::abs(near[i] - numbers[i]) <= half;
+                }
             }
             const auto found = convert(near);
             double off = 0.0;
