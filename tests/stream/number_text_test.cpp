@@ -95,9 +95,9 @@ TEST_CASE("the last place of numbers is that of the large ones") {
     };
     CHECK(unit_of({"0.7071", "0.0001234", "-0.70711", "0"}) == 1e-5);
     CHECK(unit_of({"9.999999e-01", "9.043680e-12", "-2.3e-11"}) == 1e-7);
-    CHECK(unit_of({"-9.25", "4.6250"}) == 1e-2);
+    CHECK(unit_of({"-9.25", "4.6200"}) == 1e-2);
     CHECK(unit_of({"-9.25", "4.625"}) == 1e-3);
-    CHECK(unit_of({"12.5E+1", "100.25"}) == 1e-2);
+    CHECK(unit_of({"12.55E+1", "100.25"}) == 1e-2);
     CHECK(unit_of({"+12.5e+0"}) == 0.1);
     CHECK(unit_of({"1.50e-200", "0"}) == 1e-202);
     CHECK(unit_of({".5", "0"}) == 0.1);
