@@ -37,11 +37,17 @@ struct ConversionSettings {
     std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes...
     std::optional<FixedRotation> right{};            ///< ...or R right: other body axes
     bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
+    /// Report rows with a condition above `few_digits_condition` that may have few digits, for a caller who knows.
+    bool few_digits = false;
 };
 
 /// The attitude of one row of numbers in the conventions of the spec.
 /// @pre numbers.size() >= spec.size()
 [[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept;
+
+/// By how much (radians, to first order) the attitude of a row is off if its numbers are off by `error`.
+/// @pre numbers.size() >= spec.size()
+[[nodiscard]] double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept;
 
 struct Codec;
 struct ConversionBatch;
@@ -82,6 +88,13 @@ private:
     std::optional<FixedRotation> left_;
     std::optional<FixedRotation> right_;
     const Codec* out_codec_;
+    /// Within the inner limits of these numbers of the result its condition is at most few_digits_condition, within the
+    /// outer ones at most 1e5.
+    struct Limits {
+        std::size_t first, count;
+        double low, high, lowest, highest;
+    };
+    Limits limits_{};
 };
 
 } // namespace rotconv

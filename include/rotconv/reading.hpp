@@ -75,9 +75,10 @@ enum class DiagnosticKind : std::uint8_t {
     identity_axis,
     method_error,
     coarse_step,
-    beyond
+    beyond,
+    few_digits
 };
-inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::beyond) + 1;
+inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::few_digits) + 1;
 
 /// The kind's name in the `notes` column, such as "gimbal-lock".
 [[nodiscard]] std::string_view name_of(DiagnosticKind kind) noexcept;
@@ -101,6 +102,10 @@ public:
     [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0; }
     constexpr EnumSet& operator|=(EnumSet other) noexcept {
         bits_ = static_cast<std::uint16_t>(bits_ | other.bits_);
+        return *this;
+    }
+    constexpr EnumSet& operator-=(EnumSet other) noexcept {
+        bits_ = static_cast<std::uint16_t>(bits_ & ~other.bits_);
         return *this;
     }
 
@@ -129,12 +134,17 @@ struct RowReport {
     Sensitivity sensitivity{};     ///< of a row with diagnostics of its result, or with ConversionSettings::sensitivity
     double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
     double deviation = 0.0;        ///< radians: the angle that method_error, coarse_step and beyond are about
+    double openness = 0.0;         ///< how far the result is open by the digits given, which few_digits is about
 };
 
 /// Attitudes nearer than this (radians) to a half-turn are reported as a half-turn.
 inline constexpr double half_turn_margin = 1e-15;
 /// Euler angles with a greater condition are reported as near gimbal lock.
 inline constexpr double near_lock_condition = 1e6;
+/// Only rows with a greater condition are held against the digits of their numbers.
+inline constexpr double few_digits_condition = 10.0;
+/// A result that is open by more than this (radians) is reported as of few digits.
+inline constexpr double reported_openness = 1e-2;
 /// An integration step whose estimated error (radians) is above this is reported.
 inline constexpr double reported_step_error = 1e-3;
 /// A defect above this is reported.

@@ -28,6 +28,7 @@ public:
         const Spec to = spec_of("--to", to_, degrees);
         ConversionSettings conversion = attitudes_.added_to(settings(), degrees);
         conversion.fast = method_ == fast_method;
+        conversion.few_digits = !operands.values.empty() || input_format != "f64";
         operations::Operation operation = by_method(Conversion(from, to, conversion));
         if (operation->is_continuous && !operation->answers.empty()) {
             throw Usage("--continuous cannot be combined with --method all, which writes several answers to a row");

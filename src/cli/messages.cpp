@@ -79,6 +79,17 @@ std::string_view figure_name(DiagnosticKind kind) {
     }
 }
 
+/// What few digits leave open, and how far.
+std::string opened(const stream::Diagnostic& diagnostic) {
+    const double degrees = diagnostic.figure * degrees_per_radian;
+    const bool is_axis = diagnostic.result == RepresentationId::axis_angle;
+    return diagnostic.result == RepresentationId::cayley
+               ? fmt::format("the vector open by {:.2g}", diagnostic.figure)
+               : fmt::format("the {} open {}", is_axis ? "axis" : "first and third angle",
+                             degrees >= 180.0 ? "altogether"
+                                              : fmt::format("by {:.{}f} deg", degrees, degrees < 10.0 ? 1 : 0));
+}
+
 } // namespace
 
 Subject subject_of(const Spec& spec, double tolerance) {
@@ -281,8 +292,8 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
     return {};
 }
 
-std::string_view meaning(DiagnosticKind kind) {
-    switch (kind) {
+std::string meaning(const stream::Diagnostic& diagnostic) {
+    switch (diagnostic.kind) {
     case DiagnosticKind::normalized: return "the numbers were not exactly those of a rotation";
     case DiagnosticKind::gimbal_lock:
         return "only the sum or difference of the outer angles is defined; the third is set to 0";
@@ -294,14 +305,18 @@ std::string_view meaning(DiagnosticKind kind) {
     case DiagnosticKind::coarse_step:
         return "the error of a step may exceed 1e-3 rad; --substeps or a finer sampling helps";
     case DiagnosticKind::beyond: return "the attitudes differ by more than --within";
+    case DiagnosticKind::few_digits: return "the digits given leave " + opened(diagnostic);
     }
     return {};
 }
 
 std::string describe(const stream::Diagnostic& diagnostic) {
+    if (diagnostic.kind == DiagnosticKind::few_digits) { // whose figure is in its words
+        return fmt::format("{}: {}", name_of(diagnostic.kind), meaning(diagnostic));
+    }
     const std::string answer = diagnostic.answer.empty() ? std::string() : fmt::format("{}: ", diagnostic.answer);
     return fmt::format("{}: {}{} {:.3g}; {}", name_of(diagnostic.kind), answer, figure_name(diagnostic.kind),
-                       diagnostic.figure, meaning(diagnostic.kind));
+                       diagnostic.figure, meaning(diagnostic));
 }
 
 } // namespace rotconv::cli::messages

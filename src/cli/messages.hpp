@@ -62,8 +62,8 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 /// A diagnostic in words, with its figure.
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);
 
-/// What a kind of diagnostic means, without a figure.
-[[nodiscard]] std::string_view meaning(DiagnosticKind kind);
+/// What a diagnostic means.
+[[nodiscard]] std::string meaning(const stream::Diagnostic& diagnostic);
 
 /// "'text' is not a format" and the like, with the legal words and the nearest.
 [[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,

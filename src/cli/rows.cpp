@@ -70,7 +70,7 @@ public:
             tell(0,
                  command_->has_values ? messages::describe(first)
                                       : fmt::format("{}: {}; {}", name_of(first.kind),
-                                                    rows_from(count.rows, first.line), messages::meaning(first.kind)),
+                                                    rows_from(count.rows, first.line), messages::meaning(first)),
                  first.of_reference);
         }
     }
@@ -103,10 +103,11 @@ public:
     [[nodiscard]] bool has_notes() const noexcept { return !notes_.empty(); }
     [[nodiscard]] std::size_t beyond() const { return count_of_beyond().rows; }
     [[nodiscard]] std::size_t first_beyond() const { return count_of_beyond().first.line; }
-    /// Any kind but normalized.
+    /// Any kind but normalized and few-digits.
     [[nodiscard]] bool met_singularity() const noexcept {
         return std::ranges::any_of(counts_, [](const Count& count) {
-            return count.rows > 0 && count.first.kind != DiagnosticKind::normalized;
+            return count.rows > 0 && count.first.kind != DiagnosticKind::normalized &&
+                   count.first.kind != DiagnosticKind::few_digits;
         });
     }
 

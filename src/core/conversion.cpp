@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
+#include <numeric>
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
@@ -31,6 +34,32 @@ bool any_remarkable(const AttitudeBatch<double>& attitudes, const DiagnosticSet*
 
 std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn) noexcept {
     return turn ? std::optional(turn->inverse()) : std::nullopt;
+}
+
+/// Whether the result is the given numbers, but for their order, signs, unit and quarter turns (from ZXZ to ZYZ): then
+/// a singularity leaves nothing open.
+bool passes_numbers(const Spec& from, const Spec& to) noexcept {
+    const bool reversed = (from.sequence.intrinsic() != to.sequence.intrinsic()) != (from.passive != to.passive);
+    const auto same = [&](std::size_t i) { return from.sequence.axis(i) == to.sequence.axis(reversed ? 2 - i : i); };
+    const bool are_angles = representation(from.name).has_gimbal_lock && representation(to.name).has_gimbal_lock;
+    return are_angles ? same(0) && same(2) : from.name == to.name;
+}
+
+/// False, without a look at a text, if a row whose condition is at most 1e5 has too many digits to leave it open: if
+/// its largest number does not end within 7 decimals.
+bool may_have_few_digits(std::span<const double> numbers) noexcept {
+    double largest = 0.0;
+    for (const double number : numbers) {
+        largest = std::max(largest, std::abs(number));
+    }
+    const double units = 1e7 * largest;
+    return std::abs(units - std::nearbyint(units)) <= 1e-3 + 0x1p-51 * units; // what is rounded
+}
+
+/// Whether numbers of the result are a convention, and another kind says so.
+bool is_convention(DiagnosticSet found) noexcept {
+    return found.has(DiagnosticKind::gimbal_lock) || found.has(DiagnosticKind::infinite) ||
+           found.has(DiagnosticKind::identity_axis);
 }
 
 ExactQuaternion exact(const FixedRotation& turn) noexcept {
@@ -72,10 +101,37 @@ Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<Fix
     return {left.has_value(), right.has_value(), exact(left.value_or(none)), exact(right.value_or(none))};
 }
 
+double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept {
+    const auto own = numbers.first(spec.size());
+    const double squares = std::inner_product(own.begin(), own.end(), own.begin(), 0.0);
+    switch (spec.name) {
+    case RepresentationId::quat: return 2.0 * error;
+    case RepresentationId::mrp: return 4.0 * error;
+    case RepresentationId::cayley: return 2.0 / std::sqrt(1.0 + squares) * error;
+    case RepresentationId::five_d: return 2.0 * std::numbers::sqrt2 / (1.0 + squares) * error; // (sqrt 2 - r11) error
+    default: return spec.unit == AngleUnit::degrees ? radians_per_degree * error : error;
+    }
+}
+
 // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(from), to_(to), settings_(settings), left_(to.passive ? inverse_of(settings.right) : settings.left),
-      right_(to.passive ? inverse_of(settings.left) : settings.right), out_codec_(&codec_of(to.name)) {}
+      right_(to.passive ? inverse_of(settings.left) : settings.right), out_codec_(&codec_of(to.name)) {
+    if (!settings.few_digits || (!settings.left && !settings.right && passes_numbers(from, to))) {
+        return;
+    }
+    const double unit = to.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
+    if (representation(to.name).has_gimbal_lock) {
+        const double middle = to.sequence.proper() ? unit * std::numbers::pi / 2 : 0.0;
+        const double inner = unit * (std::numbers::pi / 2 - 0.142); // a little more than 2 asin(1/(10 sqrt 2))
+        const double outer = unit * (std::numbers::pi / 2 - 0.142e-4);
+        limits_ = {1, 1, middle - inner, middle + inner, middle - outer, middle + outer};
+    } else if (to.name == RepresentationId::axis_angle) {
+        limits_ = {3, 1, unit * 0.101, unit * 4.0, unit * 0.101e-4, unit * 4.0};
+    } else if (to.name == RepresentationId::cayley) {
+        limits_ = {0, 3, -2.5, 2.5, -250.0, 250.0}; // |c|^2 is less than 19 and 2e5
+    }
+}
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
@@ -102,6 +158,16 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
         convert(batch, input.own(), rows, input.attitudes, out, rest, diagnostics.data());
         std::for_each_n(out, rows * to_.size(), [](double& number) { number += 0.0; }); // -0 becomes 0
     }
+    for (std::size_t k = limits_.first; k < limits_.first + limits_.count; ++k) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            const double number = out[i * to_.size() + k];
+            if (number < limits_.low || number > limits_.high) {
+                diagnostics[i] |=
+                    {DiagnosticKind::few_digits, number < limits_.lowest || number > limits_.highest ||
+                                                     may_have_few_digits({in + i * from_.size(), from_.size()})};
+            }
+        }
+    }
     report(input, diagnostics.data(), first, rows, out, reports);
 }
 
@@ -121,12 +187,15 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
         if (found.error != Error::none) {
             std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
         } else {
-            found.diagnostics |= diagnostics[i];
-            if (!settings_.sensitivity && found.diagnostics.empty()) {
-                continue;
-            }
             if (settings_.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
                 found.sensitivity = out_codec_->sensitivity(to_, attitudes.at(i));
+            }
+            found.diagnostics |= diagnostics[i];
+            if (found.sensitivity.condition <= few_digits_condition || is_convention(diagnostics[i])) {
+                found.diagnostics -= {DiagnosticKind::few_digits};
+            }
+            if (!settings_.sensitivity && found.diagnostics.empty()) {
+                continue;
             }
         }
         found.row = first + i;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rotconv/reading.hpp>
+#include <rotconv/representation_id.hpp>
 
 #include "column_list.hpp"
 #include "decimal.hpp"
@@ -44,6 +45,7 @@ struct Diagnostic {
     std::size_t line = 0;
     DiagnosticKind kind = DiagnosticKind::normalized;
     double figure = 0.0;
+    RepresentationId result{};
     bool of_reference = false; ///< the line is one of the reference
     std::string_view answer{}; ///< whose it is, of several answers to a row
 };

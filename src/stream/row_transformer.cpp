@@ -17,7 +17,7 @@ constexpr double any_size = std::numeric_limits<double>::infinity();
 } // namespace
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
-    : options_(&options), layout_(&layout),
+    : options_(&options), layout_(&layout), reference_layout_(reference_layout),
       operation_(options.operation->in_order ? options.operation : options.operation->copy()),
       reader_(options.input, layout), writer_(options, layout),
       nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {
@@ -241,8 +241,7 @@ double RowTransformer::norm_of(const Row& row, bool of_reference) const {
     if (!read.attitude || read.attitude->name != RepresentationId::quat) {
         return 0.0;
     }
-    const std::size_t size = parts_.numbers.size() / lines_.size();
-    const std::span q(parts_.numbers.data() + row.index * size + (of_reference ? layout_->count : 0) + read.kept, 4);
+    const auto q = numbers_of(row).subspan((of_reference ? layout_->count : 0) + read.kept, 4);
     const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
     double squares = 0.0; // of numbers that neither overflow nor underflow
     for (const double number : q) {
@@ -347,20 +346,20 @@ void RowTransformer::tell_error(const Row& row, std::string_view given, const Ro
 }
 
 void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output) {
-    for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
+    for_each_diagnostic(report, row.number, operation_->attitude, [&](Diagnostic diagnostic) {
         if (diagnostic.kind == DiagnosticKind::method_error && !operation_->answers.empty()) {
             diagnostic.answer = options_->operation->answers[answer]; // outlives this
         } else if (answer > 0) {
             return; // that is the row's, and told
         }
         if (diagnostic.kind == DiagnosticKind::normalized && row.reference_number > 0) { // of either, or of both
-            if (report.reference_defect > reported_defect) {
+            if (is_reported(report.reference_defect, row, true)) {
                 output.events.emplace_back(Diagnostic{.line = row.reference_number,
                                                       .kind = diagnostic.kind,
                                                       .figure = report.reference_defect,
                                                       .of_reference = true});
             }
-            if (!(report.defect > reported_defect)) {
+            if (!is_reported(report.defect, row, false)) {
                 return;
             }
             diagnostic.figure = report.defect;
@@ -369,9 +368,56 @@ void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, s
     });
 }
 
-const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) noexcept {
+std::span<const double> RowTransformer::numbers_of(const Row& row) const noexcept {
+    const std::size_t size = parts_.numbers.size() / lines_.size();
+    return std::span(parts_.numbers).subspan(row.index * size, size);
+}
+
+double RowTransformer::last_place_of(const Row& row, bool of_reference) {
+    const bool is_apart = of_reference && row.reference_number > 0; // otherwise both attitudes stand in the row
+    const InputOptions& input = is_apart ? options_->pairing->reference : options_->input;
+    const Layout& layout = is_apart ? *reference_layout_ : *layout_;
+    if (input.width > 0 || !input.numbers.attitude) {
+        return 0.0;
+    }
+    const std::size_t size = input.numbers.attitude->size();
+    const std::size_t first = input.numbers.kept + (of_reference && !is_apart ? size : 0);
+    const std::size_t count = of_reference ? layout.count - first : size;
+    texts_.clear();
+    static_cast<void>(layout.delimiter.split(is_apart ? row.reference : row.line.text, texts_));
+    for (std::size_t i = first; i < first + count; ++i) {
+        texts_.push_back(layout.delimiter.text_of(texts_[layout.positions.empty() ? i : layout.positions[i]]));
+    }
+    return unit_of_last_place(std::span(texts_).last(count),
+                              numbers_of(row).subspan((is_apart ? layout_->count : 0) + first, count));
+}
+
+bool RowTransformer::is_reported(double defect, const Row& row, bool of_reference) {
+    return defect > reported_defect && defect > 2.0 * last_place_of(row, of_reference);
+}
+
+void RowTransformer::hold_against_digits(const Row& row, RowReport& report) {
+    const bool is_off = report.diagnostics.has(DiagnosticKind::normalized);
+    if (is_off && !is_reported(report.defect, row, false) && !is_reported(report.reference_defect, row, true)) {
+        report.diagnostics -= {DiagnosticKind::normalized};
+    }
+    if (report.diagnostics.has(DiagnosticKind::few_digits)) {
+        const RowNumbers& read = options_->input.numbers;
+        const double error = 0.5 * last_place_of(row, false);
+        report.openness =
+            report.sensitivity.condition * attitude_error(*read.attitude, numbers_of(row).subspan(read.kept), error);
+        if (!(report.openness > reported_openness)) {
+            report.diagnostics -= {DiagnosticKind::few_digits};
+        }
+    }
+}
+
+const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) {
     static constexpr RowReport nothing{};
     const bool is_next = row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == answer;
+    if (is_next) {
+        hold_against_digits(row, reports_[next_report_]);
+    }
     return is_next ? reports_[next_report_++] : nothing;
 }
 

@@ -67,7 +67,15 @@ private:
     void look_for_notes();
     void tell_notes(const Row& row, Output& output);
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
-    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer) noexcept;
+    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer);
+    /// Removes from the report what the digits of the row's numbers do not bear out.
+    void hold_against_digits(const Row& row, RowReport& report);
+    /// Whether a defect of the row's attitude, or of the other one, is reported: rounding does not explain it.
+    [[nodiscard]] bool is_reported(double defect, const Row& row, bool of_reference);
+    /// The unit of the last place of that attitude's numbers; 0 if they are not text.
+    [[nodiscard]] double last_place_of(const Row& row, bool of_reference);
+    /// Of a row, and of its partner.
+    [[nodiscard]] std::span<const double> numbers_of(const Row& row) const noexcept;
     /// `given`: the row as it was read.
     void tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output);
     /// Of the row's answer of that number.
@@ -77,6 +85,7 @@ private:
 
     const Options* options_;
     const Layout* layout_;
+    const Layout* reference_layout_;          ///< or null
     std::shared_ptr<RowOperation> operation_; ///< a copy, for it may have room of its own to work in
     RowReader reader_;
     std::optional<RowReader> reference_reader_; ///< where rows are paired
@@ -89,6 +98,7 @@ private:
     // One batch, reused: nothing is allocated per row once they have grown.
     std::vector<Row> rows_;
     RowParts parts_;
+    std::vector<std::string_view> texts_; ///< of one row's fields and numbers
     std::vector<RowError> errors_;
     std::vector<std::size_t> lines_; ///< of the rows with numbers
     std::vector<double> results_;

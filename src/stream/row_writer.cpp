@@ -25,7 +25,7 @@ void append_notes(Buffer& to, const ConvertedRow& row) {
         return;
     }
     const std::size_t begin = to.size();
-    for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
+    for_each_diagnostic(*row.report, row.number, {}, [&](const Diagnostic& diagnostic) {
         append(to, to.size() > begin ? "+" : "");
         append(to, name_of(diagnostic.kind));
     });
@@ -285,7 +285,7 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (row.failed) {
         append(to, "  error\n");
     } else if (options_->show_diagnostics) {
-        for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
+        for_each_diagnostic(*row.report, row.number, spec, [&](const Diagnostic& diagnostic) {
             fmt::format_to(out, "  {}\n", options_->describe(diagnostic));
         });
     }

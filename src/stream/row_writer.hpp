@@ -72,19 +72,21 @@ private:
     case DiagnosticKind::method_error:
     case DiagnosticKind::coarse_step:
     case DiagnosticKind::beyond: return report.deviation;
+    case DiagnosticKind::few_digits: return report.openness;
     default: return report.sensitivity.margin;
     }
 }
 
-/// The diagnostics of a row, in order of kind, with their figures.
-template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line, const Visit& visit) {
+/// The diagnostics of a row, whose result may be an attitude, in order of kind, with their figures.
+template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line,
+                                                const std::optional<Spec>& attitude, const Visit& visit) {
     if (report.diagnostics.empty()) {
         return;
     }
     for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
         const auto kind = static_cast<DiagnosticKind>(i);
         if (report.diagnostics.has(kind)) {
-            visit(Diagnostic{line, kind, figure_of(report, kind)});
+            visit(Diagnostic{line, kind, figure_of(report, kind), attitude ? attitude->name : RepresentationId::quat});
         }
     }
 }

@@ -235,6 +235,132 @@ TEST_CASE("numbers without an attitude are errors") {
     }
 }
 
+// Would catch: a figure that says too little or too much for one of the representations that are read, or at one end of
+// the conditions.
+TEST_CASE("numbers within half a digit leave the result open by as much as is said") {
+    constexpr int rows = 20'000;
+    strata::Source source(23);
+    const auto check = [&](const std::string& from_text, const std::string& to_text, double condition) {
+        const rotconv::Spec from = spec(from_text);
+        const rotconv::Spec to = spec(to_text);
+        INFO(from_text << " to " << to_text << " at " << condition);
+        std::vector<double> result(to.size());
+        double turn = 0.0; // after which numbers are the same
+        if (to.name == rotconv::RepresentationId::cayley) {
+            const oracle::Vector3 axis = source.axis();
+            for (std::size_t i = 0; i < 3; ++i) {
+                result[i] = std::sqrt(2 * condition - 1) * static_cast<double>(axis[static_cast<Eigen::Index>(i)]);
+            }
+        } else {
+            const double unit = to.unit == rotconv::AngleUnit::degrees ? rotconv::degrees_per_radian : 1.0;
+            const double limit = to.sequence.proper() ? 0.0 : pi / 2;
+            turn = 2 * pi * unit;
+            result = {source.uniform(-pi, pi) * unit,
+                      std::abs(limit - 2 * std::asin(1 / (std::sqrt(2.0) * condition))) * unit,
+                      source.uniform(-pi, pi) * unit};
+        }
+        auto numbers = accuracy::own(to, from)(result);
+        double half = 1.0; // a digit, with which the figure is 0.003 to 0.03: small angles
+        while (rotconv::attitude_error(from, numbers, half) * condition > 0.03) {
+            half /= 10.0;
+        }
+        for (double& number : numbers) {
+            number = 2 * half * std::round(number / (2 * half));
+        }
+        const auto settings = rotconv::ConversionSettings{.tolerance = 1.0, .sensitivity = true, .few_digits = true};
+        const auto [given, report] = accuracy::converted(from, to, numbers, settings);
+        REQUIRE(report.diagnostics.has(DiagnosticKind::few_digits));
+        const double figure = rotconv::attitude_error(from, numbers, half) * report.sensitivity.condition;
+        const bool is_quaternion = from.name == rotconv::RepresentationId::quat;
+        double worst = 0.0;
+        int further = 0;
+        const auto convert = accuracy::own(from, to);
+        for (int row = 0; row < rows; ++row) {
+            auto near = numbers;
+            bool rounds_to_given = false;
+            while (!rounds_to_given) {
+                double square = 0.0;
+                for (std::size_t i = 0; i < near.size(); ++i) {
+                    near[i] = numbers[i] + source.uniform(-half, half);
+                    square += near[i] * near[i];
+                }
+                rounds_to_given = true;
+                for (std::size_t i = 0; i < near.size() && is_quaternion; ++i) {
+                    near[i] /= std::sqrt(square); // attitudes have unit quaternions
+                    rounds_to_given = rounds_to_given && std::abs(near[i] - numbers[i]) <= half;
+                }
+            }
+            const auto found = convert(near);
+            double off = 0.0;
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                const double difference = found[i] - given[i];
+                off = std::max(off, turn == 0.0 ? std::abs(difference)
+                                                : std::abs(std::remainder(difference, turn)) / turn * 2 * pi);
+            }
+            worst = std::max(worst, off);
+            further += off > figure ? 1 : 0;
+        }
+        CHECK(further <= rows / 100);
+        CHECK(figure <= 4 * worst);
+    };
+    for (const double condition : {20.0, 2'773.0, 1e6}) {
+        for (const char* from : {"quat", "dcm", "6d", "5d", "mrp", "rotvec", "rotvec:deg", "cayley", "euler:ZXZ:deg"}) {
+            for (const char* to : {"euler:ZYX:deg", "rpy"}) {
+                check(from, to, condition);
+            }
+        }
+        check("quat:xyzw", "euler:ZXZ", condition);
+        check("quat", "cayley", condition);
+        check("dcm", "cayley", condition);
+    }
+}
+
+// Would catch: a word about digits where the result has those that were given, or where it is a convention.
+TEST_CASE("few digits are looked at from a condition of 10 on, where asked for") {
+    const auto found = [](const std::string& from, const std::string& to, const std::vector<double>& row,
+                          bool asked = true) {
+        const auto is_reported = [&](bool figures) {
+            const auto report =
+                report_of(from, to, row, {.tolerance = infinity, .sensitivity = figures, .few_digits = asked});
+            return report.diagnostics.has(DiagnosticKind::few_digits);
+        };
+        CHECK(is_reported(true) == is_reported(false));
+        return is_reported(false);
+    };
+    for (const double factor : {0.999, 1.001}) {
+        const double half_margin = factor * std::asin(0.1 / std::sqrt(2.0)); // of a condition of 10, times the factor
+        const double up = std::tan(pi / 4 - half_margin);
+        const double small = std::tan(half_margin);
+        const double axis = std::tan(factor * std::asin(0.05));
+        const double c = std::sqrt(19.0) / factor;
+        INFO(factor);
+        CHECK(found("quat", "rpy:deg", {1, 0, up, 0}) == (factor < 1));
+        CHECK(found("quat", "rpy", {1, 0, -up, 0}) == (factor < 1));
+        CHECK(found("quat:xyzw", "euler:ZYX:deg", {0, up, 0, 1}) == (factor < 1));
+        CHECK(found("quat", "euler:ZXZ", {1, small, 0, 0}) == (factor < 1));
+        CHECK(found("quat", "euler:ZYZ:deg", {small, 1, 0, 0}) == (factor < 1));
+        CHECK(found("quat", "axis-angle:deg", {1, 0, 0.6 * axis, 0.8 * axis}) == (factor < 1));
+        CHECK(found("quat", "cayley", {1 / c, 0, 0, 1}) == (factor < 1));
+        CHECK(found("quat", "rpy", {1, 0, up, 0}, false) == false);
+        CHECK(found("quat", "rotvec", {1 / c, 0, 0, 1}) == false);
+    }
+    // Seven decimals, and more.
+    CHECK(found("rotvec:deg", "rpy", {0, 89.9991234, 0}) == true);
+    CHECK(found("rotvec:deg", "rpy", {0, 89.9991234, 1e-11}) == true);
+    CHECK(found("rotvec:deg", "rpy", {0, 89.99912345, 0}) == false);
+    CHECK(found("rotvec:deg", "rpy", {0, 89.99991234567, 0}) == true);
+    // The numbers that were given.
+    CHECK(found("cayley:passive", "cayley", {0, 10, 0}) == false);
+    CHECK(found("rpy:deg", "euler:ZYX", {10, 89.99, 20}) == false);
+    CHECK(found("rpy:deg", "euler:XYZ:passive", {10, 89.99, 20}) == false);
+    CHECK(found("euler:ZXZ", "euler:zyz", {0.3, 0.001, 0.2}) == false);
+    CHECK(found("euler:XYZ:deg", "rpy", {0, 89.99, 0}) == true);
+    // Conventions.
+    CHECK(found("quat", "euler:ZYX", {1, 0, 1, 0}) == false);
+    CHECK(found("quat", "cayley", {0, 0.6, 0.8, 0}) == false);
+    CHECK(found("quat", "axis-angle", {1, 0, 0, 0}) == false);
+}
+
 // Would catch: a bound on the defect that is below it, so that a decision depends on whether figures are asked for.
 TEST_CASE("the defect decides the same with and without figures") {
     for (const double off : {1e-6, 1e-3, 0.04}) {

@@ -299,11 +299,67 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
             .lock_margin = std::strtod(argument_of(words, "--lock-margin", "1e-15").c_str(), nullptr)};
 }
 
+/// What the manual says of digits: kinds that depend on how the numbers are written.
+struct ByDigits {
+    std::optional<Spec> from;
+    std::optional<Spec> to; ///< of a conversion
+    std::size_t first = 0;  ///< number of the attitude
+    std::size_t other = 0;  ///< first number of the attitude that it is compared with
+
+    [[nodiscard]] bool is_normalized(const RowReport& report, const std::vector<std::string>& texts) const {
+        const auto is_off = [&texts](double defect, std::size_t begin, std::size_t end) {
+            const auto at = [&texts](std::size_t i) { return texts.begin() + static_cast<std::ptrdiff_t>(i); };
+            return defect > 1e-6 && defect > 2 * fuzz::last_place_of({at(begin), at(end)});
+        };
+        return !from ? report.diagnostics.has(DiagnosticKind::normalized)
+                     : is_off(report.defect, first, first + from->size()) ||
+                           is_off(report.reference_defect, other, texts.size());
+    }
+    [[nodiscard]] bool has_few(const RowReport& report, const std::vector<double>& numbers,
+                               const std::vector<std::string>& texts) const {
+        const auto is_convention = [&report](auto... kinds) { return (report.diagnostics.has(kinds) || ...); };
+        if (!to || report.sensitivity.condition <= 10.0 ||
+            is_convention(DiagnosticKind::gimbal_lock, DiagnosticKind::infinite, DiagnosticKind::identity_axis)) {
+            return false;
+        }
+        const auto is_angles = [](const Spec& spec) { return representation(spec.name).has_gimbal_lock; };
+        const bool may_pass = from->name == to->name || (is_angles(*from) && is_angles(*to));
+        if (may_pass && !report.diagnostics.has(DiagnosticKind::few_digits)) {
+            return false; // where the given angles come back only the program knows
+        }
+        double square = 1.0;
+        for (const double number : numbers) {
+            square += number * number;
+        }
+        const double factor = from->name == RepresentationId::quat     ? 2.0
+                              : from->name == RepresentationId::mrp    ? 4.0
+                              : from->name == RepresentationId::cayley ? 2.0 / std::sqrt(square)
+                              : from->name == RepresentationId::five_d ? std::sqrt(8.0) / square
+                              : from->unit == AngleUnit::degrees       ? std::acos(-1.0) / 180
+                                                                       : 1.0;
+        return 0.5 * fuzz::last_place_of(texts) * factor * report.sensitivity.condition > 1e-2;
+    }
+};
+
+ByDigits by_digits(const std::vector<std::string>& words, const Program& program) {
+    const RowNumbers& read = program.options().input.numbers;
+    ByDigits digits{.from = read.attitude, .to = {}, .first = read.kept, .other = read.kept};
+    if (name_of_command(words) == "conversion") {
+        digits.to = program.operation().attitude;
+    } else if (program.is_paired()) {
+        digits.other = read.names.size() + program.options().pairing->reference.numbers.kept;
+    } else if (read.attitude) {
+        digits.other += read.attitude->size();
+    }
+    return digits;
+}
+
 /// What the command makes of the numbers of one row alone.
-fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
+fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Program& program, bool diagnostic_columns) {
     return [operation = std::shared_ptr<RowOperation>(program.operation().copy()),
-            kept = program.options().input.numbers.kept,
-            columns = diagnostic_columns](const std::vector<double>& numbers, const std::vector<std::string>& texts) {
+            kept = program.options().input.numbers.kept, columns = diagnostic_columns,
+            digits = by_digits(words, program)](const std::vector<double>& numbers,
+                                                const std::vector<std::string>& texts) {
         fuzz::Answer answer{.numbers = std::vector<double>(operation->names.size()), .notes = {}};
         const std::vector<std::string_view> kept_texts(texts.begin(),
                                                        texts.begin() + static_cast<std::ptrdiff_t>(kept));
@@ -321,7 +377,11 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
                                                          std::max(report.defect, report.reference_defect)});
         }
         for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
-            if (const auto kind = static_cast<DiagnosticKind>(i); report.diagnostics.has(kind)) {
+            const auto kind = static_cast<DiagnosticKind>(i);
+            if (!answer.failed && columns &&
+                (kind == DiagnosticKind::normalized   ? digits.is_normalized(report, texts)
+                 : kind == DiagnosticKind::few_digits ? digits.has_few(report, numbers, texts)
+                                                      : report.diagnostics.has(kind))) {
                 answer.notes += (answer.notes.empty() ? "" : "+") + std::string(name_of(kind));
             }
         }
@@ -414,7 +474,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     if (program.is_paired()) {
         add_reference(rules, words, program);
     }
-    rules.calculate = calculate_of(program, rules.diagnostic_columns);
+    rules.calculate = calculate_of(words, program, rules.diagnostic_columns);
     if (compares) {
         const fuzz::Compared compared = compared_of(words, program);
         rules.calculate = [compared, calculate = rules.calculate, has_relative = compared.relative && !sums_up,
