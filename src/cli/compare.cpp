@@ -143,7 +143,7 @@ public:
         pairing_.add_to(set);
         add_reading();
         add_writing();
-        set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu, by their names");
+        set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu");
         set.describe("--body-axes", "Other body axes of FILE's attitudes, such as frd:flu, by their names");
         set.describe("--left", "Turn the attitudes R of FILE: compare L R; L as \"SPEC: NUMBERS\"");
         set.describe("--right", "Turn the attitudes R of FILE: compare R S; S as \"SPEC: NUMBERS\"");

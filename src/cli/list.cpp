@@ -50,6 +50,8 @@ std::string effects_of(const Preset& preset) {
     return text;
 }
 
+std::string or_nothing(const std::string& effects) { return effects.empty() ? "nothing" : effects; }
+
 std::string_view name_of(const Representation& entry) { return entry.takes_sequence ? "euler:SEQ" : entry.text; }
 
 std::string list_all() {
@@ -91,7 +93,7 @@ std::string list_one(const Representation& entry) {
 std::string list_presets() {
     std::string text = fmt::format("{:<12}  {:<53}  {}\n", "PRESET", "of", "sets");
     for (const Preset& preset : presets()) {
-        text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.about, effects_of(preset));
+        text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.about, or_nothing(effects_of(preset)));
     }
     return text + "\nA preset follows a name, as in quat:tum; it leaves all else unchanged.\n";
 }
@@ -161,7 +163,7 @@ std::string list(const std::vector<std::string>& words) {
     const auto preset = std::ranges::find(all, first, &Preset::text);
     if (preset != all.end()) {
         return fmt::format("{}: {}\n  sets       {}\n  leaves     all else unchanged\n", preset->text, preset->about,
-                           effects_of(*preset));
+                           or_nothing(effects_of(*preset)));
     }
     if (const std::string about = messages::about_project(first); !about.empty()) {
         return about;
@@ -191,6 +193,12 @@ std::string help_footer() {
     std::vector<std::string_view> modifiers;
     std::ranges::transform(all_modifiers, std::back_inserter(modifiers),
                            [](Modifier modifier) { return rotconv::name_of(modifier); });
+    std::vector<std::string_view> changing; // presets that set nothing would fill a line
+    for (const Preset& preset : presets()) {
+        if (!effects_of(preset).empty()) {
+            changing.push_back(preset.text);
+        }
+    }
     return fmt::format(
         "A SPEC is a representation, followed by modifiers or a preset: quat, quat:xyzw, euler:ZYX:deg.\n"
         "\nRepresentations (rotconv list explains them):\n  {}\n"
@@ -205,7 +213,7 @@ std::string help_footer() {
         "  rotconv -f quat:xyzw -t rpy:deg 0 0 0.7071067811865476 0.7071067811865476\n"
         "  rotconv -f quat:tum -t rpy -d --columns 5-8 trajectory.txt\n"
         "  rotconv compare -f quat:tum --columns 5-8 --within 1e-6 new.txt old.txt\n",
-        fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(messages::all_presets(), " "));
+        fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(changing, " "));
 }
 
 } // namespace rotconv::cli

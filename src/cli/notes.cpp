@@ -103,15 +103,15 @@ class Notes {
 public:
     Notes(const stream::InputOptions& input, const ReadAs& reading)
         : reading_(reading), selects_(!input.columns.empty()), units_(input.numbers.names.size()) {
-        const auto& [names, attitude, second, kept] = input.numbers;
+        const auto& names = input.numbers.names;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool is_rate = names[i] == "wx" || names[i] == "wy" || names[i] == "wz";
             units_[i] = names[i] == "t" ? reading.time_unit : is_rate ? (reading.degrees ? "deg" : "rad") : "";
         }
-        if (attitude) {
-            attitudes_.emplace_back(kept, *attitude);
+        if (input.numbers.attitude) {
+            attitudes_.emplace_back(input.numbers.kept, *input.numbers.attitude);
         }
-        if (second) {
+        if (const auto& second = input.numbers.second) {
             attitudes_.emplace_back(names.size() - second->size(), *second);
         }
         for (const auto& [first, spec] : attitudes_) {

@@ -324,7 +324,7 @@ stream::InputOptions RowOptions::input_of(const SelectedColumns& selected, strea
     }
     in.width = has_values ? 0 : width_of(in);
     in.comment = has_values || comment_ == "none" ? "" : comment_;
-    add_notes(in, {.degrees = degrees, .time_unit = argument_of("--time-unit"), .refuses = refuses});
+    add_notes(in, {.degrees = degrees, .time_unit = or_else(argument_of("--time-unit"), "s"), .refuses = refuses});
     return in;
 }
 

@@ -4,15 +4,52 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
-
 #include <rotconv/dcm.hpp>
 
+#include "numerics/davenport.hpp"
 #include "representations/half_turn.hpp"
 
 namespace rotconv {
 namespace {
+
+/// The eigenvector of a symmetric matrix to its largest eigenvalue, as a quaternion: plane rotations until the matrix
+/// is diagonal (Jacobi 1846).
+Rotation leading_eigenvector(Eigen::Matrix4d matrix) noexcept {
+    constexpr int most_sweeps = 30;
+    Eigen::Matrix4d vectors = Eigen::Matrix4d::Identity();
+    bool diagonal = false;
+    for (int sweep = 0; sweep < most_sweeps && !diagonal; ++sweep) {
+        diagonal = true;
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            for (Eigen::Index k = i + 1; k < 4; ++k) {
+                const double off = matrix(i, k);
+                if (std::fabs(off) <= 0x1p-60 * matrix.diagonal().cwiseAbs().maxCoeff()) {
+                    continue;
+                }
+                diagonal = false;
+                const double cotangent = (matrix(k, k) - matrix(i, i)) / (2.0 * off); // of twice the angle
+                const double tangent =
+                    std::copysign(1.0, cotangent) / (std::fabs(cotangent) + std::sqrt(1.0 + cotangent * cotangent));
+                const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
+                const double sine = cosine * tangent;
+                const auto rotate = [&](auto&& first, auto&& second) {
+                    const Eigen::Vector4d old = first;
+                    first = cosine * old - sine * second;
+                    second = sine * old + cosine * second;
+                };
+                rotate(matrix.col(i), matrix.col(k));
+                Eigen::Matrix4d transposed = matrix.transpose();
+                rotate(transposed.col(i), transposed.col(k));
+                matrix = transposed;
+                rotate(vectors.col(i), vectors.col(k));
+            }
+        }
+    }
+    Eigen::Index largest = 0;
+    matrix.diagonal().maxCoeff(&largest);
+    const Eigen::Vector4d q = vectors.col(largest);
+    return Rotation::from_components(q[0], q[1], q[2], q[3]);
+}
 
 class MeanRotation {
 public:
@@ -20,11 +57,7 @@ public:
         const Eigen::Vector4d q(rotation.w(), rotation.x(), rotation.y(), rotation.z());
         sum_ += q * q.transpose() / rotation.squared_norm();
     }
-    [[nodiscard]] Rotation mean() const {
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(sum_);
-        const Eigen::Vector4d q = solver.eigenvectors().col(3);
-        return Rotation::near_unit(q[0], q[1], q[2], q[3]);
-    }
+    [[nodiscard]] Rotation mean() const noexcept { return leading_eigenvector(sum_); }
 
 private:
     Eigen::Matrix4d sum_ = Eigen::Matrix4d::Zero();
@@ -55,12 +88,11 @@ Rotation aligned(std::span<const Rotation> unknown, std::span<const Rotation> kn
             products += relative_vector(unknown[i], unknown[j]) * relative_vector(known[i], known[j]).transpose();
         }
     }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Matrix3d u = svd.matrixU();
-    const Eigen::Matrix3d v = svd.matrixV();
-    const double sign = (u * v.transpose()).determinant();
-    const Reading right = dcm::to_rotation(u * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * v.transpose());
-    return right ? *right : Rotation();
+    const Eigen::Matrix3d& m = products;
+    const Davenport<double> k({m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)});
+    Eigen::Matrix4d matrix;
+    matrix << k.ww, k.wx, k.wy, k.wz, k.wx, k.xx, k.xy, k.xz, k.wy, k.xy, k.yy, k.yz, k.wz, k.xz, k.yz, k.zz;
+    return leading_eigenvector(matrix);
 }
 
 } // namespace

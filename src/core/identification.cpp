@@ -429,6 +429,11 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, TurnedSid
     if (largest.angle > settings_.within) {
         return std::nullopt;
     }
+    // A turn below the limit would only spread a row's error over the others.
+    if ((side != TurnedSide::body && angle_of(turns.left) <= settings_.within) ||
+        (side != TurnedSide::reference && angle_of(turns.right) <= settings_.within)) {
+        return std::nullopt;
+    }
     Candidate candidate = trial.candidate;
     candidate.rows = rows_;
     candidate.angle = largest.angle;

@@ -172,7 +172,7 @@ void tables() {
     const Representation& entry = representation(RepresentationId::dcm);
     check(entry.size == 9 && entry.modifiers.has(Modifier::col) && !entry.presets.empty(), "Representation");
     check(std::get<SpecError>(parse_spec("quat:deg")).what == SpecError::What::meaningless_modifier, "SpecError");
-    const ModifierSet spice = modifiers_of("spice", entry);
+    const ModifierSet spice = meaning_of("spice", entry).modifiers;
     check(spice.has(Modifier::passive) && entry.presets[0].modifiers.has(Modifier::passive), "PresetMeaning");
 }
 

@@ -41,7 +41,7 @@ conventions=$(./identify.sh)
 for answer in quat:xyzw:1-4 euler:xyz:deg:1-3 dcm:col:1-9; do
     check identify.sh "-f ${answer%:*} --columns ${answer##*:}" "$conventions"
 done
-check identify.sh "ambiguous: 25 fit; all turn about one axis, (0, 0, 1)" "$conventions"
+check identify.sh "ambiguous: 97 fit; all turn about one axis, (0, 0, 1)" "$conventions"
 
 motion=$(./survey-and-propagate.sh)
 check survey-and-propagate.sh "The smallest set that serves: mrp" "$motion"

@@ -82,9 +82,9 @@ TEST_CASE("the help groups the options and names modifiers, presets and exit cod
         at = help.out.find(group, at);
         REQUIRE(at != std::string::npos);
     }
-    CHECK(missing(help.out,
-                  {" passive deg col xyzw wxyz\n", " scipy ros tum matlab basilisk spice bunge baruh trawny jpl ",
-                   "rotconv list presets", "0  ", "1  ", "2  "}) == "");
+    CHECK(missing(help.out, {" passive deg col xyzw wxyz positive\n",
+                             " scipy ros tum matlab basilisk spice bunge baruh trawny jpl ", "rotconv list presets",
+                             "0  ", "1  ", "2  "}) == "");
     CHECK(help.out.find("\n\n\n") == std::string::npos);
     for (const char* command : {"rates", "propagate", "survey", "compare", "identify"}) {
         const auto one = run(command + std::string(" --help")).out;
