@@ -64,8 +64,8 @@ struct IdentificationSettings {
 /// quaternions, axis-angle and two columns with all orders of the columns. Candidates that mean the same for all
 /// numbers count as one: the one whose list of columns comes first; if several share it, the one with the fewest
 /// modifiers and signs, preferably without `passive`. `rpy` is named euler:xyz. A candidate is dropped at the first row
-/// that it misses by more than a thousand times the limit, or whose numbers have no attitude in it, so that long data
-/// cost little more than one conversion.
+/// that it misses by more than a thousand times the limit or by half a radian, or whose numbers have no attitude in it,
+/// so that long data cost little more than one conversion.
 ///
 /// Where none fits, each is tried with a constant turn on either side, and then on both: see constant_turns(). Those
 /// that a constant turn makes the same count as one. For this rows are kept; of more than `most_kept` every second,

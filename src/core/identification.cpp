@@ -20,8 +20,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A candidate is dropped at an angle of more than so many times the limit.
+/// A candidate is dropped at an angle of more than so many times the limit, or of more than that, in radians.
 constexpr double far = 1e3;
+constexpr double farthest = 0.5;
 /// A smaller part of the whole is rounding.
 constexpr double rounding = 1e-7;
 
@@ -256,7 +257,7 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
                 candidate.angle = angle;
                 candidate.angle_row = rows[at];
             }
-            return angle > far * settings_.within;
+            return angle > std::max(settings_.within, std::min(far * settings_.within, farthest));
         });
     }
 }

@@ -160,7 +160,7 @@ TEST_CASE("a Unity quaternion becomes that of ROS") {
         if (i % 2 == 0) { // what is unit to 4 eps keeps its bits
             q = {0.96, 0.08, 0.12, 0.24};
         }
-        std::ranges::rotate(q, q.begin() + 1);
+        std::rotate(q.begin(), q.begin() + 1, q.end());
         const auto converted = [&](const std::string& text) {
             const FixedRotation turn = axes(text).turn();
             return accuracy::converted(spec, spec, q, {.left = turn, .right = turn.inverse()}).numbers;
