@@ -43,7 +43,7 @@ struct Verdict {
         difference, ///< the candidates agree on these rows for another reason
     };
     std::size_t fitting = 0;
-    std::optional<Candidate> turned; ///< the only one that fits, with a constant turn, where none does without
+    std::vector<Candidate> turned; ///< those that fit with constant turns, where none does without
     /// Largest angles of the best and the second of those that fit.
     std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Ambiguity ambiguity = Ambiguity::nothing;
@@ -91,7 +91,8 @@ public:
     /// The count of rows so far, without those with an error.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
     [[nodiscard]] bool fits(const Candidate& candidate) const noexcept {
-        return rows_ > 0 && candidate.rows == rows_ && candidate.angle <= settings_.within;
+        const std::size_t looked_at = candidate.left || candidate.right ? kept_rows_.size() : rows_;
+        return rows_ > 0 && candidate.rows == looked_at && candidate.angle <= settings_.within;
     }
     /// The candidates that were tried on the most rows first; among these, in order of their angles.
     [[nodiscard]] std::vector<Candidate> best_first() const;
@@ -117,6 +118,8 @@ private:
     void remember(const double* numbers, const Rotation& known, std::size_t row);
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
     [[nodiscard]] Verdict::Ambiguity ambiguity_of_turned(Verdict& verdict) const;
+    /// Whether the relative turns lie in a plane or about one axis, and that so that turns of the axes may be mistaken.
+    [[nodiscard]] bool may_mistake_turns() const;
     struct RowsForTurns;
     /// Fills the verdict on candidates with constant turns.
     void try_turns(Verdict& verdict) const;

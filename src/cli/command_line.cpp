@@ -148,6 +148,10 @@ std::vector<std::string> translated(std::vector<std::string> words) {
     const std::string first = words.empty() ? "" : words[0];
     if (first == "--list") {
         words[0] = "list";
+    } else if (first == "help" && stream::File::why_unreadable("help") == 0) {
+        return words; // a FILE
+    } else if (first == "help" && words.size() > 1 && words[1] == "help") {
+        words = {"--help"};
     } else if (first == "help" && words.size() > 1 && !is_command(words[1])) {
         words[0] = words[1].starts_with('-') ? "--help" : "list";
     } else if (first == "help") {
@@ -178,7 +182,9 @@ Command read(const std::vector<std::string>& words) {
     }
     const std::string verb = arguments.files.empty() || options->set.takes_names() ? "" : arguments.files.front();
     const std::string answer = messages::answer_to_verb(verb);
-    if (!answer.empty() && stream::File::why_unreadable(verb.c_str()) != 0) { // before its options are looked at
+    const bool is_word = entry == entries.data() && verb.find_first_of("./") == std::string::npos;
+    if (!answer.empty() && is_word &&
+        stream::File::why_unreadable(verb.c_str()) != 0) { // before its options are looked at
         throw Usage(fmt::format("{} is not a command: {}", quoted(verb), answer));
     }
     if (!arguments.error.empty()) {

@@ -103,13 +103,12 @@ constexpr auto verbs = std::to_array<Meaning>({
     {"rotconv compare -f SPEC FILE REFERENCE prints angles, with --format csv --as SPEC also the attitudes between "
      "them",
      " diff difference delta subtract sub relative angle distance check verify "},
-    {"not here: rotconv has no rows between those it reads; SciPy's Slerp",
-     " slerp squad interpolate interp lerp resample "},
+    {"not here: rotconv does not interpolate; SciPy's Slerp", " slerp squad interpolate interp lerp resample "},
     {"not here: rotconv takes each row by itself; SciPy's Rotation.mean()", " average mean avg median filter smooth "},
     {"every conversion does, with --tolerance inf", " normalize normalise norm unit orthogonalize orthonormalize "},
-    {"not here: rotconv makes no attitudes; SciPy's Rotation.random()", " random rand generate "},
+    {"not here: rotconv does not make attitudes; SciPy's Rotation.random()", " random rand generate "},
     {"not here: rotconv writes numbers; --format pretty is for people", " plot draw show view visualize "},
-    {"not here: rotconv turns no vectors; -t dcm is the matrix that does", " apply rotate transform "},
+    {"not here: rotconv does not turn vectors; -t dcm is the matrix that does", " apply rotate transform "},
     {"it has no name: rotconv -f SPEC -t SPEC", " convert conversion conv "},
     {"rotconv propagate", " integrate "},
     {"rotconv rates --differences", " derivative differentiate velocity "},
@@ -329,9 +328,9 @@ std::string mend(std::string_view text) {
 std::string mend(const stream::RowError& error) {
     using What = stream::RowError::What;
     const bool has_comma = error.text.find(',') != std::string::npos && !error.text.ends_with(',');
-    const bool is_count = error.what == What::wrong_count && has_comma;
+    const bool is_count = error.what == What::wrong_count && has_comma && error.found > error.expected;
     const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
-    return mended.empty() && is_count && error.found > error.expected ? "; decimal commas must be points" : mended;
+    return mended.empty() && is_count && error.found == 2 * error.expected ? "; decimal commas must be points" : mended;
 }
 
 std::string answer_to_verb(std::string_view word) {

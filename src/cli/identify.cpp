@@ -72,7 +72,7 @@ std::string turn_option(std::string_view side, std::string_view axes_option, con
         return fmt::format(" {} xyz:{}", axes_option, axes);
     }
     const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
-    return fmt::format(" {} \"quat: {} {} {} {}\"", side, q.w(), q.x(), q.y(), q.z());
+    return fmt::format(" {} 'quat: {} {} {} {}'", side, q.w(), q.x(), q.y(), q.z());
 }
 
 std::string turn_options(const Candidate& candidate) {
@@ -135,25 +135,31 @@ public:
         }
         auto candidates = identification_->best_first();
         const Verdict verdict = identification_->verdict();
-        if (verdict.turned) {
-            candidates.insert(candidates.begin(), *verdict.turned);
-        }
+        candidates.insert(candidates.begin(), verdict.turned.begin(), verdict.turned.end());
         candidates.resize(std::min(candidates.size(), listed));
         std::string text = settings_.json ? "" : line_of("SPEC", "columns", "worst angle", "at line", "rows", "fits");
         for (const Candidate& each : candidates) {
             const bool is_read = std::isfinite(each.angle);
             const double angle = each.angle * unit_;
             const bool fits = identification_->fits(each);
-            text += settings_.json
-                        ? json_line({{"spec", each.spec.text()},
-                                     {"columns", columns_of(each)},
-                                     {"angle", is_read ? JsonValue(angle) : JsonValue()},
-                                     {"angle_line", each.angle_row},
-                                     {"rows", each.rows},
-                                     {"fits", fits}})
-                        : line_of(each.spec.text(), columns_of(each),
-                                  is_read ? fmt::format("{:.6g}", angle) : "no attitude",
-                                  std::to_string(each.angle_row), std::to_string(each.rows), fits ? "yes" : "no");
+            const std::string turns = turn_options(each);
+            if (settings_.json) {
+                std::vector<std::pair<std::string_view, JsonValue>> line{
+                    {"spec", each.spec.text()},
+                    {"columns", columns_of(each)},
+                    {"angle", is_read ? JsonValue(angle) : JsonValue()},
+                    {"angle_line", each.angle_row},
+                    {"rows", each.rows},
+                    {"fits", fits}};
+                if (!turns.empty()) {
+                    line.emplace_back("turns", turns.substr(1));
+                }
+                text += json_line(line);
+            } else {
+                text +=
+                    line_of(each.spec.text(), columns_of(each), is_read ? fmt::format("{:.6g}", angle) : "no attitude",
+                            std::to_string(each.angle_row), std::to_string(each.rows), (fits ? "yes" : "no") + turns);
+            }
         }
         const bool is_ambiguous = verdict.fitting > 1;
         const std::string best = verdict.fitting == 1
@@ -169,9 +175,12 @@ public:
             }
             text += json_line(last);
         } else {
-            text += fmt::format("\n{}; the convention that fits within {:.6g} {}:\n{}{}{}\n",
-                                counted(identification_->rows(), "row"), settings_.identification.within * unit_,
-                                unit_name_, best,
+            const std::size_t looked_at = verdict.turned.empty() ? 0 : verdict.turned.front().rows;
+            const bool is_part = looked_at > 0 && looked_at < identification_->rows();
+            text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}{}{}\n",
+                                counted(identification_->rows(), "row"),
+                                is_part ? fmt::format(", of which {} were held against turns", looked_at) : "",
+                                settings_.identification.within * unit_, unit_name_, best,
                                 is_ambiguous ? fmt::format(": {} fit; {}", verdict.fitting, lack(verdict)) : "",
                                 is_ambiguous ? smaller_limit(verdict) : "");
         }

@@ -103,7 +103,7 @@ struct Guess {
 [[nodiscard]] std::string mend(std::string_view text);
 [[nodiscard]] std::string mend(const stream::RowError& error);
 
-/// What does that of which the word is the name in other programs, or why nothing does; empty for other words.
+/// The command or option that does what the word names in other programs, or why there is none; empty for other words.
 [[nodiscard]] std::string answer_to_verb(std::string_view word);
 
 /// The options for the numbers of a project, as a line; of `projects` those of all; empty for other words.

@@ -31,10 +31,10 @@ std::string_view unit_of(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
         {{"deg", " deg degree degrees dps \u00B0 "},
          {"rad", " rad radian radians rps "},
-         {"s", " s sec second seconds "},
+         {"s", " s sec secs second seconds "},
          {"ms", " ms msec millisecond milliseconds "},
-         {"us", " us usec \u00B5s microsecond microseconds "},
-         {"ns", " ns nsec nanosecond nanoseconds "}}};
+         {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
+         {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
     std::string unit = lower(text);
     std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
     for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
@@ -71,7 +71,7 @@ std::string own_name(const Spec& spec, const std::string& text) {
     const std::string name = name_and_unit(text).first;
     const auto letter = name.find_last_of("wxyz");
     const std::string stem = name.substr(0, letter);
-    const bool is_one = spec.name == RepresentationId::quat && letter + 1 == name.size() &&
+    const bool is_one = spec.name == RepresentationId::quat && !name.empty() && letter + 1 == name.size() &&
                         (stem.empty() || stem == "q" || (stem.starts_with("q_") && stem.ends_with('_')));
     return is_one ? std::string("q") + name.back() : name;
 }
@@ -98,7 +98,7 @@ std::string large_angle(const Spec& spec, std::span<const double> numbers, doubl
                : std::string();
 }
 
-/// What is told of one stream.
+/// The notes on one stream.
 class Notes {
 public:
     Notes(const stream::InputOptions& input, const ReadAs& reading)
@@ -121,6 +121,18 @@ public:
         }
     }
 
+    [[nodiscard]] std::vector<std::string> own_names(std::vector<std::string> names) const {
+        for (std::string& name : names) {
+            name = name_and_unit(name).first;
+        }
+        for (const auto& [first, spec] : attitudes_) {
+            for (std::size_t i = first; i < std::min(first + spec.size(), names.size()); ++i) {
+                names[i] = own_name(spec, names[i]);
+            }
+        }
+        return names;
+    }
+
     [[nodiscard]] std::vector<stream::Note> operator()(const stream::Said& said) const {
         std::vector<stream::Note> notes;
         const auto add = [&notes](Kind kind, const std::string& text, bool ends_run = false) {
@@ -129,7 +141,7 @@ public:
             }
         };
         if (!said.comment.empty()) {
-            add(Kind::comments, fmt::format("there was nothing but comments, such as {}; if these are rows: --comment "
+            add(Kind::comments, fmt::format("there were only comments, such as {}; if these are rows: --comment "
                                             "none",
                                             quoted(said.comment)));
         }
@@ -185,7 +197,8 @@ private:
             if (at >= first && at < first + spec.size()) {
                 Spec right = spec;
                 right.unit = unit == "deg" ? AngleUnit::degrees : AngleUnit::radians;
-                return fmt::format("is read by {}: {}{}", spec.text(), right.text(),
+                return fmt::format("{} reads {}: {}{}", spec.text(),
+                                   spec.unit == AngleUnit::degrees ? "degrees" : "radians", right.text(),
                                    reading_.degrees ? ", without -d" : "");
             }
         }
@@ -205,6 +218,7 @@ void add_notes(stream::InputOptions& input, const ReadAs& reading) {
     const Notes notes(input, reading);
     input.largest = notes.largest(input.numbers.kept);
     input.notes_of = notes;
+    input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
 
 std::vector<stream::Note> notes_of_attitude(std::string_view option, const std::string& text, bool degrees) {

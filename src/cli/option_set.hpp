@@ -81,9 +81,9 @@ public:
     [[nodiscard]] std::string help() const;
 
     /// Reads words from the one at `begin` on, and sets the values of the options. A word that reads as a number, or
-    /// begins with one before a separator, perhaps after brackets, is a VALUE, except where an option awaits its
-    /// argument.
-    /// Any other word that is not an option is a FILE, or ends the reading if it comes first and names a command.
+    /// begins with one before a separator, or after brackets with a character of one, is a VALUE, except where an
+    /// option awaits its argument. Any other word that is not an option is a FILE, or ends the reading if it comes
+    /// first and names a command.
     [[nodiscard]] Arguments read(const std::vector<std::string>& words, std::size_t begin,
                                  const std::function<bool(std::string_view)>& is_command) const;
 

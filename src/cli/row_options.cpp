@@ -20,6 +20,9 @@
 namespace rotconv::cli {
 namespace {
 
+/// Whether roll is about x and pitch about y: not in Metashape's -ZXY of yaw, pitch and roll, for example.
+bool has_usual_axes(const EulerSequence& sequence) { return !sequence.has_signs() || sequence.axis(1) == 1; }
+
 /// The canonical names of quat, dcm, or roll, pitch and yaw, in the SPEC's order; none for other SPECs.
 std::vector<std::string_view> name_order(const Spec& spec) {
     if (spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
@@ -27,7 +30,8 @@ std::vector<std::string_view> name_order(const Spec& spec) {
         return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
     }
     std::vector<std::string_view> order;
-    if (spec.name == RepresentationId::rpy || (spec.name == RepresentationId::euler && !spec.sequence.proper())) {
+    if (spec.name == RepresentationId::rpy ||
+        (spec.name == RepresentationId::euler && !spec.sequence.proper() && has_usual_axes(spec.sequence))) {
         for (std::size_t i = 0; i < spec.size(); ++i) {
             order.push_back(
                 representation(RepresentationId::rpy).columns.at(static_cast<std::size_t>(spec.sequence.axis(i))));
@@ -45,10 +49,17 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
     } else if (like.name == RepresentationId::dcm) {
         second.column_major = !like.column_major;
     } else { // yaw, pitch, roll about the body's axes are roll, pitch, yaw about the fixed ones
-        first.name = RepresentationId::rpy;
-        first.sequence = roll_pitch_yaw;
+        const auto is_negative = [&](int axis) {
+            const auto& sequence = like.sequence;
+            return sequence.sign(sequence.axis(0) == axis ? 0 : sequence.axis(1) == axis ? 1 : 2) < 0.0;
+        };
+        const bool x = is_negative(0);
+        const bool y = is_negative(1);
+        const bool z = is_negative(2);
+        first.name = x || y || z ? RepresentationId::euler : RepresentationId::rpy;
+        first.sequence = roll_pitch_yaw.with_signs(x, y, z);
         second.name = RepresentationId::euler;
-        second.sequence = "ZYX";
+        second.sequence = EulerSequence("ZYX").with_signs(z, y, x);
     }
     return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
 }

@@ -149,13 +149,22 @@ LargestAngle largest_angle(const ConstantTurns& turns, std::span<const Rotation>
     return largest;
 }
 
-ConstantTurns with_named_axes(const ConstantTurns& turns, double within) noexcept {
-    const auto named = [within](const Rotation& rotation) {
+ConstantTurns with_named_axes(const ConstantTurns& turns, TurnedSide first, std::span<const Rotation> unknown,
+                              std::span<const Rotation> known) {
+    const auto named = [](const Rotation& rotation) {
         const Dcm rounded = dcm::from_rotation(rotation).array().round();
         const Reading reading = dcm::to_rotation(rounded, 0.0);
-        return reading && angle_of(*reading * rotation.inverse()) <= within ? *reading : rotation;
+        return reading ? *reading : rotation;
     };
-    return {named(turns.left), named(turns.right)};
+    ConstantTurns found;
+    if (first == TurnedSide::reference) {
+        found.left = named(turns.left);
+        found.right = named(right_turn(unknown, found.left, known));
+    } else {
+        found.right = named(turns.right);
+        found.left = named(left_turn(unknown, found.right, known));
+    }
+    return found;
 }
 
 } // namespace rotconv

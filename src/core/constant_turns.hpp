@@ -21,9 +21,9 @@ struct LargestAngle {
     std::size_t row = 0; ///< the first with it
 };
 
-/// Those with the least sum of squared sines of the half angles that are left: on one side the eigenvector of the sum
-/// of q q' (Markley, Cheng, Crassidis and Oshman, "Averaging Quaternions", 2007); on both by turns, from the rotation
-/// that aligns the vectors of relative turns.
+/// The turns with the least sum of squared sines of the half angles that are left: on one side the eigenvector of the
+/// sum of q q' (Markley, Cheng, Crassidis and Oshman, "Averaging Quaternions", 2007); on both by turns, from the
+/// rotation that aligns the vectors of relative turns.
 /// @pre as many rows of either, at least one
 [[nodiscard]] ConstantTurns constant_turns(TurnedSide side, std::span<const Rotation> unknown,
                                            std::span<const Rotation> known);
@@ -32,8 +32,10 @@ struct LargestAngle {
 [[nodiscard]] LargestAngle largest_angle(const ConstantTurns& turns, std::span<const Rotation> unknown,
                                          std::span<const Rotation> known) noexcept;
 
-/// The same turns, with each that is a turn of the axes' names, to within an angle, replaced by that.
-[[nodiscard]] ConstantTurns with_named_axes(const ConstantTurns& turns, double within) noexcept;
+/// The turns of the axes' names that are nearest, where they are near: that of the first side, and that of the other as
+/// it fits the first.
+[[nodiscard]] ConstantTurns with_named_axes(const ConstantTurns& turns, TurnedSide first,
+                                            std::span<const Rotation> unknown, std::span<const Rotation> known);
 
 /// sin(theta/2) cos(theta/2) n of the turn from a to b in body axes: whatever the signs of the quaternions.
 [[nodiscard]] Eigen::Vector3d relative_vector(const Rotation& a, const Rotation& b) noexcept;

@@ -128,14 +128,16 @@ Fingerprint fingerprint(std::span<const Rotation> attitudes) {
     return marks;
 }
 
-/// Of attitudes, whatever constant turns stand on their sides: the lengths, angles and volume of the vectors of the
-/// relative turns.
+/// Of attitudes, whatever constant turns stand on their sides: the angles of the relative turns, and the angles and the
+/// volume between their axes.
 Fingerprint turned_fingerprint(std::span<const Rotation> attitudes) {
     Fingerprint marks;
     std::vector<Eigen::Vector3d> vectors;
     for (const Rotation& attitude : attitudes.subspan(1)) {
         vectors.push_back(relative_vector(attitudes[0], attitude));
-        marks.push_back(mark_of(angle_between(attitudes[0], attitude)));
+        const double length = vectors.back().norm();
+        vectors.back() /= length; // however small the turns are
+        marks.push_back(mark_of(angle_between(attitudes[0], attitude) / 1e-3));
         for (const Eigen::Vector3d& vector : vectors) {
             marks.push_back(mark_of(vector.dot(vectors.back())));
         }
@@ -334,6 +336,25 @@ void count_fit(Verdict& verdict, double angle) noexcept {
     verdict.nearest[0] = std::min(verdict.nearest[0], angle);
 }
 
+/// The vectors of the turns from the first attitude to the others, in body or reference axes: their sizes, increasing,
+/// and the directions of these.
+struct RelativeTurns {
+    RelativeTurns(const std::vector<Rotation>& attitudes, bool in_reference) {
+        Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+        for (const Rotation& attitude : attitudes) {
+            const Eigen::Vector3d vector = in_reference ? relative_vector(attitudes[0].inverse(), attitude.inverse())
+                                                        : relative_vector(attitudes[0], attitude);
+            scatter += vector * vector.transpose();
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter / static_cast<double>(attitudes.size()));
+        sizes = 2.0 * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+        axes = solver.eigenvectors();
+    }
+
+    Eigen::Vector3d sizes;
+    Eigen::Matrix3d axes;
+};
+
 /// Of an axis and its opposite that whose largest component is positive.
 Eigen::Vector3d with_positive_leader(const Eigen::Vector3d& axis) noexcept {
     Eigen::Index leader = 0;
@@ -419,13 +440,21 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, TurnedSid
     if (own.empty()) {
         return std::nullopt;
     }
-    ConstantTurns turns = constant_turns(side, attitudes_of(trial, rows.some), rows.known_some);
+    const auto own_some = attitudes_of(trial, rows.some);
+    ConstantTurns turns = constant_turns(side, own_some, rows.known_some);
     LargestAngle largest = largest_angle(turns, own, kept_known_);
-    const ConstantTurns named = with_named_axes(turns, std::max(settings_.within, rounding));
-    const LargestAngle largest_of_named = largest_angle(named, own, kept_known_);
-    if (largest_of_named.angle <= settings_.within) {
-        turns = named;
-        largest = largest_of_named;
+    const ConstantTurns exact = turns;
+    for (const TurnedSide first : {TurnedSide::reference, TurnedSide::body}) {
+        if (side == first) { // the other side would be turned too
+            continue;
+        }
+        const ConstantTurns named = with_named_axes(exact, first, own_some, rows.known_some);
+        const LargestAngle largest_of_named = largest_angle(named, own, kept_known_);
+        if (largest_of_named.angle <= settings_.within) {
+            turns = named;
+            largest = largest_of_named;
+            break;
+        }
     }
     if (largest.angle > settings_.within) {
         return std::nullopt;
@@ -436,7 +465,7 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, TurnedSid
         return std::nullopt;
     }
     Candidate candidate = trial.candidate;
-    candidate.rows = rows_;
+    candidate.rows = kept_rows_.size();
     candidate.angle = largest.angle;
     candidate.angle_row = kept_rows_[largest.row];
     candidate.left = side == TurnedSide::body ? std::nullopt : std::optional(turns.left);
@@ -459,7 +488,8 @@ void Identification::try_turns(Verdict& verdict) const {
     }
     std::map<std::size_t, Candidate> fitting; // of each class the one with the fewest turns
     for (const TurnedSide side : {TurnedSide::body, TurnedSide::reference, TurnedSide::both}) {
-        if (side == TurnedSide::both && !fitting.empty()) {
+        // What others make of turns on both sides is told by four rows; of fewer those that are not special serve.
+        if (side == TurnedSide::both && !fitting.empty() && rows_ < 4 && !may_mistake_turns()) {
             break;
         }
         for (const Trial* trial : trials) {
@@ -475,10 +505,9 @@ void Identification::try_turns(Verdict& verdict) const {
     }
     for (const auto& [turned_class, candidate] : fitting) {
         count_fit(verdict, candidate.angle);
-        verdict.turned = candidate;
+        verdict.turned.push_back(candidate);
     }
     if (verdict.fitting > 1) {
-        verdict.turned.reset();
         verdict.ambiguity = ambiguity_of_turned(verdict);
     }
 }
@@ -491,16 +520,30 @@ Verdict::Ambiguity Identification::ambiguity_of_turned(Verdict& verdict) const {
     if (spread_ <= settings_.within) {
         return Ambiguity::attitudes;
     }
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const Rotation& known : kept_known_) {
-        const Eigen::Vector3d vector = relative_vector(kept_known_[0], known);
-        scatter += vector * vector.transpose();
+    verdict.angle = spread_;
+    if (spread_ * spread_ <= 4.0 * settings_.within) {
+        return Ambiguity::size;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter / static_cast<double>(kept_known_.size()));
-    const Eigen::Vector3d sizes = 2.0 * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const RelativeTurns turns(kept_known_, false);
     const double least = std::max(settings_.within, rounding);
-    verdict.axis = with_positive_leader(solver.eigenvectors().col(sizes[1] <= least ? 2 : 0));
-    return sizes[1] <= least ? Ambiguity::axes : sizes[0] <= least ? Ambiguity::plane : Ambiguity::difference;
+    const bool is_axis = turns.sizes[1] <= least;
+    verdict.axis = with_positive_leader(turns.axes.col(is_axis ? 2 : 0));
+    return is_axis ? Ambiguity::axes : turns.sizes[0] <= least ? Ambiguity::plane : Ambiguity::difference;
+}
+
+// Along the axes, or halfway between them, other axes are turns of the numbers' signs and order.
+bool Identification::may_mistake_turns() const {
+    const double least = std::max(settings_.within, rounding);
+    for (const bool in_reference : {false, true}) {
+        const RelativeTurns turns(kept_known_, in_reference);
+        const Eigen::Vector3d n = turns.axes.col(turns.sizes[1] <= least ? 2 : 0).cwiseAbs();
+        const double nearest =
+            std::min({n[0], n[1], n[2], std::fabs(n[0] - n[1]), std::fabs(n[1] - n[2]), std::fabs(n[0] - n[2])});
+        if (turns.sizes[0] <= least && nearest <= 2.0 * settings_.within) {
+            return true;
+        }
+    }
+    return false;
 }
 
 Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {

@@ -50,14 +50,17 @@ std::vector<double> run(const Conversion& conversion, std::span<const double> in
     return out;
 }
 
-/// Euler angles, radians, of the sequence without its signs become those of the SPEC.
+/// Euler angles of the sequence without its signs become those of the SPEC.
 void put_in_range(const Spec& to, double* angles) noexcept {
-    using std::numbers::pi;
+    const double half_turn = to.unit == AngleUnit::degrees ? 180.0 : std::numbers::pi;
     const bool is_other = to.sequence.proper() && to.sequence.sign(1) < 0.0; // a + pi, -b, c + pi, -b printed as b
     for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
-        const double angle = to.sequence.sign(outer) * angles[outer] + (is_other ? pi : 0.0);
-        angles[outer] =
-            angle - 2.0 * pi * (to.positive ? std::floor(angle / (2.0 * pi)) : std::ceil(angle / (2.0 * pi) - 0.5));
+        const double angle = to.sequence.sign(outer) * angles[outer] + (is_other ? half_turn : 0.0);
+        const double turns = angle / (2.0 * half_turn);
+        angles[outer] = angle - 2.0 * half_turn * (to.positive ? std::floor(turns) : std::ceil(turns - 0.5));
+        if (to.positive && angles[outer] >= 2.0 * half_turn) { // by rounding
+            angles[outer] = 0.0;
+        }
     }
     angles[1] *= is_other ? 1.0 : to.sequence.sign(1);
 }
@@ -174,11 +177,11 @@ std::vector<double> MethodConversion::answers_of(const Method& method, std::span
     const std::size_t rows = numbers.size() / from().size();
     std::vector<double> own(rows * to().size());
     method.run(to().sequence, numbers.data(), rows, own.data());
-    for (std::size_t i = 0; i < own.size() && (to().sequence.has_signs() || to().positive); i += to().size()) {
-        put_in_range(to(), own.data() + i);
-    }
     if (to().unit == AngleUnit::degrees) {
         std::ranges::for_each(own, [](double& v) { v *= degrees_per_radian; });
+    }
+    for (std::size_t i = 0; i < own.size() && (to().sequence.has_signs() || to().positive); i += to().size()) {
+        put_in_range(to(), own.data() + i);
     }
     if (to().name == RepresentationId::quat) {
         for (std::size_t i = 0; i < own.size(); i += to().size()) {

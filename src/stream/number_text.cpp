@@ -240,7 +240,8 @@ double unit_of_last_place(std::span<const std::string_view> texts, std::span<con
         std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
         const std::size_t point = std::min(mantissa.find('.'), mantissa.size() - 1);
         const auto decimals = static_cast<int>(mantissa.size() - point - 1);
-        if (decimals == 0 || exponent >= decimals) {
+        exponent = std::clamp(exponent, -100'000, 100'000);
+        if (exponent >= decimals) {
             return 0.0;
         }
         finest = std::min(finest, exponent - decimals);

@@ -56,6 +56,8 @@ struct InputOptions {
     std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};
     /// What is to be told of the header, the first row, a row beyond `largest`, or comments alone.
     std::function<std::vector<Note>(const Said& said)> notes_of{};
+    /// The numbers' own names, of those under which a header has them: "qw" for "W" and "q_RS_w []".
+    std::function<std::vector<std::string>(std::vector<std::string> names)> own_names{};
     std::vector<double> largest{}; ///< the greatest size of each number that needs no note; none: no row is looked at
 
     [[nodiscard]] bool is_comment(std::string_view line) const noexcept {

@@ -186,10 +186,7 @@ private:
         }
         if (row.delimiter.is_blanks() && count() > 0) { // then a remark may well have as many words
             const auto kept = static_cast<std::ptrdiff_t>(options_.numbers.kept);
-            for (std::string& name : *names) {
-                constexpr std::string_view unit = "_deg_s";
-                name.resize(name.size() - (name.ends_with(unit) ? unit.size() : 0));
-            }
+            names = options_.own_names ? options_.own_names(std::move(*names)) : names;
             const auto& own = options_.numbers.names;
             if (!std::is_permutation(names->begin() + kept, names->end(), own.begin() + kept, own.end())) {
                 return std::nullopt;

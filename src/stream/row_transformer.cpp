@@ -24,12 +24,16 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
     if (reference_layout != nullptr) {
         reference_reader_.emplace(options.pairing->reference, *reference_layout);
     }
-    largest_ = options.input.largest;
-    if (reference_layout != nullptr && !(largest_.empty() && options.pairing->reference.largest.empty())) {
-        largest_.resize(layout.count, any_size);
-        std::ranges::copy(options.pairing->reference.largest, std::back_inserter(largest_));
-        largest_.resize(layout.count + reference_layout->count, any_size);
+}
+
+std::vector<double> RowTransformer::largest_numbers() const {
+    std::vector<double> largest = options_->input.largest;
+    if (reference_layout_ != nullptr && !(largest.empty() && options_->pairing->reference.largest.empty())) {
+        largest.resize(layout_->count, any_size);
+        std::ranges::copy(options_->pairing->reference.largest, std::back_inserter(largest));
+        largest.resize(layout_->count + reference_layout_->count, any_size);
     }
+    return largest;
 }
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
@@ -185,6 +189,14 @@ std::size_t RowTransformer::answer(bool flush) {
 }
 
 void RowTransformer::look_for_notes() {
+    if (lines_.empty()) {
+        may_have_notes_ = false;
+        return;
+    }
+    if (!knows_largest_) { // with the first rows that have their numbers both layouts are known
+        largest_ = largest_numbers();
+        knows_largest_ = true;
+    }
     const std::span<const double> numbers = parts_.numbers;
     const bool is_uniform = std::ranges::adjacent_find(largest_, std::not_equal_to{}) == largest_.end();
     if (is_uniform) { // without keys: a fifth of the time
@@ -377,12 +389,13 @@ double RowTransformer::last_place_of(const Row& row, bool of_reference) {
     const bool is_apart = of_reference && row.reference_number > 0; // otherwise both attitudes stand in the row
     const InputOptions& input = is_apart ? options_->pairing->reference : options_->input;
     const Layout& layout = is_apart ? *reference_layout_ : *layout_;
-    if (input.width > 0 || !input.numbers.attitude) {
+    const bool is_second = of_reference && !is_apart;
+    const auto& spec = is_second ? input.numbers.second : input.numbers.attitude;
+    if (input.width > 0 || !spec) {
         return 0.0;
     }
-    const std::size_t size = input.numbers.attitude->size();
-    const std::size_t first = input.numbers.kept + (of_reference && !is_apart ? size : 0);
-    const std::size_t count = of_reference ? layout.count - first : size;
+    const std::size_t count = spec->size();
+    const std::size_t first = is_second ? layout.count - count : input.numbers.kept;
     texts_.clear();
     static_cast<void>(layout.delimiter.split(is_apart ? row.reference : row.line.text, texts_));
     for (std::size_t i = first; i < first + count; ++i) {

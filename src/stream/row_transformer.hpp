@@ -93,6 +93,8 @@ private:
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
     /// The greatest size of each number of a row, and of its partner, that needs no note; none: no note can come.
+    [[nodiscard]] std::vector<double> largest_numbers() const;
+    bool knows_largest_ = false;
     std::vector<double> largest_;
     bool may_have_notes_ = false; ///< the rows at hand
     // One batch, reused: nothing is allocated per row once they have grown.

@@ -144,8 +144,9 @@ void check(const Case& each, int seed, std::size_t count, double noise, double w
             ++undecided;
             continue;
         }
-        const Candidate found = verdict.turned ? *verdict.turned : identification.best_first().front();
-        CHECK(verdict.turned.has_value() == each.has_turns);
+        const bool has_turns = !verdict.turned.empty();
+        const Candidate found = has_turns ? verdict.turned.front() : identification.best_first().front();
+        CHECK(has_turns == each.has_turns);
         wrong += error_of(found, each, random.any()) <= allowed ? 0 : 1;
     }
     INFO(each.name);

@@ -226,7 +226,9 @@ bool stands_for_missing(const std::string& text) {
 bool may_be_remark(const Line& line) {
     const auto has = [&line](std::string_view word) { return line.text.find(word) != std::string_view::npos; };
     return (!line.comment() && (line.text.starts_with("//") || line.text.starts_with('%'))) || has("FMT") ||
-           has("COMMENT") || has("=") || (line.comment() && has("_deg_s"));
+           has("COMMENT") || has("=") ||
+           (line.comment() && line.text.find_first_of("_[(") != std::string_view::npos &&
+            line.text.find_first_of(",;\t") == std::string_view::npos);
 }
 
 /// An item of --columns: a name, or a position.
@@ -607,6 +609,11 @@ private:
         auto names = selected(fields, delimiter);
         auto own = rules_.input_names;
         const auto kept = static_cast<std::ptrdiff_t>(rules_.kept);
+        for (std::string& name : names) {
+            name = lower(name);
+            const bool is_letter = name == "w" || name == "x" || name == "y" || name == "z";
+            name = is_letter && std::ranges::count(own, "qw") > 0 ? "q" + name : name;
+        }
         std::sort(names.begin() + kept, names.end());
         std::sort(own.begin() + kept, own.end());
         if (delimiter == ' ' && !std::equal(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {

@@ -76,7 +76,7 @@ TEST_CASE("compare ends as diff does") {
     const auto none = files("compare -f rotvec @none @none");
     CHECK(none == Failure{1,
                           "rows      0\nunpaired  0\nfailed    0\n",
-                          {"none: there was nothing but comments, such as '# nothing'; ",
+                          {"none: there were only comments, such as '# nothing'; ",
                            "rotconv: there was no row with an attitude\n"},
                           3});
     CHECK(files("compare -f rotvec --format json @none @none").out ==
