@@ -320,15 +320,18 @@ std::string mend(std::string_view text) {
     if (rest.empty() && bracket == 0 && text.find_first_of("0123456789") == std::string_view::npos) {
         return "; put brackets and numbers in one pair of quotes";
     }
-    const bool has_blank = text.find_first_of(" \t") != std::string_view::npos;
-    return rest.empty() && has_blank ? "; only blanks may be between numbers, or only commas (and no decimal commas)"
-                                     : "";
+    bool parts_both = false; // commas, and blanks that do not follow one
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        parts_both = parts_both || ((text[i] == ' ' || text[i] == '\t') && text[i - 1] != ',' && text[i - 1] != ' ');
+    }
+    return rest.empty() && parts_both ? "; only blanks may be between numbers, or only commas (and no decimal commas)"
+                                      : "";
 }
 
 std::string mend(const stream::RowError& error) {
     using What = stream::RowError::What;
     const bool has_comma = error.text.find(',') != std::string::npos && !error.text.ends_with(',');
-    const bool is_count = error.what == What::wrong_count && has_comma && error.found > error.expected;
+    const bool is_count = error.what == What::wrong_count && has_comma;
     const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
     return mended.empty() && is_count && error.found == 2 * error.expected ? "; decimal commas must be points" : mended;
 }

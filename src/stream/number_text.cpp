@@ -241,7 +241,7 @@ double unit_of_last_place(std::span<const std::string_view> texts, std::span<con
         const std::size_t point = std::min(mantissa.find('.'), mantissa.size() - 1);
         const auto decimals = static_cast<int>(mantissa.size() - point - 1);
         exponent = std::clamp(exponent, -100'000, 100'000);
-        if (exponent >= decimals) {
+        if (decimals == 0 || exponent >= decimals) {
             return 0.0;
         }
         finest = std::min(finest, exponent - decimals);
