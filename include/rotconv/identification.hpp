@@ -104,7 +104,7 @@ private:
     struct Trial {
         Candidate candidate;
         Conversion conversion;
-        std::size_t turned_class; ///< that of all that are the same but for constant turns
+        std::size_t turned_class = 0; ///< that of all that are the same but for constant turns
     };
 
     /// Adds rows [first, first + count) of those being added. Their attitudes are in known_.

@@ -114,7 +114,7 @@ public:
 
     /// See stream::InputOptions::take_count.
     [[nodiscard]] std::variant<std::size_t, std::string> take_count(std::size_t fields) {
-        const auto count = unknown_of(fields, settings_.rows);
+        auto count = unknown_of(fields, settings_.rows);
         if (const auto* unknown = std::get_if<std::size_t>(&count)) {
             begin(*unknown);
             return fields;

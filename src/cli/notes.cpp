@@ -41,7 +41,7 @@ std::string_view unit_of(std::string_view text) {
         const std::string word = ' ' + unit.substr(0, unit.size() - std::min(unit.size(), per_second.size())) + ' ';
         for (const auto& [name, words] : units) {
             const bool fits = per_second.empty() || name == "deg" || name == "rad";
-            if (fits && unit.ends_with(per_second) && word.size() > 2 && words.find(word) != words.npos) {
+            if (fits && unit.ends_with(per_second) && word.size() > 2 && words.find(word) != std::string_view::npos) {
                 return name;
             }
         }
@@ -53,12 +53,14 @@ bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
 
 /// The name and the unit that a text of a header holds: "yaw [deg]", "w_x_rad_s".
 std::pair<std::string, std::string_view> name_and_unit(const std::string& text) {
-    const auto bracket = text.ends_with(']') ? text.rfind('[') : text.ends_with(')') ? text.rfind('(') : text.npos;
-    if (bracket != text.npos) {
+    const auto bracket = text.ends_with(']')   ? text.rfind('[')
+                         : text.ends_with(')') ? text.rfind('(')
+                                               : std::string::npos;
+    if (bracket != std::string::npos) {
         return {lower(stream::trimmed(text.substr(0, bracket))),
                 unit_of(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2))};
     }
-    for (auto at = text.find('_', 1); at != text.npos; at = text.find('_', at + 1)) {
+    for (auto at = text.find('_', 1); at != std::string::npos; at = text.find('_', at + 1)) {
         if (const auto unit = unit_of(std::string_view(text).substr(at)); !unit.empty()) {
             return {lower(text.substr(0, at)), unit};
         }

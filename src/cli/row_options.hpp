@@ -108,11 +108,13 @@ protected:
     void pair(RowsCommand& command, const PairingOptions& pairing, stream::RowNumbers numbers,
               messages::Subject subject, const Operands& operands) const;
 
+    // NOLINTBEGIN(*-non-private-member-variables-in-classes): commands read them as they read their own
     std::string columns;
     std::string format; ///< empty: the default of the command
     std::string input_format = "csv";
     std::string width;
     bool degrees = false;
+    // NOLINTEND(*-non-private-member-variables-in-classes)
 
 private:
     [[nodiscard]] ShowDiagnostics shown_diagnostics() const;

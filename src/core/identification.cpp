@@ -76,7 +76,10 @@ std::vector<Spec> specs_of(const Representation& entry) {
         }
         for (const EulerSequence sequence : sequences()) {
             spec.sequence = sequence;
-            specs.push_back(spec);
+            const int signs = complexity({.sequence = sequence});
+            if (spec.passive ? signs == 0 : signs < 3) { // with all signs changed it is the inverse
+                specs.push_back(spec);
+            }
         }
     }
     std::ranges::stable_sort(specs, {}, complexity);
@@ -98,7 +101,10 @@ std::vector<Candidate> candidates_of(std::size_t count, std::optional<Representa
             Columns columns{};
             std::iota(columns.begin(), columns.end(), std::uint8_t{0});
             do {
-                candidates.push_back({.spec = spec, .columns = columns});
+                // Intrinsic turns are the extrinsic ones with the columns reversed.
+                if (!entry.takes_sequence || columns[0] < columns[2]) {
+                    candidates.push_back({.spec = spec, .columns = columns});
+                }
             } while (any_order && std::next_permutation(columns.begin(), columns.begin() + static_cast<int>(count)));
         }
     }
@@ -497,7 +503,7 @@ void Identification::try_turns(Verdict& verdict) const {
                 continue;
             }
             if (auto candidate = with_turn(*trial, side, rows)) {
-                fitting.emplace(trial->turned_class, std::move(*candidate));
+                fitting.emplace(trial->turned_class, *candidate);
             } else if (side == TurnedSide::both) { // then none of its class fits
                 possible[trial->turned_class] = false;
             }
@@ -534,16 +540,14 @@ Verdict::Ambiguity Identification::ambiguity_of_turned(Verdict& verdict) const {
 // Along the axes, or halfway between them, other axes are turns of the numbers' signs and order.
 bool Identification::may_mistake_turns() const {
     const double least = std::max(settings_.within, rounding);
-    for (const bool in_reference : {false, true}) {
+    const auto is_special = [&](bool in_reference) {
         const RelativeTurns turns(kept_known_, in_reference);
         const Eigen::Vector3d n = turns.axes.col(turns.sizes[1] <= least ? 2 : 0).cwiseAbs();
         const double nearest =
             std::min({n[0], n[1], n[2], std::fabs(n[0] - n[1]), std::fabs(n[1] - n[2]), std::fabs(n[0] - n[2])});
-        if (turns.sizes[0] <= least && nearest <= 2.0 * settings_.within) {
-            return true;
-        }
-    }
-    return false;
+        return turns.sizes[0] <= least && nearest <= 2.0 * settings_.within;
+    };
+    return is_special(false) || is_special(true);
 }
 
 Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {

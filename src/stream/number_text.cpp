@@ -67,7 +67,8 @@ char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noe
     *to = '-';
     to += negative ? 1 : 0;
     if (point <= 0) {
-        std::memcpy(to, "0.000", 5);
+        constexpr std::array leading{'0', '.', '0', '0', '0'};
+        std::memcpy(to, leading.data(), leading.size());
         to += 2 - point;
         *to = first;
         std::memcpy(to + 1, &others, sizeof others);
@@ -123,7 +124,8 @@ int point_of(double magnitude) noexcept {
                                      1e6,  1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52U) - 1023;
     const int point = (exponent * 1233 >> 12) + 1; // or one more
-    return point + (magnitude >= ends[static_cast<std::size_t>(point - lowest_point + 1)] ? 1 : 0);
+    const int place = point - lowest_point + 1;
+    return point + (magnitude >= ends[static_cast<std::size_t>(place)] ? 1 : 0);
 }
 
 /// The number times 10^decimals (up to 20), rounded to an integer, to even where it is a tie; the result has at most 17
