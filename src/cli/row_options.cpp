@@ -356,7 +356,7 @@ SelectedColumns RowOptions::columns_of_file(const PairingOptions& pairing, const
     return selected;
 }
 
-RowsCommand RowOptions::rows_command(const SelectedColumns& selected, stream::RowNumbers numbers,
+RowsCommand RowOptions::rows_command(const SelectedColumns& selected, const stream::RowNumbers& numbers,
                                      operations::Operation operation, messages::Subject subject,
                                      const Operands& operands) const {
     RowsCommand command;

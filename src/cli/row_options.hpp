@@ -100,7 +100,7 @@ protected:
 
     /// The command of an operation that takes those numbers of a row.
     /// @throw Usage
-    [[nodiscard]] RowsCommand rows_command(const SelectedColumns& selected, stream::RowNumbers numbers,
+    [[nodiscard]] RowsCommand rows_command(const SelectedColumns& selected, const stream::RowNumbers& numbers,
                                            operations::Operation operation, messages::Subject subject,
                                            const Operands& operands) const;
     /// Has the command's rows paired with those of the REFERENCE.

@@ -123,6 +123,7 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     }
     const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
     std::vector<std::vector<double>> found; // the angle of each answer
+    found.reserve(answers.size());
     for (const auto& answer : answers) {
         found.push_back(angles_of(turned_ ? std::span<const double>(turned) : in, answer));
     }
