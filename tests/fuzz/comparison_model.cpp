@@ -78,6 +78,9 @@ Agreement check_refusal(const Compared& compared, Numbers numbers, bool refused,
 }
 
 Agreement check_angle(const Compared& compared, Numbers numbers, double angle) {
+    if (compared.is_turned) {
+        return Agreement::not_modelled;
+    }
     const Numbers first = numbers.first(compared.from.size());
     const Numbers second = numbers.subspan(compared.from.size());
     if (is_same(compared.from, compared.reference) && std::ranges::equal(first, second)) {
@@ -93,7 +96,8 @@ Agreement check_angle(const Compared& compared, Numbers numbers, double angle) {
 }
 
 Agreement check_relative(const Compared& compared, Numbers numbers, Numbers relative) {
-    if (!is_well_conditioned(compared, numbers) || !is_finite(relative)) { // the half-turn of cayley
+    if (compared.is_turned || !is_well_conditioned(compared, numbers) ||
+        !is_finite(relative)) { // the half-turn of cayley
         return Agreement::not_modelled;
     }
     const oracle::Quaternion a = oracle::attitude(compared.from, numbers.first(compared.from.size()));

@@ -17,6 +17,7 @@ struct Compared {
     bool degrees = false;           ///< the angle
     double tolerance = 1e-3;
     double lock_margin = 1e-15;
+    bool is_turned = false; ///< by --left, --right or other axes, which are not modelled
 };
 
 enum class Agreement { yes, no, not_modelled };
