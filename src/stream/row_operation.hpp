@@ -27,6 +27,7 @@ struct NumberRows {
     std::span<const std::size_t> lines; ///< where they stand
     /// The texts of the numbers that are kept, row by row; empty where rows are doubles.
     std::span<const std::string_view> kept{};
+    std::span<const std::size_t> reference_lines{}; ///< those of their partners; empty where there is no reference
 };
 
 /// What a run makes of the numbers of its rows.

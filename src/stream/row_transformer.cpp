@@ -159,10 +159,12 @@ void RowTransformer::clear() noexcept {
     parts_.clear();
     errors_.clear();
     lines_.clear();
+    reference_lines_.clear();
 }
 
 void RowTransformer::read(Row& row) {
     const std::size_t first_number = parts_.numbers.size();
+    const std::size_t first_kept = parts_.kept.size();
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
     bool is_read = reader_.read(row.line.text, parts_);
@@ -171,11 +173,15 @@ void RowTransformer::read(Row& row) {
     if (is_read && row.reference_number > 0 && !reference_reader_->read(row.reference, parts_)) {
         is_read = false;
         parts_.numbers.resize(first_number);
+        parts_.kept.resize(first_kept);
         parts_.error.line = row.reference_number;
         parts_.error.of_reference = true;
     }
     if (is_read) {
         lines_.push_back(row.number);
+        if (row.reference_number > 0) {
+            reference_lines_.push_back(row.reference_number);
+        }
     } else {
         row.error = errors_.size();
         errors_.push_back(std::move(parts_.error));
@@ -185,7 +191,7 @@ void RowTransformer::read(Row& row) {
 std::size_t RowTransformer::answer(bool flush) {
     look_for_notes();
     results_.resize(lines_.size() * operation_->answers_of_row() * operation_->names.size());
-    return operation_->run_ahead({parts_.numbers, lines_, parts_.kept}, flush, results_, reports_);
+    return operation_->run_ahead({parts_.numbers, lines_, parts_.kept, reference_lines_}, flush, results_, reports_);
 }
 
 void RowTransformer::look_for_notes() {

@@ -103,6 +103,7 @@ private:
     std::vector<std::string_view> texts_; ///< of one row's fields and numbers
     std::vector<RowError> errors_;
     std::vector<std::size_t> lines_; ///< of the rows with numbers
+    std::vector<std::size_t> reference_lines_;
     std::vector<double> results_;
     std::vector<RowReport> reports_; ///< of the remarkable rows...
     std::size_t next_report_ = 0;    ///< ...of which this is the first that is not yet written
