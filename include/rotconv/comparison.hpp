@@ -20,6 +20,7 @@ struct ComparisonSettings {
     AngleUnit unit = AngleUnit::radians;                     ///< of angles
     std::optional<Spec> relative{};                          ///< write the relative attitude too, in this form
     Frame frame = Frame::body; ///< of the relative attitude: R_REF' R with body, R R_REF' with reference
+    bool attitudes = false;    ///< write both attitudes too, as they were compared: quaternions of norm 1/2 to 2
 };
 
 /// The angle between two attitudes R and R_REF of a row, in any two representations.
@@ -37,7 +38,8 @@ public:
     [[nodiscard]] const ComparisonSettings& settings() const noexcept { return settings_; }
     /// Numbers of a row of input: from().size() + reference().size().
     [[nodiscard]] std::size_t inputs() const noexcept { return from_.size() + reference_.size(); }
-    /// Numbers of a row of output: the angle, then those of the relative attitude if the settings want it.
+    /// Numbers of a row of output: the angle, then those of the relative attitude and of both attitudes if the
+    /// settings want them.
     [[nodiscard]] std::size_t outputs() const noexcept;
 
     /// Like Conversion::run(). An error of the second attitude has RowReport::of_reference, and RowReport::deviation is

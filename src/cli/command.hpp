@@ -51,6 +51,23 @@ public:
     };
     /// Called at the end of a run that was not stopped.
     [[nodiscard]] virtual Answer answer(const RowsResult& result) = 0;
+    /// The run goes on, without output, where nobody reads that any more: its exit status counts.
+    [[nodiscard]] virtual bool is_check() const { return false; }
+};
+
+/// A run over the same rows that must come before that of a command. It tells nothing.
+class FirstPass {
+public:
+    FirstPass() = default;
+    FirstPass(const FirstPass&) = delete;
+    FirstPass& operator=(const FirstPass&) = delete;
+    virtual ~FirstPass() = default;
+
+    /// What is done with the rows, and where their results go, as stream::Format::result.
+    [[nodiscard]] virtual std::shared_ptr<stream::RowOperation> operation() const = 0;
+    [[nodiscard]] virtual stream::Sink& rows() = 0;
+    /// What the command is to do with them, or why nothing, in words.
+    [[nodiscard]] virtual std::variant<std::shared_ptr<stream::RowOperation>, std::string> conclude() = 0;
 };
 
 /// A command that makes something of each row, checked.
@@ -59,6 +76,7 @@ struct RowsCommand {
     std::shared_ptr<messages::Subject> subject{}; ///< what the rows are, for messages
     ShowDiagnostics diagnostics = ShowDiagnostics::summary;
     bool strict = false;
+    bool allow_failed = false; ///< rows that fail do not make the exit status 1
     std::string input = "-";
     std::string output = "-";
     bool has_values = false;
@@ -67,6 +85,7 @@ struct RowsCommand {
     messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::vector<stream::Note> notes{};        ///< of the command line
     std::shared_ptr<Conclusion> conclusion{}; ///< null: the rows are all there is
+    std::shared_ptr<FirstPass> first_pass{};  ///< null: there is none
 };
 
 /// Runs the rows, and prints on stderr what there is to report.

@@ -230,9 +230,73 @@ std::unique_ptr<stream::File> open(const std::string& path) {
                        : std::make_unique<stream::File>(path.c_str(), stream::File::Mode::read);
 }
 
+/// Writes to an output for as long as it has a reader.
+class WhileRead final : public stream::Sink {
+public:
+    explicit WhileRead(stream::Sink& to) : to_(&to) {}
+    int write(std::string_view bytes) override {
+        const int error = is_read_ ? to_->write(bytes) : 0;
+        is_read_ = is_read_ && error != EPIPE;
+        return error == EPIPE ? 0 : error;
+    }
+
+private:
+    stream::Sink* to_;
+    bool is_read_ = true;
+};
+
+/// Of a command that will not get to its end.
+class MessagesOnly final : public Conclusion {
+public:
+    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
+    [[nodiscard]] Answer answer(const RowsResult& /*result*/) override { return {}; }
+
+private:
+    stream::NullSink nowhere_;
+};
+
+/// The command as its first pass makes it.
+/// @return what is wrong, in words
+std::string run_first_pass(RowsCommand& command) {
+    std::vector<std::unique_ptr<stream::File>> files;
+    for (const std::string& path : {command.input, command.reference}) {
+        if (!path.empty()) {
+            const auto& file = *files.emplace_back(open(path));
+            if (file.is_open() && !file.is_regular()) {
+                return fmt::format("{}: the input is read twice, and a pipe cannot be", shown(path));
+            }
+            if (!file.is_open()) {
+                return {}; // which the command will say
+            }
+        }
+    }
+    stream::Options options = command.options;
+    options.operation = command.first_pass->operation();
+    options.format = stream::Format::result;
+    const auto ending = stream::run(
+        *files.front(), command.first_pass->rows(), options, [](const auto&) {},
+        files.size() > 1 ? files.back().get() : nullptr);
+    if (ending.error || ending.stopped) { // again, for the messages
+        command.conclusion = std::make_shared<MessagesOnly>();
+        return {};
+    }
+    auto found = command.first_pass->conclude();
+    if (const auto* wrong = std::get_if<std::string>(&found)) {
+        return *wrong;
+    }
+    command.options.operation = std::get<0>(std::move(found));
+    return {};
+}
+
 } // namespace
 
 ExitCode run_rows(const RowsCommand& command) {
+    if (command.first_pass) {
+        RowsCommand second = command;
+        const std::string wrong = run_first_pass(second);
+        second.first_pass.reset();
+        return wrong.empty() ? run_rows(second) : failed(wrong);
+    }
     using What = stream::StreamError::What;
     stream::OutputFile output(command.output);
     std::vector<std::unique_ptr<stream::File>> inputs;
@@ -254,7 +318,10 @@ ExitCode run_rows(const RowsCommand& command) {
 
     Conclusion* const conclusion = command.conclusion.get();
     stream::Sink* const other = conclusion != nullptr ? conclusion->rows() : nullptr;
-    stream::Sink& sink = other != nullptr ? *other : output;
+    const bool is_check = conclusion != nullptr && conclusion->is_check();
+    WhileRead while_read(output);
+    stream::Sink& rows_output = is_check ? static_cast<stream::Sink&>(while_read) : output;
+    stream::Sink& sink = other != nullptr ? *other : rows_output;
     stream::TextSource values(command.values);
     const bool on_screen = other == nullptr && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
     Progress progress(*inputs.front(), !on_screen);
@@ -277,9 +344,10 @@ ExitCode run_rows(const RowsCommand& command) {
     progress.clear();
     const bool is_whole = !ending.error && !ending.stopped;
     const bool strict = command.strict && (reporter.met_singularity() || reporter.has_notes());
-    RowsResult result{.code = !is_whole                         ? ExitCode::incomplete
-                              : reporter.errors() > 0 || strict ? ExitCode::completed_with_failures
-                                                                : ExitCode::done,
+    RowsResult result{.code = !is_whole ? ExitCode::incomplete
+                              : (reporter.errors() > 0 && !command.allow_failed) || strict
+                                  ? ExitCode::completed_with_failures
+                                  : ExitCode::done,
                       .answered = ending.answered,
                       .failed = reporter.errors(),
                       .beyond = reporter.beyond(),
@@ -291,7 +359,7 @@ ExitCode run_rows(const RowsCommand& command) {
     reporter.count_rest();
     if (conclusion != nullptr && is_whole) {
         const Conclusion::Answer answer = conclusion->answer(result);
-        if (const int error = output.write(answer.text); error != 0) {
+        if (const int error = rows_output.write(answer.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);
         }
         if (result.code == ExitCode::done && !answer.holds) {

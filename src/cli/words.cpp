@@ -70,12 +70,16 @@ JsonValue::JsonValue(double value) : text(fmt::to_string(value)) {
     text = std::isfinite(value) ? text : JsonValue(text).text;
 }
 
-std::string json_line(const std::vector<std::pair<std::string_view, JsonValue>>& object) {
-    std::string line;
+JsonValue json_object(const std::vector<std::pair<std::string_view, JsonValue>>& object) {
+    std::string text;
     for (const auto& [key, value] : object) {
-        line += fmt::format("{}\"{}\": {}", line.empty() ? "" : ", ", key, value.text);
+        text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", key, value.text);
     }
-    return "{" + line + "}\n";
+    return JsonValue::as_written("{" + text + "}");
+}
+
+std::string json_line(const std::vector<std::pair<std::string_view, JsonValue>>& object) {
+    return json_object(object).text + "\n";
 }
 
 void print_error(std::string_view message) {

@@ -51,7 +51,9 @@ struct JsonValue {
     }
 };
 
-/// A line with an object of these keys. The texts must not need escapes.
+/// An object of these keys. The texts must not need escapes.
+[[nodiscard]] JsonValue json_object(const std::vector<std::pair<std::string_view, JsonValue>>& object);
+/// The same, as a line.
 [[nodiscard]] std::string json_line(const std::vector<std::pair<std::string_view, JsonValue>>& object);
 
 /// Writes `rotconv: message` and a line end to stderr, in one piece. If that fails there is nobody to tell.

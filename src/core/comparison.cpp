@@ -43,7 +43,9 @@ RowReport report_of(const InputBatch& input, const InputBatch& reference, std::s
 Comparison::Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings)
     : from_(from), reference_(reference), settings_(settings) {}
 
-std::size_t Comparison::outputs() const noexcept { return 1 + (settings_.relative ? settings_.relative->size() : 0); }
+std::size_t Comparison::outputs() const noexcept {
+    return 1 + (settings_.relative ? settings_.relative->size() : 0) + (settings_.attitudes ? 8 : 0);
+}
 
 void Comparison::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
@@ -83,6 +85,12 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
         for (std::size_t i = 0; i < rows; ++i) {
             std::copy_n(written.data() + i * to.size(), to.size(), out + i * width + 1);
         }
+    }
+    for (std::size_t i = 0; settings_.attitudes && i < rows; ++i) {
+        const Rotation own = input.attitudes.at(i);
+        const Rotation other = reference.attitudes.at(i);
+        std::ranges::copy(std::array{own.w(), own.x(), own.y(), own.z(), other.w(), other.x(), other.y(), other.z()},
+                          out + (i + 1) * width - 8);
     }
     for (std::size_t i = 0; i < rows; ++i) {
         RowReport found = report_of(input, reference, i, settings_.reading);

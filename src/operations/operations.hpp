@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -83,13 +86,56 @@ struct PropagationRows {
 [[nodiscard]] Operation survey(const Spec& from, double tolerance, Survey& survey);
 
 struct ComparisonRows {
-    bool paired = false;    ///< the second attitude comes from a reference...
-    bool by_key = false;    ///< ...and each of the two has its key before it
-    bool with_line = false; ///< the row's line after the angle, instead of the relative attitude
+    bool paired = false;     ///< the second attitude comes from a reference...
+    bool by_key = false;     ///< ...and each of the two has its key before it
+    bool as_numbers = false; ///< rows for a sink, see `numbers_of_pair`, instead of the relative attitude
+    std::size_t delta = 0;   ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
 };
-/// The angles between the two attitudes of rows.
+/// For a sink: the angle, the line, and both attitudes as quaternions. An angle of nan is none.
+inline constexpr std::size_t numbers_of_pair = 10;
+
+/// A pair among those that differ most: the worst are first, of equals the earlier.
+struct WorstPair {
+    double angle = 0.0;
+    std::size_t line = 0;
+    std::size_t reference_line = 0;    ///< 0: there is no reference
+    std::array<std::string, 2> keys{}; ///< of the row and of its partner; empty: they are not paired by key
+    std::vector<double> numbers{};     ///< of both attitudes, as they were read
+
+    friend bool operator<(const WorstPair& a, const WorstPair& b) noexcept {
+        return a.angle > b.angle || (a.angle == b.angle && a.line < b.line);
+    }
+};
+
+/// Looks at all pairs, from several threads: which differ most, and how many by more than a limit.
+class PairWatch {
+public:
+    /// @param most as many of the worst are kept
+    PairWatch(std::size_t most, double limit) : most_(most), limit_(limit) {}
+
+    /// @param attitudes the numbers of both attitudes of each row
+    /// @param second_key which number of a row is its partner's key, of which the first is its own; 0: there are none
+    /// @param results of `width` numbers for each row, of which the first is the angle
+    void add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t second_key,
+             std::span<const double> results, std::size_t width);
+    using Worst = std::set<WorstPair>;
+    [[nodiscard]] const Worst& worst() const noexcept { return worst_; }
+    [[nodiscard]] std::size_t pairs() const noexcept { return pairs_; }
+    [[nodiscard]] std::size_t beyond() const noexcept { return beyond_; }
+
+private:
+    std::mutex mutex_;
+    std::size_t most_;
+    double limit_;
+    Worst worst_;
+    std::size_t pairs_ = 0;
+    std::size_t beyond_ = 0;
+};
+
+/// The angles between the two attitudes of rows, each of which the watch sees.
 [[nodiscard]] stream::RowNumbers comparison_numbers(const Comparison& comparison, const ComparisonRows& rows);
-[[nodiscard]] Operation compare(const Comparison& comparison, const ComparisonRows& rows);
+[[nodiscard]] Operation compare(const Comparison& comparison, const ComparisonRows& rows,
+                                std::shared_ptr<PairWatch> watch);
 
 struct IdentificationRows {
     std::size_t count = 0; ///< unknown numbers; 0: not yet known

@@ -57,7 +57,7 @@ struct FirstBytes {
 
 /// What the input says of its numbers that is at odds with how they are read, in words. Each kind is told once.
 struct Note {
-    enum class Kind : std::uint8_t { order, unit, time_unit, angle, comments };
+    enum class Kind : std::uint8_t { order, unit, time_unit, angle, comments, limit };
     Kind kind = Kind::order;
     std::string text;
     bool ends_run = false;     ///< it is an error

@@ -70,9 +70,14 @@ int File::why_unreadable(const char* path) noexcept {
     return S_ISDIR(status.st_mode) ? EISDIR : 0;
 }
 
+bool File::is_regular() const noexcept {
+    struct stat status {};
+    return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 std::size_t File::size() const noexcept {
     struct stat status {};
-    return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+    return is_regular() && ::fstat(descriptor_, &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
 void File::widen() const noexcept {
