@@ -27,8 +27,9 @@ namespace {
 
 /// Two attitudes of a pair, and the angle between them, for a sink of `operations::numbers_of_pair` numbers.
 struct PairNumbers {
-    double angle, line;
+    double angle;
     std::array<double, 4> own, reference;
+    double line;
 };
 static_assert(sizeof(PairNumbers) == operations::numbers_of_pair * sizeof(double));
 
