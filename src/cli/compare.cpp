@@ -76,9 +76,8 @@ public:
     [[nodiscard]] Answer answer(const RowsResult& result) override {
         const std::size_t unpaired = result.unpaired[0].rows + result.unpaired[1].rows;
         if (result.answered == 0 && result.code == ExitCode::done) {
-            print_error(by_key_ && unpaired > 0
-                            ? "no key of FILE is one of REFERENCE (--key-within sets how much they may differ)"
-                            : messages::nothing_read);
+            print_error(by_key_ && unpaired > 0 ? messages::no_key_met(result.keys)
+                                                : std::string(messages::nothing_read));
         }
         return {.text = format_ == Format::csv    ? ""
                         : format_ == Format::json ? in_json(result, unpaired)

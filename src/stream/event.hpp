@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -86,6 +88,18 @@ struct Output {
 struct Unpaired {
     std::size_t rows = 0;
     std::size_t first_line = 0; ///< of the first of them
+};
+
+/// The keys of two streams, of which some may have been too far apart to be paired.
+struct KeysMet {
+    /// Of the stream, and of the reference: the first and the last that may be paired.
+    struct Range {
+        Decimal first, last;
+    };
+    std::array<std::optional<Range>, 2> ranges{};
+    bool any_pair = false;
+    std::optional<Decimal> nearest{}; ///< without a pair: the least difference of two keys
+    Decimal within{};                 ///< see Pairing
 };
 
 /// Why a run ended early, other than by a row error.

@@ -82,6 +82,7 @@ public:
     [[nodiscard]] virtual const Layout* reference_layout() const { return nullptr; }
     /// Of the stream, and of the reference.
     [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
+    [[nodiscard]] virtual KeysMet keys() const { return {}; }
 };
 
 } // namespace rotconv::stream

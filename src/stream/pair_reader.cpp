@@ -50,7 +50,7 @@ void PairReader::Side::take_line() {
 void PairReader::Side::find_key(Waiting& row) {
     parts.clear();
     const auto key_text = reader.key(row.row.line.text, parts);
-    auto key = key_text ? reader.time_of(*key_text) : Time();
+    auto key = key_text ? reader.key_of(*key_text) : Time();
     if (!key_text) {
         row.error = std::move(parts.error);
     } else if (key.error != TimeError::none) {
@@ -62,6 +62,9 @@ void PairReader::Side::find_key(Waiting& row) {
         row.error = RowError{.what = RowError::What::key_order, .text = *key_text};
     } else {
         newest = row.key = std::move(key.value);
+        if (!oldest) {
+            oldest = newest;
+        }
     }
 }
 
@@ -153,6 +156,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
 void PairReader::pair(Job& job) {
     const Waiting& first = rows_.waiting.front();
     const Waiting& other = references_.waiting.front();
+    any_pair_ = true;
     Row row = first.row;
     row.reference = other.row.line.text;
     row.reference_number = other.row.number;
@@ -179,6 +183,12 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     const Decimal& low_key = low.waiting.front().key;
     const Decimal& high_key = high.waiting.front().key;
     const auto sign = Decimal::sign_of_sum;
+    if (!any_pair_) {
+        Decimal difference = high_key - low_key;
+        if (!nearest_ || difference < *nearest_) {
+            nearest_ = std::move(difference);
+        }
+    }
     const bool is_too_far = sign({{&high_key, 1}, {&low_key, -1}, {&pairing_->within, -1}}) > 0;
     if (is_too_far || (high.disposed && sign({{&low_key, 2}, {&*high.disposed, -1}, {&high_key, -1}}) <= 0)) {
         low.drop_row(false); // or another is as near to it
@@ -204,6 +214,16 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
         pair(job);
     }
     return nullptr;
+}
+
+KeysMet PairReader::keys() const {
+    KeysMet met{.any_pair = any_pair_, .nearest = nearest_, .within = pairing_->within};
+    for (const Side* side : {&rows_, &references_}) {
+        if (side->oldest) {
+            met.ranges.at(side == &rows_ ? 0 : 1) = {*side->oldest, *side->newest};
+        }
+    }
+    return met;
 }
 
 std::optional<StreamError> PairReader::error() const {

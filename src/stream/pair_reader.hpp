@@ -32,6 +32,7 @@ public:
     [[nodiscard]] const Layout& layout() const override { return rows_.blocks.layout(); }
     [[nodiscard]] const Layout* reference_layout() const override { return &references_.blocks.layout(); }
     [[nodiscard]] std::array<Unpaired, 2> unpaired() const override { return {rows_.unpaired, references_.unpaired}; }
+    [[nodiscard]] KeysMet keys() const override;
 
 private:
     /// A line that is read and not yet disposed of.
@@ -74,9 +75,10 @@ private:
         std::size_t line = 1;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
-        std::size_t bytes_waiting = 0;   ///< of those lines
-        std::size_t rows_waiting = 0;    ///< that may be paired
-        std::optional<Decimal> newest;   ///< of the keys that increased
+        std::size_t bytes_waiting = 0; ///< of those lines
+        std::size_t rows_waiting = 0;  ///< that may be paired
+        std::optional<Decimal> oldest; ///< of the keys that increased
+        std::optional<Decimal> newest;
         std::optional<Decimal> disposed; ///< the last key before the first waiting row
         Unpaired unpaired;
     };
@@ -92,8 +94,10 @@ private:
     const Pairing* pairing_;
     Side rows_;
     Side references_;
-    Job reference_job_;   ///< room for its blocks
-    Side* dry_ = nullptr; ///< that the last job ended at
+    bool any_pair_ = false;
+    std::optional<Decimal> nearest_; ///< the least difference of two keys before the first pair
+    Job reference_job_;              ///< room for its blocks
+    Side* dry_ = nullptr;            ///< that the last job ended at
     std::optional<StreamError> error_;
 };
 

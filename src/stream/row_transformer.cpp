@@ -289,6 +289,9 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (is_ours && options_->input.width > 0 && layout_->has_other_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }
+    if (options_->writes_partners()) {
+        find_partner(row, given);
+    }
     const std::size_t size = operation_->names.size();
     const std::size_t answers = operation_->answers_of_row();
     for (std::size_t i = 0; i < answers; ++i) {
@@ -310,12 +313,26 @@ void RowTransformer::write_row(Row& row, Output& output) {
              .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
              .report = &report,
              .failed = failed,
-             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i]});
+             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i],
+             .partner = partner_});
         if (!failed) {
             output.answered += i == 0 ? 1 : 0;
             tell_diagnostics(row, report, i, output);
         }
     }
+}
+
+void RowTransformer::find_partner(const Row& row, std::string_view given) {
+    key_parts_.clear();
+    const char delimiter = layout_->delimiter.text();
+    if (row.reference_number == 0) { // a row without a key
+        partner_ = fmt::format("{0}nan{0}nan{0}nan", delimiter);
+        return;
+    }
+    const std::string key = *reader_.key(given, key_parts_);
+    const std::string other = *reference_reader_->key(row.reference, key_parts_);
+    const Decimal difference = reader_.key_of(key).value - reference_reader_->key_of(other).value;
+    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}", delimiter, row.reference_number, trimmed(other), difference.text());
 }
 
 void RowTransformer::make_fields(Row& row) {

@@ -78,6 +78,8 @@ private:
     [[nodiscard]] std::span<const double> numbers_of(const Row& row) const noexcept;
     /// `given`: the row as it was read.
     void tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output);
+    /// Has the output say with which row it is paired. `given`: the row as it was read.
+    void find_partner(const Row& row, std::string_view given);
     /// Of the row's answer of that number.
     void tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output);
     /// Of the quaternion of a row, or of its partner; 0 if it is not a quaternion.
@@ -108,6 +110,8 @@ private:
     std::vector<RowReport> reports_; ///< of the remarkable rows...
     std::size_t next_report_ = 0;    ///< ...of which this is the first that is not yet written
     Buffer made_;                    ///< the text of a binary row
+    std::string partner_;            ///< what the output says of the row's partner
+    RowParts key_parts_;             ///< of both
     std::vector<double> nans_;       ///< the result of a row that failed
 };
 

@@ -297,6 +297,7 @@ RunResult run(Source& source, Sink& sink, const Options& options, const std::fun
     }
     RunResult result = Run(*reader, sink, options, report)();
     result.unpaired = reader->unpaired();
+    result.keys = reader->keys();
     return result;
 }
 
