@@ -139,7 +139,7 @@ public:
         set.add("--as", relative_, "SPEC", "With --format csv: print the relative attitude too, in SPEC");
         set.add("--frame", frame_, "FRAME", "Axes of the relative attitude: body (default) or reference");
         attitudes_.add_to(set, false);
-        pairing_.add_to(set);
+        pairing_.add_to(set, true);
         add_reading();
         add_writing();
         set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu");
@@ -168,7 +168,9 @@ public:
 
         const operations::ComparisonRows rows{.paired = PairingOptions::is_paired(operands),
                                               .by_key = pairing_.by_key(operands),
-                                              .with_line = shown != Format::csv};
+                                              .with_line = shown != Format::csv,
+                                              .interpolates =
+                                                  pairing_.interpolates && PairingOptions::is_paired(operands)};
         messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
         if (!rows.paired) {
             subject.text += to_.empty() ? " twice" : fmt::format(" with {}", representation(reference.name).text);

@@ -304,7 +304,10 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
 }
 
 std::string no_key_met(const stream::KeysMet& keys) {
-    std::string text = fmt::format("no key of FILE is within {} of one of REFERENCE", keys.within.text());
+    const std::string within = keys.within.text();
+    std::string text = keys.interpolates
+                           ? fmt::format("no key of FILE is between two of REFERENCE at most {} apart", within)
+                           : fmt::format("no key of FILE is within {} of one of REFERENCE", within);
     if (keys.nearest) {
         text += fmt::format("; the nearest are {} apart: --key-within", keys.nearest->text());
     }

@@ -415,6 +415,7 @@ void RowOptions::pair(RowsCommand& command, const PairingOptions& pairing, strea
     const bool refuses = command.options.input.numbers.attitude.has_value(); // identify does not
     pairs.reference = input_of(selected, std::move(numbers), subject, false, refuses);
     pairs.by_key = !pairing.key.empty();
+    pairs.interpolates = pairing.interpolates;
     if (!pairing.key_within.empty()) {
         static_cast<void>(amount_of("--key-within", pairing.key_within, 0.0, false));
         pairs.within = *stream::Decimal::parse(pairing.key_within);
@@ -477,7 +478,7 @@ ConversionSettings AttitudeOptions::added_to(ConversionSettings settings, bool d
     return settings;
 }
 
-void PairingOptions::add_to(OptionSet& set) {
+void PairingOptions::add_to(OptionSet& set, bool with_interpolation) {
     set.begin_group("Columns");
     set.add("--reference-columns", reference_columns, "LIST",
             "The columns to read in REFERENCE (default: those of --columns)");
@@ -487,16 +488,23 @@ void PairingOptions::add_to(OptionSet& set) {
     set.add("--key-offset", key_offset, "T", "Add T to the keys of FILE");
     set.add("--time-unit", time_unit, "UNIT", "Keys are times in s, ms, us or ns, and the two T are seconds");
     set.add("--reference-time-unit", reference_time_unit, "UNIT", "Unit of REFERENCE's keys (default: the same)");
+    if (with_interpolation) {
+        set.add("--interpolate", interpolates, "Take the reference at FILE's key, between two rows --key-within apart");
+    }
 }
 
 void PairingOptions::check() const {
     const std::pair<std::string_view, bool> given[] = {{"--time-unit", !time_unit.empty()},
                                                        {"--reference-time-unit", !reference_time_unit.empty()},
-                                                       {"--key-offset", !key_offset.empty()}};
+                                                       {"--key-offset", !key_offset.empty()},
+                                                       {"--interpolate", interpolates}};
     for (const auto& [option, is_given] : given) {
         if (is_given && key.empty()) {
             throw Usage(fmt::format("{} needs --key, because rows are paired by their number without it", option));
         }
+    }
+    if (interpolates && key_within.empty()) {
+        throw Usage("--interpolate needs --key-within: how far apart two rows of REFERENCE may be");
     }
 }
 

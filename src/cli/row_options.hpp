@@ -73,8 +73,9 @@ struct PairingOptions {
     std::string time_unit;
     std::string reference_time_unit;
     std::string key_offset;
+    bool interpolates = false;
 
-    void add_to(OptionSet& set);
+    void add_to(OptionSet& set, bool with_interpolation = false);
     /// @throw Usage if an option about keys was given without a key
     void check() const;
     /// There is a REFERENCE.

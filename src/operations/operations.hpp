@@ -83,9 +83,10 @@ struct PropagationRows {
 [[nodiscard]] Operation survey(const Spec& from, double tolerance, Survey& survey);
 
 struct ComparisonRows {
-    bool paired = false;    ///< the second attitude comes from a reference...
-    bool by_key = false;    ///< ...and each of the two has its key before it
-    bool with_line = false; ///< the row's line after the angle, instead of the relative attitude
+    bool paired = false;       ///< the second attitude comes from a reference...
+    bool by_key = false;       ///< ...and each of the two has its key before it
+    bool with_line = false;    ///< the row's line after the angle, instead of the relative attitude
+    bool interpolates = false; ///< by key: the second attitude lies between two of the reference, see stream::Pairing
 };
 /// The angles between the two attitudes of rows.
 [[nodiscard]] stream::RowNumbers comparison_numbers(const Comparison& comparison, const ComparisonRows& rows);

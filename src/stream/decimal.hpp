@@ -37,6 +37,10 @@ public:
     [[nodiscard]] Decimal scaled(std::int64_t power) const;
     /// The double nearest to this times 10^power; infinite where that is too large.
     [[nodiscard]] double rounded(std::int64_t power = 0) const;
+    /// a / b, where |a| <= |b|, each rounded once.
+    [[nodiscard]] static double ratio(const Decimal& a, const Decimal& b) {
+        return a.rounded(-b.point_) / b.rounded(-b.point_);
+    }
     /// All its digits, with an e only where there would be many zeros.
     [[nodiscard]] std::string text() const;
 

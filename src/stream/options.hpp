@@ -68,11 +68,15 @@ struct InputOptions {
     [[nodiscard]] bool is_row(std::string_view line) const noexcept { return !is_comment(line) && !is_blank(line); }
 };
 
-/// How the rows of two streams are paired. The operation gets the numbers of a row and then those of its partner.
+/// How the rows of two streams are paired. The operation gets the numbers of a row, then those of its partner.
 struct Pairing {
     InputOptions reference{}; ///< how the other stream is read
     bool by_key = false;      ///< the first selected column of both, a number that increases; else by the rows' number
     Decimal within{};         ///< the greatest difference of two keys
+    /// The partner lies at the row's key between two rows of the reference, whose keys differ by no more than that. The
+    /// operation gets the numbers of a row, of the earlier and of the later neighbour, without the key of the later,
+    /// and how far the row is from the earlier, as a fraction; of a row whose key the reference has, both are that row.
+    bool interpolates = false;
 };
 
 /// What a run does with its rows.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +19,9 @@
 namespace rotconv::stream {
 
 /// Reads two streams side by side and pairs their rows: those of the same number, or those whose keys are each the
-/// other's nearest, of equals the earlier. It looks one row ahead, and gives up where too much stands in between, so
-/// that memory stays flat. In what pieces the streams arrive makes no difference.
+/// other's nearest, of equals the earlier, or rows with the two of the reference around their keys. It looks one row
+/// ahead, and gives up where too much stands in between, so that memory stays flat. In what pieces the streams arrive
+/// makes no difference.
 class PairReader final : public JobReader {
 public:
     /// @pre options.pairing
@@ -62,6 +64,11 @@ private:
         void find_key(Waiting& row);
         void drop_row(bool is_paired);
         void drop_line();
+        /// The row after the first.
+        /// @pre look(1) is At::row
+        [[nodiscard]] const Waiting& second() const {
+            return *std::find_if(waiting.begin() + 1, waiting.end(), [](const auto& row) { return row.has_key(); });
+        }
         [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || blocks.is_ready(); }
 
@@ -86,7 +93,13 @@ private:
     /// Pairs the first rows of both, or disposes of one of them.
     /// @return the side whose next row must be known first, or null
     Side* match(Job& job, At row, At reference);
-    void pair(Job& job);
+    /// The same, where the partner lies between rows of the reference.
+    Side* match_between(Job& job);
+    /// `later`: the row of the reference after its first, or null.
+    void pair(Job& job, const Waiting* later = nullptr);
+    /// The first row of the side has no partner until too far behind it. Ends the run.
+    void give_up(const Side& side);
+    void compare_distance(Decimal distance);
     /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,
     /// which come after all of the stream that stand before its next row.
     void hand_on_alone(Job& job, bool of_both);
