@@ -129,6 +129,7 @@ struct RowReport {
     std::size_t row = 0; ///< its index among the rows of the run
     Error error = Error::none;
     bool of_reference = false; ///< for rows that hold two attitudes: error and defect are those of the second
+    bool of_later = false;     ///< if the second lies between two others: they are those of the later
     DiagnosticSet diagnostics{};
     double defect = 0.0; ///< below `reported_defect` and without ConversionSettings::sensitivity only an upper bound
     Sensitivity sensitivity{};     ///< of a row with diagnostics of its result, or with ConversionSettings::sensitivity

@@ -32,6 +32,7 @@ struct RowsResult {
     std::size_t beyond = 0;                     ///< rows with that diagnostic...
     std::size_t first_beyond = 0;               ///< ...and the line of the first
     std::array<stream::Unpaired, 2> unpaired{}; ///< of the input, and of the reference
+    stream::KeysMet keys{};                     ///< by which rows were paired
 };
 
 /// What a command makes of its rows as a whole.

@@ -178,9 +178,9 @@ public:
         const std::size_t pairs = watch_->pairs();
         if (pairs == 0 && result.code == ExitCode::done) {
             print_error(check_.by_key && result.unpaired[0].rows + result.unpaired[1].rows > 0
-                            ? "no key of FILE is one of REFERENCE (--key-within sets how much they may differ)"
+                            ? messages::no_key_met(result.keys)
                         : check_.turns && result.answered > 0 ? "no pair has one after it at the distance of --delta"
-                                                              : messages::nothing_read);
+                                                              : std::string(messages::nothing_read));
         }
         const std::string fault = fault_of(result);
         const bool is_checked = !check_.within.text.empty() || !check_.within_p95.text.empty();
@@ -484,7 +484,7 @@ public:
         set.add("--within-p95", within_p95_, "ANGLE", "The angle that 95 in 100 pairs must not exceed");
         set.add("--allow-unpaired", allow_unpaired_, "WHOSE", "Rows without a partner pass: file, reference or both");
         set.add("--allow-failed", allow_failed_, "Rows without an attitude pass, with --on-error skip or nan");
-        pairing_.add_to(set);
+        pairing_.add_to(set, true);
         add_reading();
         add_writing();
         set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu");
@@ -538,6 +538,7 @@ public:
         operations::ComparisonRows rows{.paired = PairingOptions::is_paired(operands),
                                         .by_key = check.by_key,
                                         .as_numbers = !as_rows,
+                                        .interpolates = pairing_.interpolates && PairingOptions::is_paired(operands),
                                         .delta = static_cast<std::size_t>(count_of("--delta", delta_, 1'000'000))};
         messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
         if (!rows.paired) {

@@ -79,6 +79,13 @@ std::string_view figure_name(DiagnosticKind kind) {
     }
 }
 
+/// A size to two digits, such as 1.4e18.
+std::string rough(double size) {
+    std::string text = fmt::format("{:.2g}", size);
+    const std::size_t power = text.find("e+");
+    return power == std::string::npos ? text : text.erase(power + 1, text[power + 2] == '0' ? 2 : 1);
+}
+
 /// What few digits leave open, and how far.
 std::string opened(const stream::Diagnostic& diagnostic) {
     const double degrees = diagnostic.figure * degrees_per_radian;
@@ -221,7 +228,11 @@ std::string explain(const stream::RowError& error, const Subject& subject) {
         return fmt::format("no column {}, the row has {}: {}", error.expected, error.found, text);
     case What::key_order: return fmt::format("the key does not increase: {}", text);
     case What::open_quote: return fmt::format("a quote is left open: {}", text);
-    case What::time: return fmt::format("not a time that is read: {}; {}", text, mend(error.time));
+    case What::time:
+        return fmt::format("not a time that is read: {}; {}", text,
+                           error.of_reference && error.time == stream::TimeError::has_unit
+                               ? "such times are in seconds: --reference-time-unit s"
+                               : mend(error.time));
     case What::attitude: break;
     }
     switch (error.error) {
@@ -290,6 +301,33 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
                            fmt::join(error.indices, " and "));
     }
     return {};
+}
+
+std::string no_key_met(const stream::KeysMet& keys) {
+    const std::string within = keys.within.text();
+    std::string text = keys.interpolates
+                           ? fmt::format("no key of FILE is between two of REFERENCE at most {} apart", within)
+                           : fmt::format("no key of FILE is within {} of one of REFERENCE", within);
+    if (keys.nearest) {
+        text += fmt::format("; the nearest are {} apart: --key-within", keys.nearest->text());
+    }
+    if (!keys.ranges[0] || !keys.ranges[1]) {
+        return text;
+    }
+    const auto& [own, reference] = std::pair(*keys.ranges[0], *keys.ranges[1]);
+    const auto size_of = [](const stream::KeysMet::Range& range) {
+        return std::max(std::abs(range.first.rounded()), std::abs(range.last.rounded()));
+    };
+    const double size = size_of(own);
+    const double other = size_of(reference);
+    if (std::max(size, other) >= 900.0 * std::min(size, other)) { // nearly a thousandfold: other units
+        return text + fmt::format("; FILE's are near {}, REFERENCE's near {}: --time-unit", rough(size), rough(other));
+    }
+    if (own.last < reference.first || reference.last < own.first) {
+        text += fmt::format("; all of FILE's are {} REFERENCE's: --key-offset",
+                            own.last < reference.first ? "before" : "after");
+    }
+    return text;
 }
 
 std::string meaning(const stream::Diagnostic& diagnostic) {

@@ -108,7 +108,11 @@ public:
         const auto& names = input.numbers.names;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool is_rate = names[i] == "wx" || names[i] == "wy" || names[i] == "wz";
-            units_[i] = names[i] == "t" ? reading.time_unit : is_rate ? (reading.degrees ? "deg" : "rad") : "";
+            const bool is_time = names[i] == "t" || (names[i] == "key" && !reading.time_unit.empty());
+            units_[i] = is_rate                     ? (reading.degrees ? "deg" : "rad")
+                        : !is_time                  ? ""
+                        : reading.time_unit.empty() ? "s"
+                                                    : reading.time_unit;
         }
         if (input.numbers.attitude) {
             attitudes_.emplace_back(input.numbers.kept, *input.numbers.attitude);
@@ -193,7 +197,7 @@ private:
 
     [[nodiscard]] std::string mend(std::size_t at, std::string_view unit) const {
         if (!is_angle(unit)) {
-            return fmt::format("times are read in {}: --time-unit {}", units_[at], unit);
+            return fmt::format("times are read in {}: {} {}", units_[at], reading_.time_option, unit);
         }
         for (const auto& [first, spec] : attitudes_) {
             if (at >= first && at < first + spec.size()) {

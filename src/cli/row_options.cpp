@@ -335,7 +335,10 @@ stream::InputOptions RowOptions::input_of(const SelectedColumns& selected, strea
     }
     in.width = has_values ? 0 : width_of(in);
     in.comment = has_values || comment_ == "none" ? "" : comment_;
-    add_notes(in, {.degrees = degrees, .time_unit = or_else(argument_of("--time-unit"), "s"), .refuses = refuses});
+    add_notes(in, {.degrees = degrees,
+                   .time_unit = or_else(argument_of(selected.time_option), argument_of("--time-unit")),
+                   .time_option = selected.time_option,
+                   .refuses = refuses});
     return in;
 }
 
@@ -347,6 +350,7 @@ std::string RowOptions::argument_of(std::string_view option) const {
 
 SelectedColumns RowOptions::columns_of_file(const PairingOptions& pairing, const Operands& operands) const {
     SelectedColumns selected{.list = columns};
+    pairing.check();
     if (PairingOptions::is_paired(operands)) {
         return with_key(selected, "--key", pairing.key);
     }
@@ -404,16 +408,31 @@ void RowOptions::pair(RowsCommand& command, const PairingOptions& pairing, strea
                       messages::Subject subject, const Operands& operands) const {
     const SelectedColumns selected =
         with_key({.list = or_else(pairing.reference_columns, columns),
-                  .option = pairing.reference_columns.empty() ? "--columns (of REFERENCE too)" : "--reference-columns"},
+                  .option = pairing.reference_columns.empty() ? "--columns (of REFERENCE too)" : "--reference-columns",
+                  .time_option = "--reference-time-unit"},
                  "--reference-key", pairing.key.empty() ? "" : or_else(pairing.reference_key, pairing.key));
     stream::Pairing& pairs = command.options.pairing.emplace();
     const bool refuses = command.options.input.numbers.attitude.has_value(); // identify does not
     pairs.reference = input_of(selected, std::move(numbers), subject, false, refuses);
     pairs.by_key = !pairing.key.empty();
+    pairs.interpolates = pairing.interpolates;
     if (!pairing.key_within.empty()) {
         static_cast<void>(amount_of("--key-within", pairing.key_within, 0.0, false));
         pairs.within = *stream::Decimal::parse(pairing.key_within);
     }
+    stream::InputOptions& in = command.options.input;
+    in.key_power = time_power_of(pairing.time_unit);
+    in.numbers.has_unit = !pairing.time_unit.empty();
+    if (!pairing.key_offset.empty()) {
+        const auto offset = stream::Decimal::parse(pairing.key_offset);
+        if (!offset) {
+            throw Usage(fmt::format("--key-offset {} must be a finite number", quoted(pairing.key_offset)));
+        }
+        in.key_origin = stream::Decimal() - *offset;
+    }
+    const std::string& unit = or_else(pairing.reference_time_unit, pairing.time_unit);
+    pairs.reference.key_power = time_power_of(unit);
+    pairs.reference.numbers.has_unit = !unit.empty() && pairing.reference_time_unit != "s"; // ISO 8601 is in seconds
     command.reference = operands.files[1];
     command.reference_subject = std::move(subject);
 }
@@ -459,13 +478,34 @@ ConversionSettings AttitudeOptions::added_to(ConversionSettings settings, bool d
     return settings;
 }
 
-void PairingOptions::add_to(OptionSet& set) {
+void PairingOptions::add_to(OptionSet& set, bool with_interpolation) {
     set.begin_group("Columns");
     set.add("--reference-columns", reference_columns, "LIST",
             "The columns to read in REFERENCE (default: those of --columns)");
     set.add("--key", key, "COLUMN", "Pair rows by the key in this column, such as time, instead of in order");
     set.add("--reference-key", reference_key, "COLUMN", "The column of the key in REFERENCE (default: that of --key)");
     set.add("--key-within", key_within, "T", "The largest difference between the keys of a pair (default 0)");
+    set.add("--key-offset", key_offset, "T", "Add T to the keys of FILE");
+    set.add("--time-unit", time_unit, "UNIT", "Keys are times in s, ms, us or ns, and the two T are seconds");
+    set.add("--reference-time-unit", reference_time_unit, "UNIT", "Unit of REFERENCE's keys (default: the same)");
+    if (with_interpolation) {
+        set.add("--interpolate", interpolates, "Take the reference at FILE's key, between two rows --key-within apart");
+    }
+}
+
+void PairingOptions::check() const {
+    const std::pair<std::string_view, bool> given[] = {{"--time-unit", !time_unit.empty()},
+                                                       {"--reference-time-unit", !reference_time_unit.empty()},
+                                                       {"--key-offset", !key_offset.empty()},
+                                                       {"--interpolate", interpolates}};
+    for (const auto& [option, is_given] : given) {
+        if (is_given && key.empty()) {
+            throw Usage(fmt::format("{} needs --key, because rows are paired by their number without it", option));
+        }
+    }
+    if (interpolates && key_within.empty()) {
+        throw Usage("--interpolate needs --key-within: how far apart two rows of REFERENCE may be");
+    }
 }
 
 bool PairingOptions::is_paired(const Operands& operands) {

@@ -52,8 +52,9 @@ void require_rates(std::string_view option, const Spec& spec);
 
 /// How a command takes numbers, beside their SPEC.
 struct ReadAs {
-    bool degrees = false; ///< -d: angular velocities too
-    std::string time_unit{};
+    bool degrees = false;    ///< -d: angular velocities too
+    std::string time_unit{}; ///< empty: seconds; keys have none then
+    std::string time_option = "--time-unit";
     bool refuses = true; ///< names in another order end the run, unless --columns selects
 };
 void add_notes(stream::InputOptions& input, const ReadAs& reading);
@@ -69,8 +70,14 @@ struct PairingOptions {
     std::string key;
     std::string reference_key;
     std::string key_within;
+    std::string time_unit;
+    std::string reference_time_unit;
+    std::string key_offset;
+    bool interpolates = false;
 
-    void add_to(OptionSet& set);
+    void add_to(OptionSet& set, bool with_interpolation = false);
+    /// @throw Usage if an option about keys was given without a key
+    void check() const;
     /// There is a REFERENCE.
     /// @throw Usage if both are stdin
     [[nodiscard]] static bool is_paired(const Operands& operands);
@@ -82,6 +89,7 @@ struct SelectedColumns {
     std::string list;
     std::string option = "--columns";
     std::string key{}; ///< a column before them
+    std::string time_option = "--time-unit";
 
     [[nodiscard]] std::string all() const { return key.empty() ? list : key + "," + list; }
 };

@@ -352,7 +352,8 @@ ExitCode run_rows(const RowsCommand& command) {
                       .failed = reporter.errors(),
                       .beyond = reporter.beyond(),
                       .first_beyond = reporter.first_beyond(),
-                      .unpaired = ending.unpaired};
+                      .unpaired = ending.unpaired,
+                      .keys = ending.keys};
     if (is_whole) {
         reporter.add(result.unpaired);
     }

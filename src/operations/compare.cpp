@@ -4,86 +4,18 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "../stream/fmt.hpp"
+#include "comparison_between.hpp"
+#include "comparison_of_turns.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Rotation rotation_of(const double* q) { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
-
-/// The turns from pairs to the N-th after them. Remembers N pairs.
-class Turns {
-public:
-    Turns(std::size_t delta, ComparisonSettings settings)
-        : delta_(delta), turns_({}, {}, [&] {
-              settings.reading.left.reset(); // the attitudes are turned
-              settings.reading.right.reset();
-              settings.reading.tolerance = std::numeric_limits<double>::infinity();
-              settings.attitudes = false;
-              return settings;
-          }()) {}
-
-    /// @param compared an angle, nan where there is none, and both attitudes: of each row the last of `width` numbers
-    void compare(std::span<const double> compared, std::size_t width, std::span<double> out, std::size_t out_width,
-                 std::vector<RowReport>& reports) {
-        const std::size_t rows = compared.size() / width;
-        numbers_.clear();
-        rows_.clear();
-        for (std::size_t row = 0; row < rows; ++row) {
-            const double* end = compared.data() + (row + 1) * width;
-            std::fill_n(out.data() + row * out_width, out_width, nan);
-            if (std::isnan(compared[row * width])) {
-                continue;
-            }
-            Pair& place = kept_.size() < delta_ ? kept_.emplace_back() : kept_[next_++ % delta_];
-            const Pair pair{rotation_of(end - 8), rotation_of(end - 4)};
-            if (next_ > 0) {
-                for (const std::size_t side : {0U, 1U}) {
-                    const Rotation turn = place[side].inverse() * pair[side];
-                    numbers_.insert(numbers_.end(), {turn.w(), turn.x(), turn.y(), turn.z()});
-                }
-                rows_.push_back(row);
-            }
-            place = pair;
-        }
-        found_.resize(rows_.size() * turns_.outputs());
-        turns_.run(numbers_, found_, turn_reports_);
-        for (std::size_t i = 0; i < rows_.size(); ++i) {
-            std::copy_n(found_.data() + i * turns_.outputs(), turns_.outputs(), out.data() + rows_[i] * out_width);
-        }
-        for (RowReport& report : turn_reports_) {
-            report.row = rows_[report.row];
-            const auto place = std::ranges::lower_bound(reports, report.row, {}, &RowReport::row);
-            if (place == reports.end() || place->row != report.row) {
-                reports.insert(place, report);
-            } else { // what was said of its attitudes
-                report.diagnostics |= place->diagnostics;
-                report.defect = place->defect;
-                report.reference_defect = place->reference_defect;
-                *place = report;
-            }
-        }
-    }
-
-private:
-    using Pair = std::array<Rotation, 2>;
-
-    std::size_t delta_;
-    Comparison turns_;
-    std::vector<Pair> kept_;
-    std::size_t next_ = 0; ///< of those that are kept, the oldest; 0 before all are there
-    std::vector<double> numbers_;
-    std::vector<std::size_t> rows_;
-    std::vector<double> found_;
-    std::vector<RowReport> turn_reports_;
-};
 
 class Compare final : public stream::RowOperation {
 public:
@@ -97,13 +29,16 @@ public:
             names = joined(names, names_of(*attitude));
         }
         if (rows.delta > 0) {
-            turns_.emplace_back(rows.delta, settings);
+            turns_.emplace(rows.delta, settings);
             in_order = true;
             settings.within = std::numeric_limits<double>::infinity();
             settings.relative.reset();
         }
         settings.attitudes = rows.as_numbers || rows.delta > 0;
         comparison_ = Comparison(comparison.from(), comparison.reference(), settings);
+        if (rows.interpolates) {
+            between_.emplace(comparison_);
+        }
         if (rows.as_numbers) {
             names.resize(numbers_of_pair);
         }
@@ -111,39 +46,56 @@ public:
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compare>(*this); }
 
     void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        const auto numbers =
-            rows_.by_key ? without_keys_(rows.numbers, comparison_.from().size(), comparison_.reference().size())
-                         : rows.numbers;
         const std::size_t width = names.size();
         const std::size_t compared_width = comparison_.outputs();
-        if (!comparison_.settings().attitudes) {
-            comparison_.run(numbers, out, reports);
+        const bool has_attitudes = comparison_.settings().attitudes;
+        compared_.resize(has_attitudes ? rows.lines.size() * compared_width : 0);
+        const std::span<double> compared = has_attitudes ? std::span(compared_) : out;
+        std::span<const double> attitudes = rows.numbers;
+        if (between_) {
+            between_->run(rows.numbers, compared, reports);
+            attitudes = has_attitudes ? with_quaternions(rows) : attitudes;
         } else {
-            compared_.resize(rows.lines.size() * compared_width);
-            comparison_.run(numbers, compared_, reports);
-            for (auto& turns : turns_) {
-                turns.compare(compared_, compared_width, out, width, reports);
-            }
+            attitudes = rows_.by_key
+                            ? without_keys_(rows.numbers, comparison_.from().size(), comparison_.reference().size())
+                            : rows.numbers;
+            comparison_.run(attitudes, compared, reports);
         }
-        if (rows_.as_numbers) {
-            for (std::size_t i = 0; i < rows.lines.size(); ++i) {
-                double* const result = out.data() + i * width;
-                const double* const compared = compared_.data() + i * compared_width;
-                result[0] = turns_.empty() ? compared[0] : result[0];
-                std::copy_n(compared + 1, 8, result + 1);
-                result[numbers_of_pair - 1] = static_cast<double>(rows.lines[i]);
-            }
+        if (turns_) {
+            turns_->compare(compared, compared_width, out, width, reports);
         }
-        watch_->add(rows, numbers, rows_.by_key ? 1 + comparison_.from().size() : 0, out, width);
+        for (std::size_t i = 0; rows_.as_numbers && i < rows.lines.size(); ++i) {
+            double* const result = out.data() + i * width;
+            const double* const end = compared_.data() + (i + 1) * compared_width;
+            result[0] = turns_ ? result[0] : *(end - static_cast<std::ptrdiff_t>(compared_width));
+            std::copy_n(end - 8, 8, result + 1);
+            result[numbers_of_pair - 1] = static_cast<double>(rows.lines[i]);
+        }
+        watch_->add(rows, attitudes, rows_.by_key ? 1 + comparison_.from().size() : 0, out, width);
     }
 
 private:
+    /// The numbers of each attitude, and the quaternion between those of the reference.
+    std::span<const double> with_quaternions(const stream::NumberRows& rows) {
+        attitudes_.clear();
+        for (std::size_t i = 0; i < rows.lines.size(); ++i) {
+            const auto row = rows.numbers.subspan(i * (rows.numbers.size() / rows.lines.size()) + 1);
+            const auto own = row.first(comparison_.from().size());
+            const auto q = std::span(compared_).subspan((i + 1) * comparison_.outputs() - 4, 4);
+            attitudes_.insert(attitudes_.end(), own.begin(), own.end());
+            attitudes_.insert(attitudes_.end(), q.begin(), q.end());
+        }
+        return attitudes_;
+    }
+
     Comparison comparison_;
     ComparisonRows rows_;
     std::shared_ptr<PairWatch> watch_;
-    std::vector<Turns> turns_; ///< at most one
+    std::optional<ComparisonBetween> between_; ///< where the reference is interpolated
+    std::optional<ComparisonOfTurns> turns_;   ///< where there is a delta
     KeyRemover without_keys_;
     std::vector<double> compared_;
+    std::vector<double> attitudes_;
 };
 
 } // namespace

@@ -86,10 +86,11 @@ struct PropagationRows {
 [[nodiscard]] Operation survey(const Spec& from, double tolerance, Survey& survey);
 
 struct ComparisonRows {
-    bool paired = false;     ///< the second attitude comes from a reference...
-    bool by_key = false;     ///< ...and each of the two has its key before it
-    bool as_numbers = false; ///< rows for a sink, see `numbers_of_pair`, instead of the relative attitude
-    std::size_t delta = 0;   ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
+    bool paired = false;       ///< the second attitude comes from a reference...
+    bool by_key = false;       ///< ...and each of the two has its key before it
+    bool as_numbers = false;   ///< rows for a sink, see `numbers_of_pair`, instead of the relative attitude
+    bool interpolates = false; ///< by key: the second attitude lies between two of the reference, see stream::Pairing
+    std::size_t delta = 0;     ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
 };
 /// For a sink: the angle, both attitudes as quaternions, and the line. An angle of nan is none.
 inline constexpr std::size_t numbers_of_pair = 10;

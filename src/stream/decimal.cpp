@@ -222,7 +222,28 @@ Time read_time(std::string_view text) {
     return {*Decimal::parse(std::to_string(whole.count()).append(fraction)) - from_origin};
 }
 
-double Decimal::rounded(int power) const {
+Decimal Decimal::scaled(std::int64_t power) const {
+    Decimal result = *this;
+    result.point_ += digits_.empty() ? 0 : power;
+    return result;
+}
+
+std::string Decimal::text() const {
+    constexpr std::int64_t most_zeros = 20;
+    const auto size = static_cast<std::int64_t>(digits_.size());
+    std::string text = digits_.empty() ? "0" : digits_;
+    if (point_ > size + most_zeros || point_ < -most_zeros) {
+        text = digits_.substr(0, 1) + (size > 1 ? "." : "") + digits_.substr(1) + "e" + std::to_string(point_ - 1);
+    } else if (point_ >= size) {
+        text.append(static_cast<std::size_t>(point_ - size), '0');
+    } else {
+        text.insert(0, static_cast<std::size_t>(std::max<std::int64_t>(1 - point_, 0)), '0');
+        text.insert(static_cast<std::size_t>(std::max<std::int64_t>(point_, 1)), 1, '.');
+    }
+    return negative_ ? "-" + text : text;
+}
+
+double Decimal::rounded(std::int64_t power) const {
     const std::string text = (negative_ ? "-0." : "0.") + digits_ + "e" + std::to_string(point_ + power);
     double value = 0.0;
     if (!digits_.empty() && read_number(text, value) == NumberError::too_large) {

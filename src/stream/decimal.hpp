@@ -33,8 +33,16 @@ public:
     /// A number with the sign of the sum, exact however large or small the terms are.
     [[nodiscard]] static int sign_of_sum(std::initializer_list<Term> terms) noexcept;
 
+    /// This times 10^power.
+    [[nodiscard]] Decimal scaled(std::int64_t power) const;
     /// The double nearest to this times 10^power; infinite where that is too large.
-    [[nodiscard]] double rounded(int power = 0) const;
+    [[nodiscard]] double rounded(std::int64_t power = 0) const;
+    /// a / b, where |a| <= |b|, each rounded once.
+    [[nodiscard]] static double ratio(const Decimal& a, const Decimal& b) {
+        return a.rounded(-b.point_) / b.rounded(-b.point_);
+    }
+    /// All its digits, with an e only where there would be many zeros.
+    [[nodiscard]] std::string text() const;
 
 private:
     static std::strong_ordering compare_magnitudes(const Decimal& a, const Decimal& b) noexcept;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -68,25 +71,47 @@ struct Note {
 
 using Event = std::variant<RowError, Diagnostic, FirstBytes, Note>;
 
+/// Rows of a stream that are in no pair.
+struct Unpaired {
+    std::size_t rows = 0;
+    std::size_t first_line = 0; ///< of the first of them
+
+    void add(const Unpaired& others) noexcept {
+        if (others.rows > 0) {
+            first_line = rows == 0 ? others.first_line : std::min(first_line, others.first_line);
+            rows += others.rows;
+        }
+    }
+};
+
 /// What a block of rows became: bytes to write and then events to report, both in the order of the rows.
 struct Output {
     Buffer bytes;
     std::vector<Event> events;
     std::size_t answered = 0; ///< rows that have a result
     bool stopped = false;     ///< a row error ended the run
+    Unpaired unpaired{};      ///< of the rows: their partner is not defined
 
     void clear() noexcept {
         bytes.clear();
         events.clear();
         answered = 0;
         stopped = false;
+        unpaired = {};
     }
 };
 
-/// Rows of a stream that are in no pair.
-struct Unpaired {
-    std::size_t rows = 0;
-    std::size_t first_line = 0; ///< of the first of them
+/// The keys of two streams, of which some may have been too far apart to be paired.
+struct KeysMet {
+    /// Of the stream, and of the reference: the first and the last that may be paired.
+    struct Range {
+        Decimal first, last;
+    };
+    std::array<std::optional<Range>, 2> ranges{};
+    bool any_pair = false;
+    bool interpolates = false;        ///< the difference of two keys is that of neighbours in the reference
+    std::optional<Decimal> nearest{}; ///< without a pair: the least difference of two keys
+    Decimal within{};                 ///< see Pairing
 };
 
 /// Why a run ended early, other than by a row error.

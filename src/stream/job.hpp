@@ -22,6 +22,9 @@ struct Row {
     std::size_t number = 0; ///< of the line; 0 where there is only the reference's
     std::string_view reference{};
     std::size_t reference_number = 0; ///< 0: there is none
+    std::string_view later{};         ///< the row of the reference after that one, where both count...
+    std::size_t later_number = 0;     ///< ...else 0
+    double fraction = 0.0;            ///< how far the row is on the way between them
     bool passes = false;              ///< blank or comment: goes out as it is
     std::size_t error = no_error;     ///< which one, of a row without numbers
     // Of a row that is read:
@@ -82,6 +85,7 @@ public:
     [[nodiscard]] virtual const Layout* reference_layout() const { return nullptr; }
     /// Of the stream, and of the reference.
     [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
+    [[nodiscard]] virtual KeysMet keys() const { return {}; }
 };
 
 } // namespace rotconv::stream

@@ -48,6 +48,8 @@ struct InputOptions {
     ColumnList columns{};                 ///< empty: a row is its numbers and nothing else
     std::optional<Delimiter> delimiter{}; ///< nothing: that of the first data row
     std::size_t width = 0;                ///< doubles of a row of binary input; 0: the input is text
+    int key_power = 0;                    ///< keys are in units of 10^key_power of those in which they are compared...
+    Decimal key_origin{};                 ///< ...and this is taken from them
     HeaderMode header = HeaderMode::automatic;
     std::string comment = "#"; ///< what comments begin with; empty: there are none
     bool refuses_json = false; ///< a first row that is JSON ends the run
@@ -66,11 +68,15 @@ struct InputOptions {
     [[nodiscard]] bool is_row(std::string_view line) const noexcept { return !is_comment(line) && !is_blank(line); }
 };
 
-/// How the rows of two streams are paired. The operation gets the numbers of a row and then those of its partner.
+/// How the rows of two streams are paired. The operation gets the numbers of a row, then those of its partner.
 struct Pairing {
     InputOptions reference{}; ///< how the other stream is read
     bool by_key = false;      ///< the first selected column of both, a number that increases; else by the rows' number
     Decimal within{};         ///< the greatest difference of two keys
+    /// The partner lies at the row's key between two rows of the reference, whose keys differ by no more than that. The
+    /// operation gets the numbers of a row, of the earlier and of the later neighbour, without the key of the later,
+    /// and how far the row is from the earlier, as a fraction; of a row whose key the reference has, both are that row.
+    bool interpolates = false;
 };
 
 /// What a run does with its rows.
@@ -86,8 +92,12 @@ struct Options {
     std::size_t threads = 1;                              ///< at most
     std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
     std::optional<Pairing> pairing{};                     ///< where the rows are paired with those of a reference
+
+    [[nodiscard]] bool writes_partners() const noexcept { return pairing && pairing->by_key && format == Format::csv; }
 };
 
+/// What follows a row that is paired by key.
+inline constexpr std::array<std::string_view, 3> partner_names{"reference_line", "reference_key", "key_difference"};
 inline constexpr std::array<std::string_view, 4> diagnostic_names{"margin", "condition", "defect", "notes"};
 
 } // namespace rotconv::stream

@@ -50,7 +50,7 @@ void PairReader::Side::take_line() {
 void PairReader::Side::find_key(Waiting& row) {
     parts.clear();
     const auto key_text = reader.key(row.row.line.text, parts);
-    auto key = key_text ? reader.time_of(*key_text) : Time();
+    auto key = key_text ? reader.key_of(*key_text) : Time();
     if (!key_text) {
         row.error = std::move(parts.error);
     } else if (key.error != TimeError::none) {
@@ -62,6 +62,9 @@ void PairReader::Side::find_key(Waiting& row) {
         row.error = RowError{.what = RowError::What::key_order, .text = *key_text};
     } else {
         newest = row.key = std::move(key.value);
+        if (!oldest) {
+            oldest = newest;
+        }
     }
 }
 
@@ -150,24 +153,51 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
     }
 }
 
-void PairReader::pair(Job& job) {
+void PairReader::pair(Job& job, const Waiting* later) {
     const Waiting& first = rows_.waiting.front();
     const Waiting& other = references_.waiting.front();
+    any_pair_ = true;
     Row row = first.row;
     row.reference = other.row.line.text;
     row.reference_number = other.row.number;
+    if (later != nullptr) {
+        row.later = later->row.line.text;
+        row.later_number = later->row.number;
+        row.fraction = Decimal::ratio(first.key - other.key, later->key - other.key);
+    }
     job.pairs.rows.push_back(row);
     job.pairs.bytes += row.line.text.size() + row.reference.size();
     hold(job.pairs, first.text);
     hold(job.pairs, other.text);
+    if (later != nullptr) {
+        hold(job.pairs, later->text);
+        job.pairs.bytes += later->row.line.text.size();
+    }
     rows_.drop_row(true);
-    references_.drop_row(true);
+    if (!pairing_->interpolates) {
+        references_.drop_row(true);
+    }
+}
+
+void PairReader::give_up(const Side& side) {
+    error_ = StreamError{.what = StreamError::What::far_key,
+                         .line = side.waiting.front().row.number,
+                         .of_reference = &side == &references_};
+}
+
+void PairReader::compare_distance(Decimal distance) {
+    if (!nearest_ || distance < *nearest_) {
+        nearest_ = std::move(distance);
+    }
 }
 
 PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     if (row == At::end || reference == At::end) {
-        (row == At::end ? references_ : rows_).drop_row(false);
+        (row == At::end ? references_ : rows_).drop_row(row == At::end && pairing_->interpolates);
         return nullptr;
+    }
+    if (pairing_->interpolates) {
+        return match_between(job);
     }
     const auto order = rows_.waiting.front().key <=> references_.waiting.front().key;
     if (!pairing_->by_key || std::is_eq(order)) {
@@ -179,6 +209,9 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     const Decimal& low_key = low.waiting.front().key;
     const Decimal& high_key = high.waiting.front().key;
     const auto sign = Decimal::sign_of_sum;
+    if (!any_pair_) {
+        compare_distance(high_key - low_key);
+    }
     const bool is_too_far = sign({{&high_key, 1}, {&low_key, -1}, {&pairing_->within, -1}}) > 0;
     if (is_too_far || (high.disposed && sign({{&low_key, 2}, {&*high.disposed, -1}, {&high_key, -1}}) <= 0)) {
         low.drop_row(false); // or another is as near to it
@@ -189,21 +222,58 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
         return &low;
     }
     if (next == At::too_far) {
-        error_ = StreamError{.what = StreamError::What::far_key,
-                             .line = low.waiting.front().row.number,
-                             .of_reference = &low == &references_};
+        give_up(low);
         return nullptr;
     }
-    const auto is_nearer = [&] {
-        const auto found = std::ranges::find_if(low.waiting.begin() + 1, low.waiting.end(), &Waiting::has_key);
-        return sign({{&found->key, 1}, {&low_key, 1}, {&high_key, -2}}) < 0;
-    };
-    if (next == At::row && is_nearer()) {
+    if (next == At::row && sign({{&low.second().key, 1}, {&low_key, 1}, {&high_key, -2}}) < 0) {
         low.drop_row(false);
     } else {
         pair(job);
     }
     return nullptr;
+}
+
+PairReader::Side* PairReader::match_between(Job& job) {
+    const Decimal& key = rows_.waiting.front().key;
+    const Decimal& earlier = references_.waiting.front().key;
+    if (const auto order = key <=> earlier; std::is_eq(order)) {
+        pair(job);
+        return nullptr;
+    } else if (std::is_lt(order)) {
+        rows_.drop_row(false);
+        return nullptr;
+    }
+    const At next = references_.look(1);
+    if (next == At::dry) {
+        return &references_;
+    }
+    if (next == At::too_far) {
+        give_up(references_);
+    } else if (next == At::end && references_.blocks.error()) { // the row after it is not known
+        error_ = references_.blocks.error();
+        error_->of_reference = true;
+    } else if (next == At::end) {
+        rows_.drop_row(false);
+    } else if (const Waiting& later = references_.second(); later.key <= key) {
+        references_.drop_row(true);
+    } else if (Decimal distance = later.key - earlier; distance <= pairing_->within) {
+        pair(job, &later);
+    } else {
+        compare_distance(std::move(distance));
+        rows_.drop_row(false);
+    }
+    return nullptr;
+}
+
+KeysMet PairReader::keys() const {
+    KeysMet met{
+        .any_pair = any_pair_, .interpolates = pairing_->interpolates, .nearest = nearest_, .within = pairing_->within};
+    for (const Side* side : {&rows_, &references_}) {
+        if (side->oldest) {
+            met.ranges.at(side == &rows_ ? 0 : 1) = {*side->oldest, *side->newest};
+        }
+    }
+    return met;
 }
 
 std::optional<StreamError> PairReader::error() const {

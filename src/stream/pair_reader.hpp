@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +19,9 @@
 namespace rotconv::stream {
 
 /// Reads two streams side by side and pairs their rows: those of the same number, or those whose keys are each the
-/// other's nearest, of equals the earlier. It looks one row ahead, and gives up where too much stands in between, so
-/// that memory stays flat. In what pieces the streams arrive makes no difference.
+/// other's nearest, of equals the earlier, or rows with the two of the reference around their keys. It looks one row
+/// ahead, and gives up where too much stands in between, so that memory stays flat. In what pieces the streams arrive
+/// makes no difference.
 class PairReader final : public JobReader {
 public:
     /// @pre options.pairing
@@ -32,6 +34,7 @@ public:
     [[nodiscard]] const Layout& layout() const override { return rows_.blocks.layout(); }
     [[nodiscard]] const Layout* reference_layout() const override { return &references_.blocks.layout(); }
     [[nodiscard]] std::array<Unpaired, 2> unpaired() const override { return {rows_.unpaired, references_.unpaired}; }
+    [[nodiscard]] KeysMet keys() const override;
 
 private:
     /// A line that is read and not yet disposed of.
@@ -61,6 +64,11 @@ private:
         void find_key(Waiting& row);
         void drop_row(bool is_paired);
         void drop_line();
+        /// The row after the first.
+        /// @pre look(1) is At::row
+        [[nodiscard]] const Waiting& second() const {
+            return *std::find_if(waiting.begin() + 1, waiting.end(), [](const auto& row) { return row.has_key(); });
+        }
         [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || blocks.is_ready(); }
 
@@ -74,9 +82,10 @@ private:
         std::size_t line = 1;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
-        std::size_t bytes_waiting = 0;   ///< of those lines
-        std::size_t rows_waiting = 0;    ///< that may be paired
-        std::optional<Decimal> newest;   ///< of the keys that increased
+        std::size_t bytes_waiting = 0; ///< of those lines
+        std::size_t rows_waiting = 0;  ///< that may be paired
+        std::optional<Decimal> oldest; ///< of the keys that increased
+        std::optional<Decimal> newest;
         std::optional<Decimal> disposed; ///< the last key before the first waiting row
         Unpaired unpaired;
     };
@@ -84,7 +93,13 @@ private:
     /// Pairs the first rows of both, or disposes of one of them.
     /// @return the side whose next row must be known first, or null
     Side* match(Job& job, At row, At reference);
-    void pair(Job& job);
+    /// The same, where the partner lies between rows of the reference.
+    Side* match_between(Job& job);
+    /// `later`: the row of the reference after its first, or null.
+    void pair(Job& job, const Waiting* later = nullptr);
+    /// The first row of the side has no partner until too far behind it. Ends the run.
+    void give_up(const Side& side);
+    void compare_distance(Decimal distance);
     /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,
     /// which come after all of the stream that stand before its next row.
     void hand_on_alone(Job& job, bool of_both);
@@ -92,8 +107,10 @@ private:
     const Pairing* pairing_;
     Side rows_;
     Side references_;
-    Job reference_job_;   ///< room for its blocks
-    Side* dry_ = nullptr; ///< that the last job ended at
+    bool any_pair_ = false;
+    std::optional<Decimal> nearest_; ///< the least difference of two keys before the first pair
+    Job reference_job_;              ///< room for its blocks
+    Side* dry_ = nullptr;            ///< that the last job ended at
     std::optional<StreamError> error_;
 };
 

@@ -66,12 +66,25 @@ Time RowReader::time_of(std::string_view text) const {
     return time;
 }
 
+Time RowReader::key_of(std::string_view text) const {
+    Time key = time_of(text);
+    if (options_->key_power != 0) {
+        key.value = key.value.scaled(options_->key_power);
+    }
+    if (options_->key_origin != Decimal()) {
+        key.value = key.value - options_->key_origin;
+    }
+    return key;
+}
+
 std::optional<std::string> RowReader::key(std::string_view row, RowParts& to) const {
     const std::size_t first = position(0);
     if (options_->width > 0) {
         double number = 0.0;
         std::memcpy(&number, row.data() + first * sizeof(double), sizeof(double));
-        return fmt::format("{}", number);
+        Buffer text;
+        append_number(text, number, {});
+        return fmt::to_string(text);
     }
     const std::size_t first_field = to.fields.size();
     if (!split(row, {&first, 1}, to)) {

@@ -31,7 +31,7 @@ std::vector<double> RowTransformer::largest_numbers() const {
     if (reference_layout_ != nullptr && !(largest.empty() && options_->pairing->reference.largest.empty())) {
         largest.resize(layout_->count, any_size);
         std::ranges::copy(options_->pairing->reference.largest, std::back_inserter(largest));
-        largest.resize(layout_->count + reference_layout_->count, any_size);
+        largest.resize(layout_->count + (interpolates() ? 2 : 1) * reference_layout_->count, any_size);
     }
     return largest;
 }
@@ -170,12 +170,23 @@ void RowTransformer::read(Row& row) {
     bool is_read = reader_.read(row.line.text, parts_);
     row.field_count = parts_.fields.size() - row.first_field;
     parts_.error.line = row.number;
-    if (is_read && row.reference_number > 0 && !reference_reader_->read(row.reference, parts_)) {
-        is_read = false;
+    if (is_read && row.reference_number > 0) {
+        is_read = read_reference(row.reference, row.reference_number);
+        if (is_read && interpolates()) {
+            const std::size_t kept = parts_.kept.size();
+            const auto key = static_cast<std::ptrdiff_t>(parts_.numbers.size());
+            is_read = row.later_number > 0 ? read_reference(row.later, row.later_number)
+                                           : read_reference(row.reference, row.reference_number);
+            if (is_read) {
+                parts_.numbers.erase(parts_.numbers.begin() + key);
+                parts_.numbers.push_back(row.fraction);
+                parts_.kept.resize(kept);
+            }
+        }
+    }
+    if (!is_read) {
         parts_.numbers.resize(first_number);
         parts_.kept.resize(first_kept);
-        parts_.error.line = row.reference_number;
-        parts_.error.of_reference = true;
     }
     if (is_read) {
         lines_.push_back(row.number);
@@ -186,6 +197,15 @@ void RowTransformer::read(Row& row) {
         row.error = errors_.size();
         errors_.push_back(std::move(parts_.error));
     }
+}
+
+bool RowTransformer::read_reference(std::string_view text, std::size_t line) {
+    if (reference_reader_->read(text, parts_)) {
+        return true;
+    }
+    parts_.error.line = line;
+    parts_.error.of_reference = true;
+    return false;
 }
 
 std::size_t RowTransformer::answer(bool flush) {
@@ -251,15 +271,18 @@ void RowTransformer::make_continuous(std::size_t answered, Output& output, const
     }
 }
 
-double RowTransformer::norm_of(const Row& row, bool of_reference) const {
-    if (of_reference && row.reference_number == 0) {
+double RowTransformer::norm_of(const Row& row, const RowReport& report) const {
+    if (report.of_reference && row.reference_number == 0) {
         return 0.0; // the second attitude of a row
     }
-    const RowNumbers& read = of_reference ? options_->pairing->reference.numbers : options_->input.numbers;
+    const RowNumbers& read = report.of_reference ? options_->pairing->reference.numbers : options_->input.numbers;
     if (!read.attitude || read.attitude->name != RepresentationId::quat) {
         return 0.0;
     }
-    const auto q = numbers_of(row).subspan((of_reference ? layout_->count : 0) + read.kept, 4);
+    const std::size_t first = report.of_later       ? layout_->count + reference_layout_->count // without its key
+                              : report.of_reference ? layout_->count + read.kept
+                                                    : read.kept;
+    const auto q = numbers_of(row).subspan(first, 4);
     const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
     double squares = 0.0; // of numbers that neither overflow nor underflow
     for (const double number : q) {
@@ -289,12 +312,19 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (is_ours && options_->input.width > 0 && layout_->has_other_fields() && options_->format != Format::result) {
         make_fields(row); // and other text
     }
+    if (options_->writes_partners()) {
+        find_partner(row, given);
+    }
     const std::size_t size = operation_->names.size();
     const std::size_t answers = operation_->answers_of_row();
     for (std::size_t i = 0; i < answers; ++i) {
         const std::size_t index = row.index * answers + i;
         const RowReport& report = report_of(row, index);
         const bool failed = !row.has_numbers() || report.error != Error::none;
+        if (row.later_number > 0 && report.error == Error::past_half_turn) { // between its neighbours
+            output.unpaired.add({1, row.number});
+            continue;
+        }
         if (failed && i == 0) {
             tell_error(row, given, report, output);
             output.stopped = options_->on_error == OnError::stop;
@@ -310,12 +340,26 @@ void RowTransformer::write_row(Row& row, Output& output) {
              .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
              .report = &report,
              .failed = failed,
-             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i]});
+             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i],
+             .partner = partner_});
         if (!failed) {
             output.answered += i == 0 ? 1 : 0;
             tell_diagnostics(row, report, i, output);
         }
     }
+}
+
+void RowTransformer::find_partner(const Row& row, std::string_view given) {
+    key_parts_.clear();
+    const char delimiter = layout_->delimiter.text();
+    if (row.reference_number == 0) { // a row without a key
+        partner_ = fmt::format("{0}nan{0}nan{0}nan", delimiter);
+        return;
+    }
+    const std::string key = *reader_.key(given, key_parts_);
+    const std::string other = *reference_reader_->key(row.reference, key_parts_);
+    const Decimal difference = reader_.key_of(key).value - reference_reader_->key_of(other).value;
+    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}", delimiter, row.reference_number, trimmed(other), difference.text());
 }
 
 void RowTransformer::make_fields(Row& row) {
@@ -353,13 +397,17 @@ void RowTransformer::tell_error(const Row& row, std::string_view given, const Ro
         return;
     }
     const bool of_reference = report.of_reference && row.reference_number > 0;
+    const bool of_later = report.of_later && row.later_number > 0;
     output.events.emplace_back(
-        RowError{.line = of_reference ? row.reference_number : row.number,
+        RowError{.line = of_later       ? row.later_number
+                         : of_reference ? row.reference_number
+                                        : row.number,
                  .what = RowError::What::attitude,
-                 .text = of_reference ? reference_reader_->selected_text(row.reference) : reader_.selected_text(given),
+                 .text = of_reference ? reference_reader_->selected_text(of_later ? row.later : row.reference)
+                                      : reader_.selected_text(given),
                  .error = report.error,
                  .defect = report.defect,
-                 .norm = report.error == Error::defect ? norm_of(row, report.of_reference) : 0.0,
+                 .norm = report.error == Error::defect ? norm_of(row, report) : 0.0,
                  .of_reference = of_reference});
 }
 

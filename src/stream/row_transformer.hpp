@@ -50,11 +50,14 @@ private:
     /// Doubles in and nothing but the result out: as many rows are written at once as there is nothing to tell of.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
     void transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn);
+    [[nodiscard]] bool interpolates() const noexcept { return options_->pairing && options_->pairing->interpolates; }
     /// Reads a batch of rows off the text, under `stop` none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t limit);
     void clear() noexcept;
     /// Reads the numbers of a row, and of its partner.
     void read(Row& row);
+    /// Reads those of a row of the reference.
+    [[nodiscard]] bool read_reference(std::string_view text, std::size_t line);
     /// Answers the rows that have numbers, or only the first of them, see RowOperation::run_ahead().
     std::size_t answer(bool flush = false);
     /// Makes the first answers continuous, in turn.
@@ -78,10 +81,12 @@ private:
     [[nodiscard]] std::span<const double> numbers_of(const Row& row) const noexcept;
     /// `given`: the row as it was read.
     void tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output);
+    /// Has the output say with which row it is paired. `given`: the row as it was read.
+    void find_partner(const Row& row, std::string_view given);
     /// Of the row's answer of that number.
     void tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output);
     /// Of the quaternion of a row, or of its partner; 0 if it is not a quaternion.
-    [[nodiscard]] double norm_of(const Row& row, bool of_reference) const;
+    [[nodiscard]] double norm_of(const Row& row, const RowReport& report) const;
 
     const Options* options_;
     const Layout* layout_;
@@ -108,6 +113,8 @@ private:
     std::vector<RowReport> reports_; ///< of the remarkable rows...
     std::size_t next_report_ = 0;    ///< ...of which this is the first that is not yet written
     Buffer made_;                    ///< the text of a binary row
+    std::string partner_;            ///< what the output says of the row's partner
+    RowParts key_parts_;             ///< of both
     std::vector<double> nans_;       ///< the result of a row that failed
 };
 

@@ -78,6 +78,9 @@ std::vector<std::string_view> result_columns(const Options& options) {
     if (options.diagnostic_columns) {
         columns.insert(columns.end(), diagnostic_names.begin(), diagnostic_names.end());
     }
+    if (options.writes_partners()) {
+        columns.insert(columns.end(), partner_names.begin(), partner_names.end());
+    }
     return columns;
 }
 
@@ -189,7 +192,10 @@ void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
 }
 
 void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
-    write_fields(to, *layout_, row.line.text, row.fields, layout_->delimiter.text(), [&] { write_result(to, row); });
+    write_fields(to, *layout_, row.line.text, row.fields, layout_->delimiter.text(), [&] {
+        write_result(to, row);
+        append(to, row.partner);
+    });
     append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
 }
 

@@ -23,7 +23,8 @@ struct ConvertedRow {
     std::span<const double> result; ///< nan where the row failed
     const RowReport* report = nullptr;
     bool failed = false;
-    std::string_view answer{}; ///< its name, of several to the row
+    std::string_view answer{};  ///< its name, of several to the row
+    std::string_view partner{}; ///< what follows of the row with which it is paired
 };
 
 /// The columns of the result, and of its diagnostics where those are shown. They are views into the options.

@@ -281,6 +281,7 @@ bool Run::hand_on(const Output& output) {
     }
     std::ranges::for_each(output.events, *report_);
     ending_.answered += output.answered;
+    ending_.unpaired[0].add(output.unpaired);
     ending_.stopped = output.stopped;
     return !output.stopped;
 }
@@ -296,7 +297,10 @@ RunResult run(Source& source, Sink& sink, const Options& options, const std::fun
         reader = std::make_unique<RowBlocks>(source, options.input, &options, block_size(options));
     }
     RunResult result = Run(*reader, sink, options, report)();
-    result.unpaired = reader->unpaired();
+    for (std::size_t side = 0; side < result.unpaired.size(); ++side) {
+        result.unpaired.at(side).add(reader->unpaired().at(side));
+    }
+    result.keys = reader->keys();
     return result;
 }
 

@@ -18,6 +18,7 @@ struct RunResult {
     std::optional<StreamError> error;
     std::size_t answered = 0;           ///< rows that have a result
     std::array<Unpaired, 2> unpaired{}; ///< of the stream, and of the reference
+    KeysMet keys{};                     ///< by which rows were paired
 };
 
 /// Converts a stream. Every row is written before anything is reported of it, and as soon as it has been read.

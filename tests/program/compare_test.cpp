@@ -1,6 +1,9 @@
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <random>
+
+#include <sys/stat.h>
 
 #include <catch.hpp>
 #include <fmt/format.h>
@@ -132,7 +135,7 @@ TEST_CASE("each row is paired with the nearest whose nearest it is") {
                 const auto words = words_of(line);
                 const int key = static_cast<int>(std::lround(std::stod(words.front()) * 10));
                 pairs += fmt::format("{}:{} ", std::ranges::find(keys[0], key) - keys[0].begin(),
-                                     std::lround(std::stod(words.back()) * 1000));
+                                     std::lround(std::stod(words.at(4)) * 1000));
             }
         }
         CHECK(pairs == expected);
@@ -154,7 +157,9 @@ TEST_CASE("compare gives the same bytes with any number of threads, and needs no
     }
     files.add("new", rows).add("old", others);
     for (const std::string options : {"--columns 2-4 --format csv", "--columns 2-4 --format json",
-                                      "--columns 2-4 --key 1 --key-within 0.3 --format csv --as quat"}) {
+                                      "--columns 2-4 --key 1 --key-within 0.3 --format csv --as quat",
+                                      "--columns 2-4 --key 1 --key-within 1 --interpolate --key-offset 0.3 "
+                                      "--format csv --as quat"}) {
         const auto one = files("compare -f rotvec --threads 1 " + options + " @new @old");
         CHECK(one.exit_code == 0);
         CHECK(one.out.size() > 100);
@@ -167,7 +172,8 @@ TEST_CASE("compare gives the same bytes with any number of threads, and needs no
 TEST_CASE("the memory of compare does not grow with the streams") {
     // Catches rows that are held: by row, by keys that are equal, and by keys whose next one must be seen.
     Files files;
-    for (const std::string options : {"", "--key 1 ", "--key 1 --key-within 0.5 "}) {
+    for (const std::string options :
+         {"", "--key 1 ", "--key 1 --key-within 0.5 ", "--key 1 --key-within 1 --interpolate --key-offset 0.6 "}) {
         std::vector<long> peaks;
         for (const int count : {20'000, 200'000}) {
             std::string rows;
@@ -212,8 +218,8 @@ TEST_CASE("a row whose partner cannot be told ends the comparison") {
     const std::string options = "compare -f quat --key 1 --columns 2-5 --key-within 0.5 --format csv @new @old";
     files.add("old", "1.1 1 0 0 0\n");
     files.add("new", "1 1 0 0 0\n" + repeated("# remark\n", 4'000) + "1.1 1 0 0 0\n");
-    CHECK(files(options) ==
-          went_on(repeated("# remark\n", 4'000) + "1.1 1 0 0 0 0\n", {"new: unpaired: 1 row, first at line 1\n"}));
+    CHECK(files(options) == went_on(repeated("# remark\n", 4'000) + "1.1 1 0 0 0 0 1 1.1 0\n",
+                                    {"new: unpaired: 1 row, first at line 1\n"}));
     files.add("new", "1 1 0 0 0\n" + repeated("# remark\n", 200'000) + "1.1 1 0 0 0\n");
     CHECK(files(options) == stopped("", {"new:1: the row cannot be paired: too many comments and failed rows stand "
                                          "before the next key\n"}));
@@ -233,6 +239,30 @@ TEST_CASE("a pair that has arrived is answered") {
     CHECK(process.finish().exit_code == 0);
 }
 
+TEST_CASE("an interpolated reference is answered as soon as its later row has come") {
+    // Catches a row that waits for the row after it, and a neighbour that is waited for though the key is met.
+    Files files;
+    REQUIRE(::mkfifo(files.path("fifo").c_str(), 0600) == 0);
+    Process process(Words{"compare", "-f", "rotvec", "--key", "1", "--columns", "2-4", "--interpolate", "--key-within",
+                          "2", "--format", "csv", "-p", "6", "-", files.path("fifo")});
+    std::ofstream reference(files.path("fifo"));
+    process.write("1 0 0 0.25\n2 0 0 0\n");
+    reference << "1 0 0 0\n" << std::flush;
+    CHECK(process.read_rows(1) == "1 0 0 0.25 0.25 1 1 0\n");
+    reference << "3 0 0 " << std::flush;
+    reference << "1\n" << std::flush;
+    CHECK(process.read_rows(1) == "2 0 0 0 0.5 1 1 1\n");
+    process.write("2.5 0 0 0");
+    process.write("\n");
+    CHECK(process.read_rows(1) == "2.5 0 0 0 0.75 1 1 1.5\n");
+    reference.close();
+    process.write("3 0 0 0\n3.5 0 0 0\n");
+    const auto result = process.finish();
+    CHECK(result.out == "3 0 0 0 1 2 3 0\n");
+    CHECK(result.err == "rotconv: -: unpaired: 1 row, first at line 5\n");
+    CHECK(result.exit_code == 1);
+}
+
 TEST_CASE("rows of doubles are compared too") {
     // Catches fields that get into the sums.
     Files files;
@@ -243,6 +273,10 @@ TEST_CASE("rows of doubles are compared too") {
           "rows      2\nbeyond    0\nunpaired  0\nfailed    0\nmax       0.25 rad at 2 (key 8)\n" +
               figures_of_two_rows);
     CHECK(files(options + "--format csv @new @old") == done("7,0,0,0,0\n8,0,0,0.25,0.25\n"));
+    files.add("old", bytes_of({7, 0, 0, 0, 7.1, 0, 0, 0, 9, 0, 0, 1}));
+    CHECK(files(options + "--format csv --key 1 --key-within 1.9 --interpolate --key-offset 0.05 -p 6 @new @old").out ==
+          "7,0,0,0,0,1,7,0.05\n8,0,0,0.25,0.25,2,7.1,0.95\n");
+    files.add("old", bytes_of({7, 0, 0, 0, 8, 0, 0, 0}));
     files.add("old", bytes_of({7, 0, 0, 0, 8, 0, 0}));
     CHECK(missing(files(options + "@new @old").err, {"old:2: the row that begins at byte 32 is not whole"}) == "");
     CHECK(files(options + "@new @old").exit_code == 2);

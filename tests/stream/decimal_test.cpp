@@ -119,6 +119,13 @@ TEST_CASE("differences and order are those of rational arithmetic") {
         const Rational sum = 2 * a.value - b.value * (i % 3);
         const int sign = Decimal::sign_of_sum({{&left, 2}, {&right, -(i % 3)}});
         CHECK((sign > 0 ? 1 : sign < 0 ? -1 : 0) == sum.sign());
+        // as a text, in other units, and as a part of another
+        CHECK(decimal(found.text()) == found);
+        CHECK(decimal(left.scaled(-9).text() + "e9") == left);
+        if (abs(a.value) <= abs(b.value) && b.value != 0) {
+            const Rational error = abs(Rational(Decimal::ratio(left, right)) - a.value / b.value);
+            CHECK(error <= Rational(3 * 0x1p-53) * abs(a.value / b.value));
+        }
         // what was taken away can be added again
         CHECK(found - (Decimal() - decimal(b.text)) == decimal(a.text));
     }
@@ -134,6 +141,18 @@ TEST_CASE("a difference of numbers far apart is that of the larger, rounded the 
     CHECK(difference("-1e308", "1e308") == -std::numeric_limits<double>::infinity());
     CHECK(difference("1e308", "-1e308", -9) == 2e299);
     CHECK(difference("1e-999999999999", "0") == 0.0);
+}
+
+TEST_CASE("decimals are written with all digits and no more") {
+    // Catches a point in the wrong place, and a text as long as an exponent.
+    for (const char* text : {"0", "7", "-7", "1200", "12.5", "-0.000005584", "1403636579763555584.25", "1.25e1000000",
+                             "3e-1000000", "-1e25"}) {
+        CHECK(decimal(text).text() == text);
+    }
+    CHECK(decimal("00100.00e0").text() == "100");
+    CHECK(decimal("-0.0").text() == "0");
+    CHECK(decimal("5584").scaled(-9).text() == "0.000005584");
+    CHECK(decimal("0").scaled(-9) == decimal("0"));
 }
 
 TEST_CASE("the sign of a sum is exact however far its terms are apart") {

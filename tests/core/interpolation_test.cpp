@@ -1,0 +1,116 @@
+// Attitudes between two others.
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "catch.hpp"
+#include "core/interpolation.hpp"
+
+using namespace rotconv;
+
+namespace {
+
+using Quaternion = std::array<long double, 4>;
+
+Quaternion exact(const Rotation& r) {
+    Quaternion q{r.w(), r.x(), r.y(), r.z()};
+    const long double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    for (auto& component : q) {
+        component /= norm;
+    }
+    return q;
+}
+
+Quaternion product(const Quaternion& a, const Quaternion& b) {
+    return {
+        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+}
+
+Quaternion inverse(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
+
+long double vector_length(const Quaternion& q) { return std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]); }
+
+/// a exp(fraction log(a^-1 b)), by the rotation vector.
+Quaternion between(const Rotation& a, const Rotation& b, double fraction) {
+    Quaternion turn = product(inverse(exact(a)), exact(b));
+    const long double sign = turn[0] < 0 ? -1 : 1;
+    const long double length = vector_length(turn);
+    const long double half = fraction * std::atan2(length, sign * turn[0]);
+    const long double factor = length > 0 ? sign * std::sin(half) / length : 0;
+    return product(exact(a), {std::cos(half), factor * turn[1], factor * turn[2], factor * turn[3]});
+}
+
+/// The angle between the two, in eps.
+long double error(const Rotation& found, const Quaternion& expected) {
+    const Quaternion rest = product(inverse(expected), exact(found));
+    return 2 * std::atan2(vector_length(rest), std::abs(rest[0])) / std::numeric_limits<double>::epsilon();
+}
+
+Rotation random_rotation(std::mt19937_64& engine) {
+    std::normal_distribution<double> number;
+    return Rotation::from_components(number(engine), number(engine), number(engine), number(engine));
+}
+
+} // namespace
+
+TEST_CASE("an attitude between two is that of the turn by its rotation vector") {
+    // Catches a turn the long way, weights that are not those of the angle, and digits lost for small turns.
+    std::mt19937_64 engine(20261123);
+    long double worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Rotation a = random_rotation(engine);
+        Rotation b = random_rotation(engine);
+        if (i % 4 == 1) { // near to it, with either sign
+            const double sign = i % 8 == 1 ? 1.0 : -1.0;
+            const double small = std::pow(10.0, -(i % 17));
+            b = Rotation::from_components(sign * (a.w() + small * b.w()), sign * (a.x() + small * b.x()),
+                                          sign * (a.y() + small * b.y()), sign * (a.z() + small * b.z()));
+        } else if (i % 4 == 2) { // nearly half a turn away
+            b = a * Rotation::from_components(std::pow(10.0, -(i % 9)), b.x(), b.y(), b.z());
+        }
+        const double fraction = std::uniform_real_distribution<double>()(engine);
+        const auto found = interpolated(a, b, fraction);
+        REQUIRE(found);
+        const long double allowed = i % 4 == 2 ? std::pow(10.0L, i % 9) : 1; // a turn not well defined by its ends
+        const long double off = error(*found, between(a, b, fraction));
+        worst = i % 4 == 2 ? worst : std::max(worst, off);
+        CHECK(off <= 4 * allowed);
+        CHECK(error(*interpolated(a, b, 0.0), exact(a)) <= 4);
+        CHECK(error(*interpolated(a, b, 1.0), exact(b)) <= 4);
+    }
+    CHECK(worst > 0.1L);
+    INFO("worst error: " << static_cast<double>(worst) << " eps");
+    CHECK(worst <= 4);
+}
+
+TEST_CASE("between an attitude and itself is that attitude, to the last bit") {
+    std::mt19937_64 engine(1);
+    for (int i = 0; i < 1000; ++i) {
+        const Rotation a = random_rotation(engine);
+        const double sign = i % 2 == 0 ? 1.0 : -1.0;
+        const auto found = interpolated(a, Rotation::near_unit(sign * a.w(), sign * a.x(), sign * a.y(), sign * a.z()),
+                                        std::uniform_real_distribution<double>()(engine));
+        REQUIRE(found);
+        CHECK((found->w() == a.w() && found->x() == a.x() && found->y() == a.y() && found->z() == a.z()));
+    }
+}
+
+TEST_CASE("turns of any size are interpolated, except half turns") {
+    // Catches squares that underflow, and an axis made of rounding.
+    const Rotation none;
+    for (const double size : {1e-20, 1e-150, 1e-170, 1e-300}) {
+        const auto found = interpolated(none, Rotation::from_components(1.0, size, 0.0, 0.0), 0.25);
+        REQUIRE(found);
+        CHECK(std::abs(found->x() - 0.25 * size) <= 1e-15 * size);
+    }
+    std::mt19937_64 engine(2);
+    for (int i = 0; i < 1000; ++i) {
+        const Rotation a = random_rotation(engine);
+        const Rotation turn = random_rotation(engine);
+        CHECK_FALSE(interpolated(a, a * Rotation::from_components(0.0, turn.x(), turn.y(), turn.z()), 0.5));
+        CHECK(interpolated(a, a * Rotation::from_components(1e-13, turn.x(), turn.y(), turn.z()), 0.5));
+    }
+}
