@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <rotconv/alignment.hpp>
 #include <rotconv/conversion.hpp>
 
 namespace rotconv {
@@ -24,9 +25,6 @@ struct Candidate {
     std::optional<Rotation> left{};  ///< known = left unknown right, where a constant turn was found...
     std::optional<Rotation> right{}; ///< ...on that side
 };
-
-/// On which side of the attitudes a constant turn stands; fewest turns first.
-enum class TurnedSide : std::uint8_t { body, reference, both };
 
 /// How many candidates fit and, if more than one does, why the rows do not tell them apart.
 struct Verdict {
@@ -67,7 +65,7 @@ struct IdentificationSettings {
 /// that it misses by more than a thousand times the limit or by half a radian, or whose numbers have no attitude in it,
 /// so that long data cost little more than one conversion.
 ///
-/// Where none fits, each is tried with a constant turn on either side, and then on both: see constant_turns(). Those
+/// Where none fits, each is tried with a constant turn on either side, and then on both: see Alignment. Those
 /// that a constant turn makes the same count as one. For this rows are kept; of more than `most_kept` every second,
 /// fourth, eighth and so on. Constant memory.
 class Identification {
@@ -125,7 +123,7 @@ private:
     void try_turns(Verdict& verdict) const;
     /// False where no constant turns make the candidate fit, nor any of its class.
     [[nodiscard]] bool may_fit(const Trial& trial, const RowsForTurns& rows) const;
-    [[nodiscard]] std::optional<Candidate> with_turn(const Trial& trial, TurnedSide side,
+    [[nodiscard]] std::optional<Candidate> with_turn(const Trial& trial, AlignedSide side,
                                                      const RowsForTurns& rows) const;
     /// The attitudes that the candidate makes of kept rows; none if it cannot read one.
     [[nodiscard]] std::vector<Rotation> attitudes_of(const Trial& trial, std::span<const std::size_t> kept) const;

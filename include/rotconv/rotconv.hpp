@@ -3,6 +3,7 @@
 /// Everything of rotconv::core: the class Rotation, through which each conversion goes, a header for each
 /// representation, and conversion of rows by SPEC.
 
+#include <rotconv/alignment.hpp>
 #include <rotconv/axes.hpp>
 #include <rotconv/axis_angle.hpp>
 #include <rotconv/cayley.hpp>

@@ -315,8 +315,8 @@ std::string describe(const stream::Diagnostic& diagnostic) {
         return fmt::format("{}: {}", name_of(diagnostic.kind), meaning(diagnostic));
     }
     const std::string answer = diagnostic.answer.empty() ? std::string() : fmt::format("{}: ", diagnostic.answer);
-    return fmt::format("{}: {}{} {:.3g}; {}", name_of(diagnostic.kind), answer, figure_name(diagnostic.kind),
-                       diagnostic.figure, meaning(diagnostic));
+    return fmt::format("{}: {}{} {:.3g}{}{}; {}", name_of(diagnostic.kind), answer, figure_name(diagnostic.kind),
+                       diagnostic.figure, diagnostic.unit.empty() ? "" : " ", diagnostic.unit, meaning(diagnostic));
 }
 
 } // namespace rotconv::cli::messages

@@ -6,26 +6,17 @@
 
 #include <Eigen/Core>
 
-#include <rotconv/identification.hpp>
+#include <rotconv/alignment.hpp>
 
 namespace rotconv {
-
-/// known = left unknown right, in all rows.
-struct ConstantTurns {
-    Rotation left;
-    Rotation right;
-};
 
 struct LargestAngle {
     double angle = 0.0;  ///< radians
     std::size_t row = 0; ///< the first with it
 };
 
-/// The turns with the least sum of squared sines of the half angles that are left: on one side the eigenvector of the
-/// sum of q q' (Markley, Cheng, Crassidis and Oshman, "Averaging Quaternions", 2007); on both by turns, from the
-/// rotation that aligns the vectors of relative turns.
-/// @pre as many rows of either, at least one
-[[nodiscard]] ConstantTurns constant_turns(TurnedSide side, std::span<const Rotation> unknown,
+/// See Alignment.
+[[nodiscard]] ConstantTurns constant_turns(AlignedSide side, std::span<const Rotation> unknown,
                                            std::span<const Rotation> known);
 
 /// What is left of the angles between them.
@@ -34,7 +25,7 @@ struct LargestAngle {
 
 /// The turns of the axes' names that are nearest, where they are near: that of the first side, and that of the other as
 /// it fits the first.
-[[nodiscard]] ConstantTurns with_named_axes(const ConstantTurns& turns, TurnedSide first,
+[[nodiscard]] ConstantTurns with_named_axes(const ConstantTurns& turns, AlignedSide first,
                                             std::span<const Rotation> unknown, std::span<const Rotation> known);
 
 /// sin(theta/2) cos(theta/2) n of the turn from a to b in body axes: whatever the signs of the quaternions.

@@ -435,7 +435,7 @@ bool Identification::may_fit(const Trial& trial, const RowsForTurns& rows) const
     return !own.empty();
 }
 
-std::optional<Candidate> Identification::with_turn(const Trial& trial, TurnedSide side,
+std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSide side,
                                                    const RowsForTurns& rows) const {
     const auto own_few = attitudes_of(trial, rows.few);
     const ConstantTurns rough = constant_turns(side, own_few, rows.known_few);
@@ -450,7 +450,7 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, TurnedSid
     ConstantTurns turns = constant_turns(side, own_some, rows.known_some);
     LargestAngle largest = largest_angle(turns, own, kept_known_);
     const ConstantTurns exact = turns;
-    for (const TurnedSide first : {TurnedSide::reference, TurnedSide::body}) {
+    for (const AlignedSide first : {AlignedSide::reference, AlignedSide::body}) {
         if (side == first) { // the other side would be turned too
             continue;
         }
@@ -466,16 +466,16 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, TurnedSid
         return std::nullopt;
     }
     // A turn below the limit would only spread a row's error over the others.
-    if ((side != TurnedSide::body && angle_of(turns.left) <= settings_.within) ||
-        (side != TurnedSide::reference && angle_of(turns.right) <= settings_.within)) {
+    if ((side != AlignedSide::body && angle_of(turns.left) <= settings_.within) ||
+        (side != AlignedSide::reference && angle_of(turns.right) <= settings_.within)) {
         return std::nullopt;
     }
     Candidate candidate = trial.candidate;
     candidate.rows = kept_rows_.size();
     candidate.angle = largest.angle;
     candidate.angle_row = kept_rows_[largest.row];
-    candidate.left = side == TurnedSide::body ? std::nullopt : std::optional(turns.left);
-    candidate.right = side == TurnedSide::reference ? std::nullopt : std::optional(turns.right);
+    candidate.left = side == AlignedSide::body ? std::nullopt : std::optional(turns.left);
+    candidate.right = side == AlignedSide::reference ? std::nullopt : std::optional(turns.right);
     return candidate;
 }
 
@@ -493,9 +493,9 @@ void Identification::try_turns(Verdict& verdict) const {
         }
     }
     std::map<std::size_t, Candidate> fitting; // of each class the one with the fewest turns
-    for (const TurnedSide side : {TurnedSide::body, TurnedSide::reference, TurnedSide::both}) {
+    for (const AlignedSide side : {AlignedSide::body, AlignedSide::reference, AlignedSide::both}) {
         // What others make of turns on both sides is told by four rows; of fewer those that are not special serve.
-        if (side == TurnedSide::both && !fitting.empty() && rows_ < 4 && !may_mistake_turns()) {
+        if (side == AlignedSide::both && !fitting.empty() && rows_ < 4 && !may_mistake_turns()) {
             break;
         }
         for (const Trial* trial : trials) {
@@ -504,7 +504,7 @@ void Identification::try_turns(Verdict& verdict) const {
             }
             if (auto candidate = with_turn(*trial, side, rows)) {
                 fitting.emplace(trial->turned_class, *candidate);
-            } else if (side == TurnedSide::both) { // then none of its class fits
+            } else if (side == AlignedSide::both) { // then none of its class fits
                 possible[trial->turned_class] = false;
             }
         }

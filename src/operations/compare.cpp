@@ -92,6 +92,7 @@ public:
         ComparisonSettings settings = comparison.settings();
         names = {"angle"};
         attitude = settings.relative;
+        unit = settings.unit == AngleUnit::degrees ? "deg" : "rad";
         if (attitude) {
             names = joined(names, names_of(*attitude));
         }

@@ -48,6 +48,7 @@ struct Diagnostic {
     RepresentationId result{};
     bool of_reference = false; ///< the line is one of the reference
     std::string_view answer{}; ///< whose it is, of several answers to a row
+    std::string_view unit{};   ///< of the figure, of a kind that has several
 };
 
 /// The first bytes of the stream, up to 64 KiB, before anything else is reported: for advice on what stands in the way.

@@ -62,6 +62,7 @@ public:
     /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
     /// RowReport::row is then the index of the answer among those of all rows.
     std::vector<std::string> answers{};
+    std::string_view unit{};    ///< of the angles that are beyond a limit
     bool in_order = false;      ///< all rows must come to it in their order; else each copy may answer any of them
     bool looks_ahead = false;   ///< by run_ahead()
     bool is_continuous = false; ///< by make_continuous()

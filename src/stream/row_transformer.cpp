@@ -370,6 +370,7 @@ void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, s
         } else if (answer > 0) {
             return; // that is the row's, and told
         }
+        diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation_->unit : "";
         if (diagnostic.kind == DiagnosticKind::normalized && row.reference_number > 0) { // of either, or of both
             if (is_reported(report.reference_defect, row, true)) {
                 output.events.emplace_back(Diagnostic{.line = row.reference_number,

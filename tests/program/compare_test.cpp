@@ -41,8 +41,10 @@ private:
     Folder folder_;
 };
 
-const std::string summary_of_two_rows = "rows      2\nbeyond    0\nunpaired  0\nfailed    0\nmax       0.25 at 2\n"
-                                        "rms       0.1767766952966369\nmean      0.125\n";
+const std::string figures_of_two_rows = "rms       0.1767766952966369 rad\nmean      0.125 rad\nstd       0.125 rad\n"
+                                        "median    0 rad\np95       0.25 rad\npass\n";
+const std::string summary_of_two_rows =
+    "rows      2\nbeyond    0\nunpaired  0\nfailed    0\nmax       0.25 rad at 2\n" + figures_of_two_rows;
 
 } // namespace
 
@@ -53,11 +55,12 @@ TEST_CASE("compare ends as diff does") {
     const auto beyond = files("compare -f rotvec --within 0.25 @new @old");
     CHECK(beyond.exit_code == 1);
     CHECK(beyond.err == "rotconv: new: beyond: 1 row, first at line 3; the attitudes differ by more than --within\n");
-    CHECK(missing(beyond.out, {"beyond    1\n", "max       0.5 at 3\n"}) == "");
+    CHECK(missing(beyond.out, {"beyond    1\n", "max       0.5 rad at 3\n",
+                               "fail: max 0.5 rad is beyond 0.25 rad, 1 of 3 rows, first at line 3\n"}) == "");
     CHECK(files("compare -f rotvec --within 0.25 --format csv --diagnostics rows @new @old") ==
           Failure{1,
                   "0 0 0 0\n0 0 0.25 0.25\n0 0 0.5 0.5\n",
-                  {"rotconv: new:3: beyond: angle 0.5; the attitudes differ by more than --within\n"},
+                  {"rotconv: new:3: beyond: angle 0.5 rad; the attitudes differ by more than --within\n"},
                   1});
     CHECK(missing(files("compare -f rotvec --within 0.1 --format json @new @old").out,
                   {R"("beyond": 2, "first_beyond": 2)"}) == "");
@@ -69,20 +72,21 @@ TEST_CASE("compare ends as diff does") {
     const auto longer = files("compare -f rotvec @new @old");
     CHECK(longer.exit_code == 1);
     CHECK(longer.err == "rotconv: new: unpaired: 1 row, first at line 3\n");
-    CHECK(missing(longer.out, {"rows      2\n", "unpaired  1\n"}) == "");
+    CHECK(missing(longer.out, {"rows      2\n", "unpaired  1 of FILE, 0 of REFERENCE\n"}) == "");
     CHECK(files("compare -f rotvec @old @new").err == "rotconv: new: unpaired: 1 row, first at line 3\n");
 
     files.add("none", "# nothing\n\n");
     const auto none = files("compare -f rotvec @none @none");
     CHECK(none == Failure{1,
-                          "rows      0\nunpaired  0\nfailed    0\n",
+                          "rows      0\nunpaired  0\nfailed    0\nnot checked\n",
                           {"none: there were only comments, such as '# nothing'; ",
                            "rotconv: there was no row with an attitude\n"},
                           3});
-    CHECK(files("compare -f rotvec --format json @none @none").out ==
-          R"({"rows": 0, "within": null, "beyond": null, "first_beyond": null, "unpaired": 0, "failed": 0, )"
-          R"("max": null, "max_line": null, "rms": null, "mean": null})"
-          "\n");
+    CHECK(missing(files("compare -f rotvec --format json @none @none").out,
+                  {R"("rows": 0, "unit": "rad", )", R"("within": null, "beyond": null, "first_beyond": null, )",
+                   R"("failed": 0, "max": null, "max_line": null, "max_key": null, "rms": null, "mean": null, )"
+                   R"("std": null, "median": null, "p95": null, "constant": null, )",
+                   R"("verdict": null})"}) == "");
     CHECK(files("compare -f rotvec @new @missing").exit_code == 2);
     CHECK(files("compare -f rotvec @new @new").exit_code == 0); // one file twice
 }
@@ -235,7 +239,9 @@ TEST_CASE("rows of doubles are compared too") {
     files.add("new", bytes_of({7, 0, 0, 0, 8, 0, 0, 0.25})).add("old", bytes_of({7, 0, 0, 0, 8, 0, 0, 0}));
     const std::string options = "compare -f rotvec --input-format f64 --width 4 --columns 2-4 --within 0.25 ";
     CHECK(files(options + "@new @old") == done(summary_of_two_rows));
-    CHECK(files(options + "--key 1 @new @old") == done(summary_of_two_rows));
+    CHECK(files(options + "--key 1 @new @old").out ==
+          "rows      2\nbeyond    0\nunpaired  0\nfailed    0\nmax       0.25 rad at 2 (key 8)\n" +
+              figures_of_two_rows);
     CHECK(files(options + "--format csv @new @old") == done("7,0,0,0,0\n8,0,0,0.25,0.25\n"));
     files.add("old", bytes_of({7, 0, 0, 0, 8, 0, 0}));
     CHECK(missing(files(options + "@new @old").err, {"old:2: the row that begins at byte 32 is not whole"}) == "");
@@ -243,7 +249,7 @@ TEST_CASE("rows of doubles are compared too") {
 }
 
 TEST_CASE("a reader that closes the pipe ends a comparison and an identification quietly") {
-    // Catches an unfinished check that is called a failed one.
+    // Catches a check that goes on, and then fails because nobody reads, or says so.
     Files files;
     files.add("old", repeated("0.5 -0.5 0.5 0.5\n", 1000));
     for (const std::string& arguments : {"compare -f quat --format csv - " + files.path("old"),

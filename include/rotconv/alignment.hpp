@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include <rotconv/rotation.hpp>
+
+namespace rotconv {
+
+/// known = left attitude right.
+struct ConstantTurns {
+    Rotation left;
+    Rotation right;
+};
+
+/// The mean of turns: the one from which the sum of the squared sines of the half angles is least, the eigenvector of
+/// the sum of q q' (Markley, Cheng, Crassidis and Oshman, "Averaging Quaternions", 2007). The sums are relative to the
+/// first turn, so that turns that are nearly equal keep their digits, however many they are. Constant memory.
+class MeanTurn {
+public:
+    void add(const Rotation& turn) noexcept;
+
+    /// The identity if there are no turns.
+    [[nodiscard]] Rotation mean() const noexcept;
+    /// Root mean square angle of the turns about their mean, radians: that whose squared half sine is the mean of
+    /// theirs, which is the same to a part of angle^2/24.
+    [[nodiscard]] double rms() const noexcept;
+
+private:
+    friend class Alignment;
+    /// The quadratic form of the sum of squared sines in the components of a turn after the first.
+    [[nodiscard]] Eigen::Matrix4d squared_sines() const noexcept;
+
+    // Of the unit quaternions (w, v) from the first turn to each.
+    double count_ = 0.0;
+    Rotation first_;
+    Eigen::Vector3d products_ = Eigen::Vector3d::Zero(); ///< sum of w v
+    Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();  ///< sum of v v'
+};
+
+/// The sides of the attitudes on which constant turns are estimated.
+enum class AlignedSide : std::uint8_t {
+    body,      ///< right
+    reference, ///< left
+    both,
+    yaw,   ///< left, about the reference's z
+    first, ///< left, that of the first pair
+};
+
+/// Finds the constant turns that bring attitudes to known ones: those that leave the least sum of the squared sines of
+/// the half angles. Constant memory. Worst error found with turns that are the same in all pairs: 2.9 eps, on both
+/// sides 5.6 eps of attitudes all around, and 1 eps over the size of smaller motions, in radians; limits 4, 8, 2.
+class Alignment {
+public:
+    explicit Alignment(AlignedSide side) : side_(side) {}
+
+    void add(const Rotation& attitude, const Rotation& known) noexcept;
+
+    /// None where the pairs do not determine them: there are no pairs; other turns leave as little; or, on both sides,
+    /// the attitudes differ by turns about one axis, but for what is left.
+    [[nodiscard]] std::optional<ConstantTurns> turns() const noexcept;
+    /// The same; where the pairs do not determine them, some of those that leave the least.
+    [[nodiscard]] ConstantTurns some_turns() const noexcept { return find().turns; }
+
+private:
+    struct Found {
+        ConstantTurns turns;
+        bool determined = false;
+    };
+    [[nodiscard]] Found find() const noexcept;
+    [[nodiscard]] Found find_yaw() const noexcept;
+    [[nodiscard]] Found find_both() const noexcept;
+
+    AlignedSide side_;
+    MeanTurn mean_; ///< of the constant turns of the pairs; of both sides only their count
+    Rotation first_attitude_;
+    Rotation first_known_;
+    /// The sum of g g', column by column, over the turns from the first pair to each, unit quaternions q and k: the
+    /// entries of g are those of k q', column by column.
+    std::array<double, 256> products_{};
+};
+
+} // namespace rotconv
