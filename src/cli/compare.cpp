@@ -14,6 +14,7 @@
 #include <rotconv/alignment.hpp>
 #include <rotconv/axis_angle.hpp>
 #include <rotconv/comparison.hpp>
+#include <rotconv/quaternion.hpp>
 
 #include "../stream/fmt.hpp"
 #include "../stream/json.hpp"
@@ -26,8 +27,9 @@ namespace {
 
 /// Two attitudes of a pair, and the angle between them, for a sink of `operations::numbers_of_pair` numbers.
 struct PairNumbers {
-    double angle, line;
+    double angle;
     std::array<double, 4> own, reference;
+    double line;
 };
 static_assert(sizeof(PairNumbers) == operations::numbers_of_pair * sizeof(double));
 
@@ -105,9 +107,11 @@ private:
     };
 
     void add(std::string_view name, const Rotation& found, const FixedRotation& all) {
-        const Rotation turn = all.rotation.canonical();
-        if (turn.vector_length() > 0.0) {
-            sides_.push_back({name, {turn.w(), turn.x(), turn.y(), turn.z()}, axis_angle::from_rotation(found).angle});
+        if (all.rotation.vector_length() > 0.0) {
+            const Eigen::Quaterniond q = quaternion::from_rotation(all.rotation);
+            sides_.push_back({name,
+                              {q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0}, // no -0
+                              axis_angle::from_rotation(found).angle});
         }
     }
 
@@ -235,10 +239,10 @@ private:
         const double all = angles_.root_mean_square() / check_.in_unit(1.0);
         const double left = left_.rms();
         const double right = right_.rms();
-        // Of equals, up to rounding, the left one.
-        const bool is_left = left <= std::max(1.01 * right, 0x1p-50);
+        constexpr double rounding = 0x1p-50;
+        const bool is_left = left <= std::max(1.01 * right, rounding); // of equals
         const double rest = is_left ? left : right;
-        if (!(rest < 0.01 * all)) {
+        if (!(rest < 0.01 * all) || all < rounding) {
             return std::nullopt;
         }
         const ConstantTurns turns = is_left ? ConstantTurns{left_.mean(), {}} : ConstantTurns{{}, right_.mean()};

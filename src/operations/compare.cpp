@@ -130,8 +130,8 @@ public:
                 double* const result = out.data() + i * width;
                 const double* const compared = compared_.data() + i * compared_width;
                 result[0] = turns_.empty() ? compared[0] : result[0];
-                result[1] = static_cast<double>(rows.lines[i]);
-                std::copy_n(compared + 1, 8, result + 2);
+                std::copy_n(compared + 1, 8, result + 1);
+                result[numbers_of_pair - 1] = static_cast<double>(rows.lines[i]);
             }
         }
         watch_->add(rows, numbers, rows_.by_key ? 1 + comparison_.from().size() : 0, out, width);

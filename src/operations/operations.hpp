@@ -91,7 +91,7 @@ struct ComparisonRows {
     bool as_numbers = false; ///< rows for a sink, see `numbers_of_pair`, instead of the relative attitude
     std::size_t delta = 0;   ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
 };
-/// For a sink: the angle, the line, and both attitudes as quaternions. An angle of nan is none.
+/// For a sink: the angle, both attitudes as quaternions, and the line. An angle of nan is none.
 inline constexpr std::size_t numbers_of_pair = 10;
 
 /// A pair among those that differ most: the worst are first, of equals the earlier.

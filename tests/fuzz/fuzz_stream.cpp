@@ -173,7 +173,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
             result.beyond += diagnostic->kind == DiagnosticKind::beyond ? 1 : 0;
         } else if (const auto* note = std::get_if<Note>(&event)) {
-            const char kind = "outac"[static_cast<std::size_t>(note->kind)];
+            const char kind = "outacl"[static_cast<std::size_t>(note->kind)];
             const std::string text =
                 fmt::format("{}{}{}", note->of_reference ? " of the reference " : "", kind, note->line);
             const bool is_known = result.notes.find(text.substr(0, text.find(kind) + 1)) != std::string::npos;
@@ -364,8 +364,10 @@ fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Progra
             digits = by_digits(words, program)](const std::vector<double>& numbers,
                                                 const std::vector<std::string>& texts) {
         fuzz::Answer answer{.numbers = std::vector<double>(operation->names.size()), .notes = {}};
-        const std::vector<std::string_view> kept_texts(texts.begin(),
-                                                       texts.begin() + static_cast<std::ptrdiff_t>(kept));
+        std::vector<std::string_view> kept_texts(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(kept));
+        if (kept > 0 && digits.other > kept) { // and that of the reference
+            kept_texts.push_back(texts[digits.other - 1]);
+        }
         const std::size_t line = 1;
         std::vector<RowReport> reports;
         operation->run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
