@@ -51,22 +51,32 @@ printf '%s\n' "$motion" | awk '/^rows/ && $2 > 10 { rows = 1 } /^max/ && $2 < 1e
     failed=1
 }
 
-# The regression check holds, and fails when one digit of one row of the golden file is another.
-golden=$(mktemp)
-./check-conversion.sh > /dev/null || {
+# The three checks hold; the first fails when one digit of one row of the golden file is another, and the others still hold.
+checks=$(./check-conversion.sh 2> /dev/null) && [ "$(printf '%s\n' "$checks" | grep -cx pass)" -eq 3 ] || {
+    printf '%s\n' "$checks"
     echo "FAILED: check-conversion.sh"
     failed=1
 }
+golden=$(mktemp)
 for digit in 2 9 15; do
     awk -v digit=$digit 'NR == 7 { $7 = substr($7, 1, digit) (substr($7, digit + 1, 1) + 5) % 10 substr($7, digit + 2) } 1' data/tum_fr1_xyz_rpy.txt > "$golden"
     status=0
     changed=$(./check-conversion.sh "$golden" 2>&1) || status=$?
-    [ "$status" -eq 1 ] && check check-conversion.sh "beyond    1" "$changed" || {
+    [ "$status" -eq 1 ] && check check-conversion.sh "beyond    1" "$changed" &&
+        [ "$(printf '%s\n' "$changed" | grep -cx pass)" -eq 2 ] || {
         echo "FAILED: check-conversion.sh does not see digit $digit: exit $status"
         failed=1
     }
 done
 rm "$golden"
+
+# The table of README.md is what check-situations.sh prints.
+situations=$(./check-situations.sh)
+table=$(sed -n '/^| situation /,/^$/p' README.md)
+[ "$situations" = "$table" ] || {
+    printf '%s\n' "$situations" "FAILED: check-situations.sh does not print the table of README.md:" "$table"
+    failed=1
+}
 
 # The command of the example for Spark, run on pieces of the rows (the last one empty) as Spark runs it on partitions.
 work=$(mktemp -d)
