@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <initializer_list>
@@ -37,9 +38,11 @@ public:
     [[nodiscard]] Decimal scaled(std::int64_t power) const;
     /// The double nearest to this times 10^power; infinite where that is too large.
     [[nodiscard]] double rounded(std::int64_t power = 0) const;
-    /// a / b, where |a| <= |b|, each rounded once.
+    /// a / b, where |a| <= |b|, rounded once if both differ from whole numbers of up to 15 digits by one power of ten,
+    /// otherwise three times.
     [[nodiscard]] static double ratio(const Decimal& a, const Decimal& b) {
-        return a.rounded(-b.point_) / b.rounded(-b.point_);
+        const std::int64_t last = std::max(std::min(a.end(), b.end()), b.point_ - 300); // not too large for a double
+        return a.rounded(-last) / b.rounded(-last);
     }
     /// All its digits, with an e only where there would be many zeros.
     [[nodiscard]] std::string text() const;
