@@ -177,7 +177,7 @@ public:
     [[nodiscard]] Answer answer(const RowsResult& result) override {
         const std::size_t pairs = watch_->pairs();
         if (pairs == 0 && result.code == ExitCode::done) {
-            print_error(check_.by_key && result.unpaired[0].rows + result.unpaired[1].rows > 0
+            print_error(check_.by_key && !result.keys.any_pair && result.unpaired[0].rows + result.unpaired[1].rows > 0
                             ? messages::no_key_met(result.keys)
                         : check_.turns && result.answered > 0 ? "no pair has one after it at the distance of --delta"
                                                               : std::string(messages::nothing_read));
@@ -185,6 +185,9 @@ public:
         const std::string fault = fault_of(result);
         const bool is_checked = !check_.within.text.empty() || !check_.within_p95.text.empty();
         const std::string verdict = !is_checked ? "not checked" : fault.empty() ? "pass" : "fail: " + fault;
+        if (const std::string of_p95 = fault_of_p95(); check_.format == Format::csv && !of_p95.empty()) {
+            print_error(of_p95); // of which the rows say nothing
+        }
         return {.text = check_.format == Format::csv    ? ""
                         : check_.format == Format::json ? in_json(result, is_checked ? verdict : JsonValue())
                                                         : in_lines(result, verdict),
@@ -200,6 +203,15 @@ private:
         }
     }
 
+    [[nodiscard]] std::string fault_of_p95() const {
+        const std::size_t pairs = watch_->pairs();
+        const std::string figure =
+            angles_.count() == 0 ? "" : check_.angle_in_unit_of(check_.within_p95, angles_.percentile(95.0)) + " ";
+        return watch_->beyond() * 100 > pairs * 5 ? fmt::format("p95 {}is beyond {}, {} of {} rows", figure,
+                                                                check_.within_p95.text, watch_->beyond(), pairs)
+                                                  : std::string();
+    }
+
     /// What does not hold; empty if all does.
     [[nodiscard]] std::string fault_of(const RowsResult& result) const {
         std::vector<std::string> faults;
@@ -212,9 +224,8 @@ private:
                                          check_.angle_in_unit_of(check_.within, watch_->worst().begin()->angle),
                                          check_.within.text, result.beyond, pairs, result.first_beyond));
         }
-        if (watch_->beyond() * 100 > pairs * 5) {
-            faults.push_back(
-                fmt::format("p95 is beyond {}, {} of {} rows are", check_.within_p95.text, watch_->beyond(), pairs));
+        if (const std::string fault = fault_of_p95(); !fault.empty()) {
+            faults.push_back(fault);
         }
         for (const std::size_t side : {0U, 1U}) {
             const std::size_t rows = result.unpaired.at(side).rows;
@@ -233,7 +244,7 @@ private:
 
     /// The turns on one side that leave less than a hundredth, if there are such, and what they leave, in radians.
     [[nodiscard]] std::optional<std::pair<TurnOptions, double>> constant() const {
-        if (check_.turns || angles_.count() == 0) {
+        if (check_.turns || angles_.count() < 2) {
             return std::nullopt;
         }
         const double all = angles_.root_mean_square() / check_.in_unit(1.0);
@@ -598,7 +609,8 @@ private:
     void note_unit(RowsCommand& command, const Spec& from, const Spec& reference) const {
         const bool has_degrees = from.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees;
         for (const auto& [option, text] : {std::pair("--within", within_), std::pair("--within-p95", within_p95_)}) {
-            if (has_degrees && !degrees && !text.empty() && stream::is_number(text)) {
+            if (has_degrees && !degrees && !text.empty() && stream::is_number(text) &&
+                std::isfinite(limit_of(option, text, false).angle)) {
                 command.notes.push_back(
                     {.kind = stream::Note::Kind::limit,
                      .text = fmt::format("{} {} is in radians, and the angles that are read are in degrees: {} {}deg, "
