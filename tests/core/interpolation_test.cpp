@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "../../src/core/interpolation.hpp"
 #include "catch.hpp"
-#include "core/interpolation.hpp"
 
 using namespace rotconv;
 

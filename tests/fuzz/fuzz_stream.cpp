@@ -466,6 +466,12 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         !operation.answers.empty() || operation.looks_ahead || ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
     }
+    if (const auto& pairing = program.options().pairing;
+        pairing &&
+        (pairing->interpolates || program.options().input.numbers.has_unit || pairing->reference.numbers.has_unit ||
+         pairing->reference.key_power != 0 || program.options().input.key_origin != Decimal())) {
+        return std::nullopt;
+    }
     fuzz::Rules rules = reading_rules_of(words, program.options().input.numbers);
     rules.precision = precision;
     rules.decimals = fixed ? std::atoi(argument_of(words, "--decimals").c_str()) : -1;

@@ -185,6 +185,27 @@ std::optional<Key> key_of(const std::string& text, bool& modelled) {
     return text.starts_with('-') ? Key(-key) : key;
 }
 
+/// All digits of the key, with an e where more than 20 zeros would stand at either end.
+std::string decimal_text_of(const Key& key) {
+    std::string digits = Key(abs(key)).str();
+    const long point = static_cast<long>(digits.size()) - 400;
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.empty()) {
+        return "0";
+    }
+    const auto size = static_cast<long>(digits.size());
+    if (point > size + 20 || point < -20) {
+        digits = fmt::format("{}{}{}e{}", digits[0], size > 1 ? "." : "", digits.substr(1), point - 1);
+    } else if (point >= size) {
+        digits.append(static_cast<std::size_t>(point - size), '0');
+    } else if (point > 0) {
+        digits.insert(static_cast<std::size_t>(point), 1, '.');
+    } else {
+        digits = "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
+    }
+    return (key < 0 ? "-" : "") + digits;
+}
+
 /// Of a time of ISO 8601 in UTC the seconds since 1970, as they are written; any other text as it is.
 std::string as_number(const std::string& text) {
     static const std::regex form(R"((\d{4})-(?:(\d{3})|(\d\d)-(\d\d))T(\d\d):(\d\d)(?::(\d\d)(?:\.(\d+))?)?Z?)");
@@ -427,6 +448,7 @@ private:
             }
             if (key) {
                 rows.emplace_back(at, *key);
+                keys_[at] = *key;
             } else {
                 wrong_keys_.insert(at);
             }
@@ -717,8 +739,8 @@ private:
         }
         const auto whole = without_last_blanks(line.text, delimiter);
         header_text_ = rules_.append
-                           ? fmt::format("{}{}{}", whole, delimiter, joined(rules_.names, delimiter))
-                           : std::string(prefix) + in_place(fields, joined(rules_.names, delimiter), delimiter);
+                           ? fmt::format("{}{}{}", whole, delimiter, joined(result_names(), delimiter))
+                           : std::string(prefix) + in_place(fields, joined(result_names(), delimiter), delimiter);
         header_text_ += line.end.empty() ? "\n" : line.end;
     }
 
@@ -791,7 +813,7 @@ private:
         for (std::size_t i = 0; i < fields.size(); ++i) {
             indices.push_back(std::to_string(i + 1));
         }
-        const std::string result = joined(rules_.names, delimiter_);
+        const std::string result = joined(result_names(), delimiter_);
         const Fields views(indices.begin(), indices.end());
         outcome_.bytes +=
             rules_.append ? joined(indices, delimiter_) + delimiter_ + result : in_place(views, result, delimiter_);
@@ -916,10 +938,36 @@ private:
             }
             return;
         }
-        const std::string result = text_of(answer);
+        const std::string result = text_of(answer) + partner_of(number - 1);
         outcome_.bytes += rules_.append ? std::string(without_last_blanks(line.text, delimiter_)) + delimiter_ + result
                                         : in_place(fields, result, delimiter_);
         outcome_.bytes += line.end.empty() ? line_end_ : line.end;
+    }
+
+    [[nodiscard]] bool writes_partners() const { return rules_.by_key && rules_.format == "csv"; }
+
+    [[nodiscard]] std::vector<std::string> result_names() const {
+        auto names = rules_.names;
+        if (writes_partners()) {
+            names.insert(names.end(), {"reference_line", "reference_key", "key_difference"});
+        }
+        return names;
+    }
+
+    /// What follows the result of a row: the line and key of its partner, and the difference of their keys.
+    [[nodiscard]] std::string partner_of(std::size_t at) const {
+        if (!writes_partners()) {
+            return {};
+        }
+        std::vector<std::string> texts(3, "nan");
+        if (partners_.contains(at)) {
+            const std::size_t other = partners_.at(at);
+            Fields fields;
+            split(reference_->lines_[other].text, reference_->delimiter_, fields);
+            texts = {std::to_string(other + 1), content(fields[reference_->positions_[0]], reference_->delimiter_),
+                     decimal_text_of(Key(keys_.at(at) - reference_->keys_.at(other)))};
+        }
+        return delimiter_ + joined(texts, delimiter_);
     }
 
     [[nodiscard]] std::string text_of(const Answer& answer) const {
@@ -957,6 +1005,7 @@ private:
     Model* reference_ = nullptr;
     std::map<std::size_t, std::size_t> partners_; ///< of each paired line that of the reference
     std::set<std::size_t> wrong_keys_;            ///< lines
+    std::map<std::size_t, Key> keys_;             ///< of the other lines
     std::size_t next_wrong_key_ = none;           ///< of those not yet told of
     std::size_t settled_bytes_ = 0;               ///< of all lines up to the header or the last pair...
     std::size_t settled_failures_ = 0;            ///< ...and likewise
