@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <span>
 
 #include <rotconv/dcm.hpp>
 
@@ -115,16 +117,21 @@ private:
     Eigen::Matrix<double, 6, 6> curvature_; ///< halved, of the sum's negative
 };
 
+struct Start {
+    BothTurns turns;
+    double sum = 0.0; ///< of the squared cosines
+};
+
 /// The best remainder with a turn.
-BothTurns with_remainder(const Products& products, const Rotation& turn) noexcept {
-    BothTurns turns{{}, turn};
+Start start_from(const Products& products, const Rotation& turn) noexcept {
+    const Matrix4d turned = BothTurns{{}, turn}.turned();
     Eigen::Matrix<double, 16, 4> x;
     for (Index i = 0; i < 4; ++i) {
-        x.col(i) = (product_by(Vector4d::Unit(i)) * turns.turned()).reshaped();
+        x.col(i) = (product_by(Vector4d::Unit(i)) * turned).reshaped();
     }
     const Eigen::Matrix<double, 16, 4> y = products.lazyProduct(x);
-    turns.remainder = rotation(Eigensystem<4>(x.transpose().lazyProduct(y)).vectors.col(3));
-    return turns;
+    const Eigensystem<4> system(x.transpose().lazyProduct(y));
+    return {{rotation(system.vectors.col(3)), turn}, system.values[3]};
 }
 
 struct Peak {
@@ -132,11 +139,10 @@ struct Peak {
     SquaredCosines at;
 };
 
-/// The turns to which Newton's steps lead from one.
-Peak climb(const Products& products, const Rotation& turn) noexcept {
+/// The turns to which Newton's steps lead.
+Peak climb(const Products& products, const Start& start) noexcept {
     constexpr int most_steps = 100;
-    const BothTurns start = with_remainder(products, turn);
-    Peak peak{start, SquaredCosines(products, start)};
+    Peak peak{start.turns, SquaredCosines(products, start.turns)};
     double last = std::numeric_limits<double>::infinity();
     for (int i = 0; i < most_steps; ++i) {
         const Eigen::Matrix<double, 6, 1> step = peak.at.step();
@@ -259,18 +265,24 @@ Alignment::Found Alignment::find_yaw() const noexcept {
 Alignment::Found Alignment::find_both() const noexcept {
     const Products products(products_.data());
     const double count = mean_.count_;
-    Peak peak = climb(products, of_vectors(products));
+    Peak peak = climb(products, start_from(products, of_vectors(products)));
     constexpr double good = 0.99;
+    constexpr std::size_t tried = 8;
     if (peak.at.sum() < good * count) { // there may be a higher one: from the 24 rotations of the axes one is near
         constexpr std::array components{0.0, 1.0, -1.0};
-        for (int i = 1; i < 81; ++i) {
+        std::array<Start, 24> starts;
+        auto next = starts.begin();
+        for (std::size_t i = 1; i < 81; ++i) {
             const Vector4d q(components.at(i / 27), components.at(i / 9 % 3), components.at(i / 3 % 3),
                              components.at(i % 3));
-            const double square = q.squaredNorm();
-            if (rotation(q).sign() > 0.0 && square != 3.0) {
-                const Peak other = climb(products, rotation(q));
-                peak = other.at.sum() > peak.at.sum() ? other : peak;
+            if (rotation(q).sign() > 0.0 && q.squaredNorm() != 3.0) {
+                *next++ = start_from(products, rotation(q));
             }
+        }
+        std::ranges::sort(starts, std::greater(), &Start::sum);
+        for (const Start& start : std::span(starts).first(tried)) {
+            const Peak other = climb(products, start);
+            peak = other.at.sum() > peak.at.sum() ? other : peak;
         }
     }
     // Errors alone give a curvature of about what is left over the root of the count.
