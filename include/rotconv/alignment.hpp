@@ -62,18 +62,18 @@ public:
 
     /// None where the pairs do not determine them: there are no pairs; other turns leave as little; or, on both sides,
     /// the attitudes differ by turns about one axis, but for what is left.
-    [[nodiscard]] std::optional<ConstantTurns> turns() const noexcept;
+    [[nodiscard]] std::optional<ConstantTurns> turns() const;
     /// The same; where the pairs do not determine them, some of those that leave the least.
-    [[nodiscard]] ConstantTurns some_turns() const noexcept { return find().turns; }
+    [[nodiscard]] ConstantTurns some_turns() const { return find().turns; }
 
 private:
     struct Found {
         ConstantTurns turns;
         bool determined = false;
     };
-    [[nodiscard]] Found find() const noexcept;
+    [[nodiscard]] Found find() const;
     [[nodiscard]] Found find_yaw() const noexcept;
-    [[nodiscard]] Found find_both() const noexcept;
+    [[nodiscard]] Found find_both() const;
 
     AlignedSide side_;
     MeanTurn mean_; ///< of the constant turns of the pairs; of both sides only their count

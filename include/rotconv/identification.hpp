@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,8 +41,6 @@ struct Verdict {
     };
     std::size_t fitting = 0;
     std::vector<Candidate> turned; ///< those that fit with constant turns, where none does without
-    /// Largest angles of the best and the second of those that fit.
-    std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Ambiguity ambiguity = Ambiguity::nothing;
     double angle = 0.0;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
@@ -102,37 +99,38 @@ private:
     struct Trial {
         Candidate candidate;
         Conversion conversion;
-        std::size_t turned_class = 0; ///< that of all that are the same but for constant turns
     };
 
     /// Adds rows [first, first + count) of those being added. Their attitudes are in known_.
     void try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
                   std::size_t count, std::vector<RowReport>& reports);
-    /// The angles of rows [first, first + count) to their known attitudes.
-    void measure(const Trial& trial, std::span<const double> numbers, std::size_t first, std::size_t count,
-                 double* angles);
-    /// Why the numbers of a row have no attitude.
-    [[nodiscard]] RowReport refusal(const Trial& trial, const double* numbers);
-    void remember(const double* numbers, const Rotation& known, std::size_t row);
+    /// The attitudes that the candidate makes of rows of `width` numbers, the unknown ones first; see is_attitude().
+    static std::vector<Rotation> attitudes_of(const Trial& trial, std::span<const double> numbers, std::size_t width,
+                                              std::vector<RowReport>& reports);
+    /// False for the nan that stand for numbers without an attitude.
+    [[nodiscard]] static bool is_attitude(const Rotation& rotation) noexcept { return rotation.w() == rotation.w(); }
+    /// Those by which candidates are told apart.
+    [[nodiscard]] std::vector<Rotation> generic_attitudes(const Candidate& candidate) const;
+    void remember(std::span<const double> numbers, const Rotation& known, std::size_t row);
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
-    [[nodiscard]] Verdict::Ambiguity ambiguity_of_turned(Verdict& verdict) const;
     /// Whether the relative turns lie in a plane or about one axis, and that so that turns of the axes may be mistaken.
     [[nodiscard]] bool may_mistake_turns() const;
     struct RowsForTurns;
-    /// Fills the verdict on candidates with constant turns.
-    void try_turns(Verdict& verdict) const;
+    /// Those that fit with constant turns.
+    [[nodiscard]] std::vector<Candidate> turned() const;
     /// False where no constant turns make the candidate fit, nor any of its class.
     [[nodiscard]] bool may_fit(const Trial& trial, const RowsForTurns& rows) const;
     [[nodiscard]] std::optional<Candidate> with_turn(const Trial& trial, AlignedSide side,
                                                      const RowsForTurns& rows) const;
-    /// The attitudes that the candidate makes of kept rows; none if it cannot read one.
-    [[nodiscard]] std::vector<Rotation> attitudes_of(const Trial& trial, std::span<const std::size_t> kept) const;
+    /// The attitudes that the candidate makes of rows; none if it cannot read one.
+    [[nodiscard]] std::vector<Rotation> attitudes_or_none(const Trial& trial, std::span<const double> numbers) const;
 
     std::size_t count_;
     IdentificationSettings settings_;
     Conversion known_conversion_;
-    std::vector<Trial> trials_;       ///< preferred names first
-    std::vector<std::size_t> living_; ///< those that are not dropped
+    std::vector<double> generic_numbers_; ///< rows whose attitudes are equal only in candidates that mean the same
+    std::vector<Trial> trials_;           ///< preferred names first
+    std::vector<std::size_t> living_;     ///< those that are not dropped
     std::size_t rows_ = 0;
 
     // The rows that are kept: every `stride_`-th.
@@ -142,7 +140,6 @@ private:
     std::vector<std::size_t> kept_rows_;
 
     // What verdict() needs to know of the rows.
-    Rotation first_;
     double spread_ = 0.0;                               ///< largest angle to the first
     double greatest_angle_ = 0.0;                       ///< of an attitude
     Eigen::Matrix3d scatter_ = Eigen::Matrix3d::Zero(); ///< sum of u u' over the quaternions (w, u)
@@ -152,9 +149,7 @@ private:
 
     // Buffers of add().
     std::vector<double> known_numbers_;
-    std::vector<double> known_; ///< quaternions, nan where there is none
-    std::vector<double> ordered_;
-    std::vector<double> tried_;
+    std::vector<double> known_;  ///< quaternions, nan where there is none
     std::vector<double> angles_; ///< of the living, one batch for each
     std::vector<RowReport> found_;
 };

@@ -136,6 +136,8 @@ public:
         auto candidates = identification_->best_first();
         const Verdict verdict = identification_->verdict();
         candidates.insert(candidates.begin(), verdict.turned.begin(), verdict.turned.end());
+        const bool is_ambiguous = verdict.fitting > 1;
+        const std::string limit = is_ambiguous ? smaller_limit(candidates) : "";
         candidates.resize(std::min(candidates.size(), listed));
         std::string text = settings_.json ? "" : line_of("SPEC", "columns", "worst angle", "at line", "rows", "fits");
         for (const Candidate& each : candidates) {
@@ -161,7 +163,6 @@ public:
                             std::to_string(each.angle_row), std::to_string(each.rows), (fits ? "yes" : "no") + turns);
             }
         }
-        const bool is_ambiguous = verdict.fitting > 1;
         const std::string best = verdict.fitting == 1
                                      ? fmt::format("-f {} --columns {}{}", candidates.front().spec.text(),
                                                    columns_of(candidates.front()), turn_options(candidates.front()))
@@ -181,8 +182,7 @@ public:
                                 counted(identification_->rows(), "row"),
                                 is_part ? fmt::format(", of which {} were held against turns", looked_at) : "",
                                 settings_.identification.within * unit_, unit_name_, best,
-                                is_ambiguous ? fmt::format(": {} fit; {}", verdict.fitting, lack(verdict)) : "",
-                                is_ambiguous ? smaller_limit(verdict) : "");
+                                is_ambiguous ? fmt::format(": {} fit; {}", verdict.fitting, lack(verdict)) : "", limit);
         }
         return {.text = text, .holds = verdict.fitting == 1};
     }
@@ -200,11 +200,19 @@ private:
     }
 
     /// Where one of those that fit is a million times nearer than all others.
-    [[nodiscard]] std::string smaller_limit(const Verdict& verdict) const {
-        const auto [best, second] = verdict.nearest;
-        return 1e6 * best < second ? fmt::format("; one is a million times nearer than the others: --within {:.0e}",
-                                                 std::max(std::sqrt(best * second), 1e-3 * second) * unit_)
-                                   : "";
+    [[nodiscard]] std::string smaller_limit(const std::vector<Candidate>& candidates) const {
+        std::vector<double> angles;
+        for (const Candidate& candidate : candidates) {
+            if (identification_->fits(candidate)) {
+                angles.push_back(candidate.angle);
+            }
+        }
+        std::ranges::sort(angles);
+        const double second = angles.at(1);
+        return 1e6 * angles[0] < second
+                   ? fmt::format("; one is a million times nearer than the others: --within {:.0e}",
+                                 std::max(std::sqrt(angles[0] * second), 1e-3 * second) * unit_)
+                   : "";
     }
 
     /// What the rows lack.

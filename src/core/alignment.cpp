@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <vector>
 
 #include <rotconv/dcm.hpp>
 
@@ -18,6 +20,8 @@ using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
+using Entries = Eigen::Matrix<double, 16, 1>;
+using Step = Eigen::Matrix<double, 6, 1>; ///< after the remainder, half an angle, and after the turn, an angle
 using Products = Eigen::Map<const Eigen::Matrix<double, 16, 16>>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -33,72 +37,63 @@ Matrix4d product_by(const Vector4d& q) noexcept {
     return matrix;
 }
 
-/// The matrix of e x v in the components of v, for a unit vector e.
-Matrix3d cross_by(Index axis) noexcept { return product_by(Vector4d::Unit(axis + 1)).bottomRightCorner<3, 3>(); }
-
 /// The turns on both sides, from the first pair on: with the turn q from the first attitude to another and k from the
 /// first known one, k = remainder (turn q turn'), where the remainder is near the identity if the first pair is good.
-/// So each number in the sums has the digits of its own size, and small motions keep theirs.
-struct BothTurns {
-    Rotation remainder;
-    Rotation turn;
-
-    /// The matrix of turn q turn' in the components of q.
-    [[nodiscard]] Matrix4d turned() const noexcept {
-        Matrix4d matrix = Matrix4d::Identity();
-        matrix.bottomRightCorner<3, 3>() = dcm::from_rotation(turn);
-        return matrix;
-    }
-};
-
-/// The sum of the squared cosines of the half angles that both turns leave, x' G x where x are the 16 entries of the
-/// matrix of `remainder (turn q turn')`, and its derivatives.
-class SquaredCosines {
+/// So each number in the sums has the digits of its own size, and small motions keep theirs. With them the sum of the
+/// squared cosines of the half angles that they leave, x' G x where x are the 16 entries of the matrix of
+/// `remainder (turn q turn')` in the components of q, and its derivatives.
+class BothTurns {
 public:
-    SquaredCosines(const Products& products, const BothTurns& at) noexcept {
-        const Matrix4d left = product_by(unit(at.remainder));
-        const Matrix4d right = at.turned();
-        const Matrix3d dcm = right.bottomRightCorner<3, 3>();
-        Eigen::Matrix<double, 16, 7> x; // the entries, and their derivatives by turns after either
-        const auto set = [&x](Index i, const Matrix4d& matrix) { x.col(i) = matrix.reshaped(); };
-        const auto turned_vectors = [&](const Matrix3d& by) {
-            Matrix4d matrix = Matrix4d::Zero();
-            matrix.bottomRightCorner<3, 3>() = by * dcm;
-            return Matrix4d(left * matrix);
+    BothTurns(const Products& products, const Rotation& remainder, const Rotation& turn) noexcept
+        : remainder_(remainder), turn_(turn) {
+        const Matrix4d left = product_by(unit(remainder));
+        const Matrix4d right = conjugation_by(turn);
+        // Factors before and after `left`: 1, and the derivatives by turns after the remainder and after the turn.
+        const auto outer = [](Index i) { return product_by(Vector4d::Unit(i < 4 ? i : 0)); };
+        const auto inner = [](Index i) {
+            Matrix4d matrix = product_by(Vector4d::Unit(i < 4 ? 0 : i - 3));
+            if (i >= 4) {
+                matrix.row(0).setZero();
+                matrix.col(0).setZero();
+            }
+            return matrix;
         };
-        set(0, left * right);
-        for (Index i = 0; i < 3; ++i) {
-            set(1 + i, product_by(Vector4d::Unit(i + 1)) * left * right);
-            set(4 + i, turned_vectors(cross_by(i)));
+        const auto entries = [&](Index i, Index k) -> Entries {
+            const Matrix4d before = outer(i) * outer(k) + outer(k) * outer(i);
+            const Matrix4d after = inner(i) * inner(k) + inner(k) * inner(i);
+            const Matrix4d product = 0.25 * before * left * after * right;
+            return product.reshaped();
+        };
+        Eigen::Matrix<double, 16, 7> x;
+        for (Index i = 0; i < 7; ++i) {
+            x.col(i) = entries(0, i);
         }
         const Eigen::Matrix<double, 16, 7> y = products.lazyProduct(x);
-        const Eigen::Matrix<double, 7, 7> form = x.transpose().lazyProduct(y);
-        sum_ = form(0, 0);
-        slope_ = form.col(0).tail<6>();
-        curvature_ = -form.bottomRightCorner<6, 6>();
-        const auto bend = [&](Index i, Index k, const Matrix4d& second) {
-            curvature_(i, k) -= second.reshaped().dot(y.col(0));
-            curvature_(k, i) = curvature_(i, k);
-        };
-        for (Index i = 0; i < 3; ++i) {
-            curvature_(i, i) += sum_;
-            for (Index k = 0; k < 3; ++k) {
-                bend(i, 3 + k, product_by(Vector4d::Unit(i + 1)) * turned_vectors(cross_by(k)));
-            }
-            for (Index k = i; k < 3; ++k) {
-                bend(3 + i, 3 + k, turned_vectors(0.5 * (cross_by(i) * cross_by(k) + cross_by(k) * cross_by(i))));
+        sum_ = x.col(0).dot(y.col(0));
+        for (Index i = 0; i < 6; ++i) {
+            slope_[i] = x.col(1 + i).dot(y.col(0));
+            for (Index k = i; k < 6; ++k) {
+                curvature_(i, k) = curvature_(k, i) =
+                    -x.col(1 + i).dot(y.col(1 + k)) - entries(1 + i, 1 + k).dot(y.col(0));
             }
         }
     }
 
+    /// With a turn and the best remainder.
+    BothTurns(const Products& products, const Rotation& turn) noexcept
+        : BothTurns(products, best_remainder(products, turn), turn) {}
+
+    [[nodiscard]] const Rotation& remainder() const noexcept { return remainder_; }
+    [[nodiscard]] const Rotation& turn() const noexcept { return turn_; }
     [[nodiscard]] double sum() const noexcept { return sum_; }
     /// The least second derivative of the sum's negative, halved.
     [[nodiscard]] double least_curvature() const noexcept { return Eigensystem<6>(curvature_).values[0]; }
+
     /// Newton's step, turned upwards where the sum is not concave; none along what makes no difference.
-    [[nodiscard]] Eigen::Matrix<double, 6, 1> step() const noexcept {
+    [[nodiscard]] Step step() const noexcept {
         const Eigensystem<6> system(curvature_);
         const double least = 64.0 * eps * curvature_.diagonal().tail<3>().cwiseAbs().sum();
-        Eigen::Matrix<double, 6, 1> step = Eigen::Matrix<double, 6, 1>::Zero();
+        Step step = Step::Zero();
         for (Index i = 0; i < 6; ++i) {
             const double size = std::fabs(system.values[i]);
             if (size > least) {
@@ -108,66 +103,58 @@ public:
         constexpr double longest = 0.5;
         return step * std::min(1.0, longest / std::max(step.norm(), longest));
     }
+    [[nodiscard]] BothTurns after(const Products& products, const Step& step) const noexcept {
+        return {products, rotation({1.0, step[0], step[1], step[2]}) * remainder_,
+                rotation({2.0, step[3], step[4], step[5]}) * turn_};
+    }
 
 private:
+    /// The matrix of turn q turn' in the components of q.
+    static Matrix4d conjugation_by(const Rotation& turn) noexcept {
+        Matrix4d matrix = Matrix4d::Identity();
+        matrix.bottomRightCorner<3, 3>() = dcm::from_rotation(turn);
+        return matrix;
+    }
+    static Rotation best_remainder(const Products& products, const Rotation& turn) noexcept {
+        Eigen::Matrix<double, 16, 4> x;
+        for (Index i = 0; i < 4; ++i) {
+            x.col(i) = (product_by(Vector4d::Unit(i)) * conjugation_by(turn)).reshaped();
+        }
+        const Eigen::Matrix<double, 16, 4> y = products.lazyProduct(x);
+        return rotation(Eigensystem<4>(x.transpose().lazyProduct(y)).vectors.col(3));
+    }
+
+    Rotation remainder_;
+    Rotation turn_;
     double sum_ = 0.0;
-    Eigen::Matrix<double, 6, 1> slope_;     ///< halved
+    Step slope_;                            ///< halved
     Eigen::Matrix<double, 6, 6> curvature_; ///< halved, of the sum's negative
 };
 
-/// The best remainder with a turn.
-BothTurns with_remainder(const Products& products, const Rotation& turn) noexcept {
-    BothTurns turns{{}, turn};
-    Eigen::Matrix<double, 16, 4> x;
-    for (Index i = 0; i < 4; ++i) {
-        x.col(i) = (product_by(Vector4d::Unit(i)) * turns.turned()).reshaped();
-    }
-    const Eigen::Matrix<double, 16, 4> y = products.lazyProduct(x);
-    turns.remainder = rotation(Eigensystem<4>(x.transpose().lazyProduct(y)).vectors.col(3));
-    return turns;
-}
-
-struct Peak {
-    BothTurns turns;
-    SquaredCosines at;
-};
-
-/// The turns to which Newton's steps lead from one.
-Peak climb(const Products& products, const Rotation& turn) noexcept {
+/// The turns with the highest sum to which steps lead.
+BothTurns peak_from(const Products& products, BothTurns turns) noexcept {
     constexpr int most_steps = 100;
-    const BothTurns start = with_remainder(products, turn);
-    Peak peak{start, SquaredCosines(products, start)};
+    constexpr double near = 1e-7; // from here on each step squares what is left, down to the rounding
     double last = std::numeric_limits<double>::infinity();
+    double part = 1.0;
     for (int i = 0; i < most_steps; ++i) {
-        const Eigen::Matrix<double, 6, 1> step = peak.at.step();
+        const Step step = part * turns.step();
         const double length = step.norm();
-        constexpr double near = 1e-7; // from here on each step squares what is left, down to the rounding
         if (length == 0.0 || (length < near && length >= 0.5 * last)) {
             break;
         }
-        last = length;
-        bool higher = false;
-        for (double part = 1.0; !higher && part > 1e-6; part *= 0.25) {
-            const BothTurns turns{rotation({1.0, part * step[0], part * step[1], part * step[2]}) *
-                                      peak.turns.remainder,
-                                  rotation({2.0, part * step[3], part * step[4], part * step[5]}) * peak.turns.turn};
-            const SquaredCosines at(products, turns);
-            if (at.sum() > (1.0 - 16.0 * eps) * peak.at.sum()) {
-                peak = {turns, at};
-                higher = true;
-            }
-        }
-        if (!higher) {
-            break;
-        }
+        const BothTurns next = turns.after(products, step);
+        const bool higher = next.sum() > (1.0 - 16.0 * eps) * turns.sum();
+        turns = higher ? next : turns;
+        last = higher ? length : last;
+        part = higher ? 1.0 : 0.25 * part;
     }
-    return peak;
+    return turns;
 }
 
 /// The turn that aligns the vectors sin(theta/2) cos(theta/2) n of the turns from the first pair.
 Rotation of_vectors(const Products& products) noexcept {
-    const Eigen::Map<const Matrix4d> sums(products.data()); // of k q' times the product of their scalars
-    const Matrix4d& m = sums;
+    const Matrix4d m = products.col(0).reshaped<Eigen::ColMajor>(4, 4); // of k q' times the product of their scalars
     const Davenport<double> k({m(1, 1), m(1, 2), m(1, 3), m(2, 1), m(2, 2), m(2, 3), m(3, 1), m(3, 2), m(3, 3)});
     Matrix4d matrix;
     matrix << k.ww, k.wx, k.wy, k.wz, k.wx, k.xx, k.xy, k.xz, k.wy, k.xy, k.yy, k.yz, k.wz, k.xz, k.yz, k.zz;
@@ -216,7 +203,7 @@ void Alignment::add(const Rotation& attitude, const Rotation& known) noexcept {
     mean_.count_ += 1.0;
     const Vector4d q = unit(first_attitude_.inverse() * attitude);
     const Vector4d k = unit(first_known_.inverse() * known);
-    Eigen::Matrix<double, 16, 1> g;
+    Entries g;
     for (Index i = 0; i < 4; ++i) {
         g.segment<4>(4 * i) = q[i] * k;
     }
@@ -224,12 +211,12 @@ void Alignment::add(const Rotation& attitude, const Rotation& known) noexcept {
     products += g * g.transpose();
 }
 
-std::optional<ConstantTurns> Alignment::turns() const noexcept {
+std::optional<ConstantTurns> Alignment::turns() const {
     const Found found = find();
     return found.determined ? std::optional(found.turns) : std::nullopt;
 }
 
-Alignment::Found Alignment::find() const noexcept {
+Alignment::Found Alignment::find() const {
     if (mean_.count_ == 0.0) {
         return {};
     }
@@ -256,28 +243,32 @@ Alignment::Found Alignment::find_yaw() const noexcept {
             system.values[1] - system.values[0] > 64.0 * eps * mean_.count_};
 }
 
-Alignment::Found Alignment::find_both() const noexcept {
+Alignment::Found Alignment::find_both() const {
     const Products products(products_.data());
     const double count = mean_.count_;
-    Peak peak = climb(products, of_vectors(products));
+    BothTurns best = peak_from(products, {products, of_vectors(products)});
     constexpr double good = 0.99;
-    if (peak.at.sum() < good * count) { // there may be a higher one: from the 24 rotations of the axes one is near
+    constexpr std::size_t tried = 8;
+    if (best.sum() < good * count) { // there may be a higher peak: some of the 24 rotations of the axes are near it
+        std::vector<BothTurns> starts;
         constexpr std::array components{0.0, 1.0, -1.0};
-        for (int i = 1; i < 81; ++i) {
+        for (std::size_t i = 1; i < 81; ++i) {
             const Vector4d q(components.at(i / 27), components.at(i / 9 % 3), components.at(i / 3 % 3),
                              components.at(i % 3));
-            const double square = q.squaredNorm();
-            if (rotation(q).sign() > 0.0 && square != 3.0) {
-                const Peak other = climb(products, rotation(q));
-                peak = other.at.sum() > peak.at.sum() ? other : peak;
+            if (rotation(q).sign() > 0.0 && q.squaredNorm() != 3.0) {
+                starts.emplace_back(products, rotation(q));
             }
+        }
+        std::ranges::sort(starts, std::greater(), &BothTurns::sum);
+        for (std::size_t i = 0; i < tried; ++i) {
+            const BothTurns other = peak_from(products, starts[i]);
+            best = other.sum() > best.sum() ? other : best;
         }
     }
     // Errors alone give a curvature of about what is left over the root of the count.
-    const double left = count - peak.at.sum() + 64.0 * eps * count;
-    return {
-        {first_known_ * peak.turns.remainder * peak.turns.turn * first_attitude_.inverse(), peak.turns.turn.inverse()},
-        peak.at.least_curvature() * std::sqrt(count) > 4.0 * left};
+    const double left = count - best.sum() + 64.0 * eps * count;
+    return {{first_known_ * best.remainder() * best.turn() * first_attitude_.inverse(), best.turn().inverse()},
+            best.least_curvature() * std::sqrt(count) > 4.0 * left};
 }
 
 } // namespace rotconv

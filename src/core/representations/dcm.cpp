@@ -10,6 +10,7 @@
 
 #include "../numerics/davenport.hpp"
 #include "../numerics/determinant_sign.hpp"
+#include "../numerics/eigensystem.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/power_of_two.hpp"
 #include "codec.hpp"
@@ -73,14 +74,9 @@ private:
         if (!(std::fabs(c) > std::numeric_limits<double>::epsilon() * std::sqrt(a * b))) {
             return false;
         }
-        const double cotangent = (b - a) / (2.0 * c); // of twice the angle
-        const double tangent =
-            std::copysign(1.0, cotangent) / (std::fabs(cotangent) + std::sqrt(1.0 + cotangent * cotangent));
-        const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
+        const PlaneRotation turned(a, b, c);
         for (Matrix3d* const m : {&left, &right}) {
-            const Vector3d first = m->col(i);
-            m->col(i) = cosine * (first - tangent * m->col(k));
-            m->col(k) = cosine * (m->col(k) + tangent * first);
+            turned(m->col(i), m->col(k));
         }
         return true;
     }

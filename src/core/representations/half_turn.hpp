@@ -13,6 +13,8 @@ inline double angle_of(const Rotation& rotation) noexcept {
     return 2.0 * angle_of(std::fabs(rotation.w()), rotation.vector_length(), AngleUnit::radians).hi;
 }
 
+inline double angle_between(const Rotation& a, const Rotation& b) noexcept { return angle_of(a * b.inverse()); }
+
 /// pi - theta, without cancellation.
 inline double angle_to_half_turn(const Rotation& rotation) noexcept {
     return 2.0 * angle_of(rotation.vector_length(), std::fabs(rotation.w()), AngleUnit::radians).hi;

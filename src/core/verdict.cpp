@@ -1,0 +1,341 @@
+#include <rotconv/identification.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <rotconv/alignment.hpp>
+#include <rotconv/dcm.hpp>
+
+#include "numerics/eigensystem.hpp"
+#include "representations/half_turn.hpp"
+
+namespace rotconv {
+namespace {
+
+/// A smaller part of the whole is rounding.
+constexpr double rounding = 1e-7;
+
+using Attitudes = std::vector<Rotation>;
+
+ConstantTurns constant_turns(AlignedSide side, const Attitudes& unknown, const Attitudes& known,
+                             const ConstantTurns& before = {}) {
+    Alignment alignment(side);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        alignment.add(before.left * unknown[i] * before.right, known[i]);
+    }
+    return alignment.some_turns();
+}
+
+struct LargestAngle {
+    double angle = 0.0;  ///< radians
+    std::size_t row = 0; ///< the first with it
+};
+
+/// What is left of the angles between them.
+LargestAngle largest_angle(const ConstantTurns& turns, const Attitudes& unknown, const Attitudes& known) noexcept {
+    LargestAngle largest;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const double angle = angle_between(turns.left * unknown[i] * turns.right, known[i]);
+        if (angle > largest.angle) {
+            largest = {angle, i};
+        }
+    }
+    return largest;
+}
+
+/// The turns of the axes' names that are nearest, where they are near: that of the first side, and that of the other as
+/// it fits the first.
+ConstantTurns with_named_axes(const ConstantTurns& turns, AlignedSide first, const Attitudes& unknown,
+                              const Attitudes& known) {
+    const auto named = [](const Rotation& rotation) {
+        const Dcm rounded = dcm::from_rotation(rotation).array().round();
+        const Reading reading = dcm::to_rotation(rounded, 0.0);
+        return reading ? *reading : rotation;
+    };
+    if (first == AlignedSide::reference) {
+        const Rotation left = named(turns.left);
+        return {left, named(constant_turns(AlignedSide::body, unknown, known, {left, {}}).right)};
+    }
+    const Rotation right = named(turns.right);
+    return {named(constant_turns(AlignedSide::reference, unknown, known, {{}, right}).left), right};
+}
+
+/// sin(theta/2) cos(theta/2) n of the turn from a to b in body axes: whatever the signs of the quaternions.
+Eigen::Vector3d relative_vector(const Rotation& a, const Rotation& b) noexcept {
+    const Rotation turn = a.inverse() * b;
+    return Eigen::Vector3d(turn.x(), turn.y(), turn.z()) * (turn.w() / turn.squared_norm());
+}
+
+/// The mean of u u' over the vectors u of the turns from the first attitude to each, in body or reference axes.
+Eigen::Matrix3d relative_scatter(const Attitudes& attitudes, bool in_reference) noexcept {
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Rotation& attitude : attitudes) {
+        const Eigen::Vector3d vector = in_reference ? relative_vector(attitudes[0].inverse(), attitude.inverse())
+                                                    : relative_vector(attitudes[0], attitude);
+        scatter += vector * vector.transpose();
+    }
+    return scatter / static_cast<double>(attitudes.size());
+}
+
+/// How far vectors like sin(theta/2) n spread, as angles, increasing, and along which axes.
+struct PrincipalAxes {
+    explicit PrincipalAxes(const Eigen::Matrix3d& scatter) noexcept {
+        const Eigensystem<3> system(scatter);
+        sizes = 2.0 * system.values.cwiseMax(0.0).cwiseSqrt();
+        axes = system.vectors;
+    }
+
+    Eigen::Vector3d sizes;
+    Eigen::Matrix3d axes;
+};
+
+/// Of an axis and its opposite that whose largest component is positive.
+Eigen::Vector3d with_positive_leader(const Eigen::Vector3d& axis) noexcept {
+    Eigen::Index leader = 0;
+    axis.cwiseAbs().maxCoeff(&leader);
+    return std::copysign(1.0, axis[leader]) * axis;
+}
+
+/// At most `count` rows that are as far from each other as may be: each the farthest from those before it.
+std::vector<std::size_t> spread_rows(const Attitudes& attitudes, std::size_t count) {
+    std::vector<std::size_t> rows{0};
+    std::vector<double> nearest(attitudes.size(), std::numeric_limits<double>::infinity());
+    while (rows.size() < std::min(count, attitudes.size())) {
+        for (std::size_t i = 0; i < attitudes.size(); ++i) {
+            nearest[i] = std::min(nearest[i], angle_between(attitudes[i], attitudes[rows.back()]));
+        }
+        const auto farthest = std::ranges::max_element(nearest);
+        rows.push_back(static_cast<std::size_t>(farthest - nearest.begin()));
+    }
+    return rows;
+}
+
+/// Numbers by which generic attitudes are compared, to 1e-6, whatever constant turns stand on their sides: the angles
+/// of the relative turns, and the angles and the volume between their axes.
+std::vector<std::int64_t> turned_fingerprint(const Attitudes& attitudes) {
+    std::vector<std::int64_t> marks;
+    const auto mark = [&marks](double number) { marks.push_back(std::llround(1e6 * number)); };
+    std::vector<Eigen::Vector3d> axes;
+    for (std::size_t i = 1; i < attitudes.size(); ++i) {
+        axes.push_back(relative_vector(attitudes[0], attitudes[i]).normalized()); // however small the turns are
+        mark(1e3 * angle_between(attitudes[0], attitudes[i]));
+        for (const Eigen::Vector3d& axis : axes) {
+            mark(axis.dot(axes.back()));
+        }
+    }
+    mark(axes[0].cross(axes[1]).dot(axes[2]));
+    return marks;
+}
+
+} // namespace
+
+/// Rows that are far apart, which reject nearly all candidates, and some hundred, which give the turns.
+struct Identification::RowsForTurns {
+    explicit RowsForTurns(const Identification& identification)
+        : few(spread_rows(identification.kept_known_, 12)), some(few) {
+        const Attitudes& kept = identification.kept_known_;
+        for (std::size_t i = 0; i < kept.size(); i += 1 + kept.size() / 256) {
+            some.push_back(i);
+        }
+        known_few = of(few, kept);
+        known_some = of(some, kept);
+        const std::size_t count = identification.count_;
+        for (const std::size_t row : few) {
+            const auto first = identification.kept_numbers_.begin() + static_cast<std::ptrdiff_t>(row * count);
+            numbers_few.insert(numbers_few.end(), first, first + static_cast<std::ptrdiff_t>(count));
+        }
+    }
+
+    static Attitudes of(const std::vector<std::size_t>& rows, const Attitudes& all) {
+        Attitudes attitudes;
+        std::ranges::transform(rows, std::back_inserter(attitudes), [&all](std::size_t row) { return all[row]; });
+        return attitudes;
+    }
+
+    std::vector<std::size_t> few, some;
+    Attitudes known_few, known_some;
+    std::vector<double> numbers_few;
+};
+
+std::vector<Candidate> Identification::best_first() const {
+    std::vector<Candidate> candidates;
+    std::ranges::transform(trials_, std::back_inserter(candidates), &Trial::candidate);
+    std::ranges::stable_sort(candidates, {}, [](const Candidate& candidate) {
+        return std::pair(-static_cast<double>(candidate.rows), candidate.angle);
+    });
+    return candidates;
+}
+
+Verdict Identification::verdict() const {
+    Verdict verdict;
+    const auto fits_as_it_is = [this](const Trial& trial) { return fits(trial.candidate); };
+    verdict.fitting = static_cast<std::size_t>(std::ranges::count_if(trials_, fits_as_it_is));
+    if (verdict.fitting == 0 && rows_ > 0) {
+        verdict.turned = turned();
+        verdict.fitting = verdict.turned.size();
+    }
+    if (verdict.fitting > 1) {
+        verdict.ambiguity = ambiguity(verdict);
+    }
+    return verdict;
+}
+
+Attitudes Identification::attitudes_or_none(const Trial& trial, std::span<const double> numbers) const {
+    std::vector<RowReport> reports;
+    Attitudes attitudes = attitudes_of(trial, numbers, count_, reports);
+    return std::ranges::all_of(attitudes, is_attitude) ? attitudes : Attitudes();
+}
+
+bool Identification::may_fit(const Trial& trial, const RowsForTurns& rows) const {
+    const auto own = attitudes_or_none(trial, rows.numbers_few);
+    for (std::size_t i = 1; i < own.size(); ++i) { // no constant turn changes the angle between two rows
+        const double angle = angle_between(own[0], own[i]);
+        if (std::fabs(angle - angle_between(rows.known_few[0], rows.known_few[i])) >
+            2.0 * settings_.within + rounding) {
+            return false;
+        }
+    }
+    return !own.empty();
+}
+
+std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSide side,
+                                                   const RowsForTurns& rows) const {
+    const auto own_few = attitudes_or_none(trial, rows.numbers_few);
+    const ConstantTurns rough = constant_turns(side, own_few, rows.known_few);
+    if (largest_angle(rough, own_few, rows.known_few).angle > 2.0 * settings_.within + rounding) {
+        return std::nullopt;
+    }
+    const auto own = attitudes_or_none(trial, kept_numbers_);
+    if (own.empty()) {
+        return std::nullopt;
+    }
+    const auto own_some = RowsForTurns::of(rows.some, own);
+    ConstantTurns turns = constant_turns(side, own_some, rows.known_some);
+    LargestAngle largest = largest_angle(turns, own, kept_known_);
+    const ConstantTurns exact = turns;
+    for (const AlignedSide first : {AlignedSide::reference, AlignedSide::body}) {
+        if (side == first) { // the other side would be turned too
+            continue;
+        }
+        const ConstantTurns named = with_named_axes(exact, first, own_some, rows.known_some);
+        const LargestAngle largest_of_named = largest_angle(named, own, kept_known_);
+        if (largest_of_named.angle <= settings_.within) {
+            turns = named;
+            largest = largest_of_named;
+            break;
+        }
+    }
+    if (largest.angle > settings_.within) {
+        return std::nullopt;
+    }
+    // A turn below the limit would only spread a row's error over the others.
+    if ((side != AlignedSide::body && angle_of(turns.left) <= settings_.within) ||
+        (side != AlignedSide::reference && angle_of(turns.right) <= settings_.within)) {
+        return std::nullopt;
+    }
+    Candidate candidate = trial.candidate;
+    candidate.rows = kept_rows_.size();
+    candidate.angle = largest.angle;
+    candidate.angle_row = kept_rows_[largest.row];
+    candidate.left = side == AlignedSide::body ? std::nullopt : std::optional(turns.left);
+    candidate.right = side == AlignedSide::reference ? std::nullopt : std::optional(turns.right);
+    return candidate;
+}
+
+std::vector<Candidate> Identification::turned() const {
+    struct Class { // of candidates that are the same but for constant turns
+        std::vector<const Trial*> trials;
+        std::optional<Candidate> found{}; ///< the one with the fewest turns
+    };
+    std::vector<Class> classes;
+    std::map<std::vector<std::int64_t>, std::size_t> met;
+    for (const Trial& trial : trials_) {
+        const auto place = met.try_emplace(turned_fingerprint(generic_attitudes(trial.candidate)), met.size()).first;
+        classes.resize(met.size());
+        classes[place->second].trials.push_back(&trial);
+    }
+    const RowsForTurns rows(*this);
+    std::erase_if(classes, [&](const Class& each) { return !may_fit(*each.trials.front(), rows); });
+    const auto is_found = [](const Class& each) { return each.found.has_value(); };
+    for (const AlignedSide side : {AlignedSide::body, AlignedSide::reference, AlignedSide::both}) {
+        const bool both = side == AlignedSide::both;
+        // What others make of turns on both sides is told by four rows; of fewer those that are not special serve.
+        if (both && std::ranges::any_of(classes, is_found) && rows_ < 4 && !may_mistake_turns()) {
+            break;
+        }
+        for (Class& each : classes) {
+            const std::size_t last = both ? 1 : each.trials.size(); // if one does not fit with both, none does
+            for (std::size_t i = 0; i < last && !each.found; ++i) {
+                each.found = with_turn(*each.trials[i], side, rows);
+            }
+        }
+    }
+    std::vector<Candidate> found;
+    for (const Class& each : classes) {
+        if (each.found) {
+            found.push_back(*each.found);
+        }
+    }
+    return found;
+}
+
+// Along the axes, or halfway between them, other axes are turns of the numbers' signs and order.
+bool Identification::may_mistake_turns() const {
+    const double least = std::max(settings_.within, rounding);
+    const auto is_special = [&](bool in_reference) {
+        const PrincipalAxes turns(relative_scatter(kept_known_, in_reference));
+        const Eigen::Vector3d n = turns.axes.col(turns.sizes[1] <= least ? 2 : 0).cwiseAbs();
+        const double nearest =
+            std::min({n[0], n[1], n[2], std::fabs(n[0] - n[1]), std::fabs(n[1] - n[2]), std::fabs(n[0] - n[2])});
+        return turns.sizes[0] <= least && nearest <= 2.0 * settings_.within;
+    };
+    return is_special(false) || is_special(true);
+}
+
+Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
+    using Ambiguity = Verdict::Ambiguity;
+    const bool turned = !verdict.turned.empty();
+    if (rows_ < (turned ? 4 : 2)) { // the relative turns of three lie in a plane
+        return Ambiguity::rows;
+    }
+    if (spread_ <= settings_.within) {
+        return Ambiguity::attitudes;
+    }
+    // SPECs of small attitudes differ by half the angle's square.
+    verdict.angle = turned ? spread_ : greatest_angle_;
+    if (verdict.angle * verdict.angle <= 4.0 * settings_.within) {
+        return Ambiguity::size;
+    }
+    const PrincipalAxes principal(turned ? relative_scatter(kept_known_, false)
+                                         : Eigen::Matrix3d(scatter_ / static_cast<double>(rows_)));
+    const double least = std::max(settings_.within, rounding);
+    const bool is_axis = principal.sizes[1] <= least;
+    if (is_axis || turned) {
+        verdict.axis = with_positive_leader(principal.axes.col(is_axis ? 2 : 0));
+        return is_axis ? Ambiguity::axes : principal.sizes[0] <= least ? Ambiguity::plane : Ambiguity::difference;
+    }
+    const double greatest = *std::ranges::max_element(greatest_numbers_);
+    const auto is_none = [greatest](double size) { return size <= rounding * greatest; };
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (is_none(greatest_numbers_.at(i))) {
+            verdict.column = i;
+            return Ambiguity::zero;
+        }
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+        for (std::size_t k = i + 1; k < count_; ++k) {
+            if (is_none(greatest_differences_.at(i).at(k))) {
+                verdict.column = i;
+                verdict.other = k;
+                return Ambiguity::equal;
+            }
+        }
+    }
+    return Ambiguity::difference;
+}
+
+} // namespace rotconv
