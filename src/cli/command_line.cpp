@@ -181,11 +181,11 @@ Command read(const std::vector<std::string>& words) {
         options->wants_version = conversion->wants_version;
     }
     const std::string verb = arguments.files.empty() || options->set.takes_names() ? "" : arguments.files.front();
-    const std::string answer = messages::answer_to_verb(verb);
-    const bool is_word = entry == entries.data() && verb.find_first_of("./") == std::string::npos;
-    if (!answer.empty() && is_word &&
+    if (entry == entries.data() && verb.find_first_of("./") == std::string::npos &&
         stream::File::why_unreadable(verb.c_str()) != 0) { // before its options are looked at
-        throw Usage(fmt::format("{} is not a command: {}", quoted(verb), answer));
+        if (const std::string answer = messages::answer_to_verb(verb); !answer.empty()) {
+            throw Usage(fmt::format("{} is not a command: {}", quoted(verb), answer));
+        }
     }
     if (!arguments.error.empty()) {
         throw Usage(arguments.error);

@@ -24,6 +24,9 @@ namespace rotconv::cli {
 /// "1 row", "2 rows".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
+/// With the letters of ASCII in lower case.
+[[nodiscard]] std::string lower(std::string_view text);
+
 /// A letter or a digit of ASCII.
 [[nodiscard]] bool is_alphanumeric(char c) noexcept;
 
