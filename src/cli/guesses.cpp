@@ -180,18 +180,19 @@ std::optional<Guess> guess_sequence(std::string_view text) {
 }
 
 /// A word that some representations have, as their `kind`: which they are, and the SPEC of the first.
-template <class Has>
-std::optional<Guess> guess_kind(std::string_view kind, const Has& has, const std::string& ending = {}) {
-    Guess guess{.text = {}, .kind = kind};
+template <class Has> std::optional<Guess> guess_kind(std::string_view word, std::string_view kind, const Has& has,
+                                                     const std::string& ending = {}) {
+    std::vector<std::string_view> owners;
     for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
-        if (has(entry)) {
-            const std::string name = entry.takes_sequence ? "euler:ZYX" : std::string(entry.text);
-            guess.text = guess.text.empty() ? name + ending : guess.text;
-            guess.of += (guess.of.empty() ? "" : ", ") + std::string(entry.text);
+        if (has(representation(id))) {
+            owners.push_back(representation(id).text);
         }
     }
-    return guess.text.empty() ? std::nullopt : std::optional(guess);
+    if (owners.empty()) {
+        return std::nullopt;
+    }
+    return Guess{fmt::format("{}{}", owners[0] == "euler" ? "euler:ZYX" : owners[0], ending),
+                 fmt::format(" {} is a {} of {}:", word, kind, fmt::join(owners, ", "))};
 }
 
 bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Preset::text) != 0; }
@@ -211,11 +212,11 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
         const auto is_changed = [word](const Representation& entry) {
             return !words_of(meaning_of(word, entry).modifiers, "").empty();
         };
-        return guess_kind("preset", is_changed, ending);
+        return guess_kind(word, "preset", is_changed, ending);
     }
     if (is_modifier(word)) {
         return guess_kind(
-            "modifier", [word](const auto& entry) { return has_modifier(entry, word); }, ending);
+            word, "modifier", [word](const auto& entry) { return has_modifier(entry, word); }, ending);
     }
     for (const std::string_view name : legal) {
         if (without_marks(lower(name)) == without_marks(lower(word))) {
@@ -225,7 +226,7 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
     const auto has_column = [word](const Representation& entry) {
         return std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
     };
-    if (auto guess = guess_kind("column", has_column)) {
+    if (auto guess = guess_kind(word, "column", has_column)) {
         return guess;
     }
     const auto meaning = find(names, word);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -186,12 +185,8 @@ public:
 std::unique_ptr<CommandOptions> list_options() { return std::make_unique<ListOptions>(); }
 
 std::string help_footer() {
-    std::vector<std::string_view> names;
-    std::ranges::transform(all_representations, std::back_inserter(names),
-                           [](RepresentationId id) { return name_of(representation(id)); });
-    std::vector<std::string_view> modifiers;
-    std::ranges::transform(all_modifiers, std::back_inserter(modifiers),
-                           [](Modifier modifier) { return rotconv::name_of(modifier); });
+    const auto names = mapped(all_representations, [](RepresentationId id) { return name_of(representation(id)); });
+    const auto modifiers = mapped(all_modifiers, [](Modifier modifier) { return rotconv::name_of(modifier); });
     std::vector<std::string_view> changing; // presets that set nothing would fill a line
     for (const Preset& preset : presets()) {
         if (effects_of(preset) != "nothing") {

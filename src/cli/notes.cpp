@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -173,9 +172,7 @@ public:
 
 private:
     [[nodiscard]] std::string other_order(const Spec& spec, std::span<const std::string> names) const {
-        std::vector<std::string> own;
-        std::ranges::transform(names, std::back_inserter(own),
-                               [&spec](const auto& name) { return own_name(spec, name); });
+        const auto own = mapped(names, [&spec](const std::string& name) { return own_name(spec, name); });
         const std::string wrong = wrong_order(spec, {own.begin(), own.end()}, fmt::format("{}", fmt::join(names, ",")));
         return wrong.empty()
                    ? wrong

@@ -1,6 +1,5 @@
 #include "words.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <unistd.h>
@@ -28,9 +27,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string quoted_list(const std::vector<std::string>& texts) {
-    std::vector<std::string> list(texts.size());
-    std::ranges::transform(texts, list.begin(), quoted);
-    return texts.empty() ? "none" : fmt::format("{}", fmt::join(list, ", "));
+    return texts.empty() ? "none" : fmt::format("{}", fmt::join(mapped(texts, quoted), ", "));
 }
 
 std::string numbered(const std::vector<std::string>& texts) {
