@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -249,9 +248,7 @@ std::string json_advice(std::string_view beginning, const stream::InputOptions& 
         const auto keys = keys_of(text);
         const auto has = [&keys](const std::string& name) { return std::ranges::count(keys, name) > 0; };
         if (!wanted.empty() && std::ranges::all_of(wanted, has)) {
-            std::vector<std::string> paths(wanted.size());
-            std::ranges::transform(wanted, paths.begin(), jq_path);
-            values = fmt::format("[{}]", fmt::join(paths, ", "));
+            values = fmt::format("[{}]", fmt::join(mapped(wanted, jq_path), ", "));
         } else {
             keys_told = fmt::format(", with the keys for {}; the input has the keys {}", fmt::join(wanted, " "),
                                     quoted_list(keys));

@@ -78,8 +78,7 @@ std::string help(const Entry& entry, const OptionSet& options) {
 
 /// A word that is not an option of the command, with the nearest option.
 std::string unexpected(const OptionSet& options, const std::string& word) {
-    std::vector<std::string> names(options.all().size());
-    std::ranges::transform(options.all(), names.begin(), &Option::name);
+    const auto names = mapped(options.all(), &Option::name);
     return messages::no_such_option(word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
@@ -87,9 +86,7 @@ std::string unexpected(const OptionSet& options, const std::string& word) {
 void check(const Arguments& operands, bool has_input, std::size_t most_files) {
     for (const std::string& file : operands.files) {
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
-            std::vector<std::string_view> names(commands.size());
-            std::ranges::transform(commands, names.begin(), &Entry::name);
-            throw Usage(messages::no_operand(file, error, names));
+            throw Usage(messages::no_operand(file, error, mapped(commands, &Entry::name)));
         }
     }
     const std::string file = operands.files.empty() ? "" : "the FILE " + quoted(operands.files[0]);
@@ -122,8 +119,7 @@ std::string unpacked(const std::string& file) {
 
 /// Refuses files whose names say that they are compressed; the message has the command line that unpacks them.
 void refuse_compressed(const std::vector<std::string>& words, const std::vector<FileWord>& files) {
-    std::vector<std::string> command(words.size());
-    std::ranges::transform(words, command.begin(), in_shell);
+    std::vector<std::string> command = mapped(words, in_shell);
     std::string first;
     std::string unpack;
     for (const FileWord& file : files) {
@@ -181,11 +177,11 @@ Command read(const std::vector<std::string>& words) {
         options->wants_version = conversion->wants_version;
     }
     const std::string verb = arguments.files.empty() || options->set.takes_names() ? "" : arguments.files.front();
-    const std::string answer = messages::answer_to_verb(verb);
-    const bool is_word = entry == entries.data() && verb.find_first_of("./") == std::string::npos;
-    if (!answer.empty() && is_word &&
+    if (entry == entries.data() && verb.find_first_of("./") == std::string::npos &&
         stream::File::why_unreadable(verb.c_str()) != 0) { // before its options are looked at
-        throw Usage(fmt::format("{} is not a command: {}", quoted(verb), answer));
+        if (const std::string answer = messages::answer_to_verb(verb); !answer.empty()) {
+            throw Usage(fmt::format("{} is not a command: {}", quoted(verb), answer));
+        }
     }
     if (!arguments.error.empty()) {
         throw Usage(arguments.error);

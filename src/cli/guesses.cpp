@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 #include <span>
 #include <variant>
@@ -141,13 +139,6 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return result;
-}
-
 /// Only the letters and digits.
 std::string without_marks(std::string_view text) {
     std::string result(text);
@@ -155,11 +146,19 @@ std::string without_marks(std::string_view text) {
     return result;
 }
 
-const Meaning* find(std::span<const Meaning> table, std::string_view text) {
+/// The meaning that a table has for a word.
+std::optional<Guess> find(std::span<const Meaning> table, std::string_view text) {
     const std::string word = fmt::format(" {} ", lower(without_marks(text)));
     const auto found = std::ranges::find_if(
         table, [&word](const Meaning& meaning) { return meaning.words.find(word) != std::string_view::npos; });
-    return found == table.end() ? nullptr : &*found;
+    return found == table.end() ? std::nullopt : std::optional(Guess{std::string(found->text)});
+}
+
+/// Three letters or digits from `from` on become those from `to` on.
+void exchange(std::string& letters, char from, char to) {
+    std::ranges::transform(letters, letters.begin(), [from, to](char c) {
+        return c >= from && c <= from + 2 ? static_cast<char>(to + (c - from)) : c;
+    });
 }
 
 /// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating
@@ -167,40 +166,33 @@ const Meaning* find(std::span<const Meaning> table, std::string_view text) {
 std::optional<Guess> guess_sequence(std::string_view text) {
     std::string letters = without_marks(text);
     if (text.find('\'') != std::string_view::npos) {
-        std::ranges::transform(letters, letters.begin(),
-                               [](char c) { return c >= 'x' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+        exchange(letters, 'x', 'X');
     }
     if (lower(letters).starts_with("euler")) {
         letters.erase(0, 5);
     }
     if (letters.size() == 4 && (letters[0] == 'r' || letters[0] == 's')) {
-        const char base = letters[0] == 'r' ? 'X' : 'x';
+        exchange(letters, 'x', letters[0] == 'r' ? 'X' : 'x');
         letters.erase(0, 1);
-        std::ranges::transform(letters, letters.begin(), [base](char c) {
-            return c >= 'x' && c <= 'z' ? static_cast<char>(base + (c - 'x')) : c;
-        });
     }
-    std::ranges::transform(letters, letters.begin(),
-                           [](char c) { return c >= '1' && c <= '3' ? static_cast<char>('X' + (c - '1')) : c; });
-    if (!EulerSequence::parse(letters)) {
-        return std::nullopt;
-    }
-    return Guess{"euler:" + letters};
+    exchange(letters, '1', 'X');
+    return EulerSequence::parse(letters) ? std::optional(Guess{"euler:" + letters}) : std::nullopt;
 }
 
 /// A word that some representations have, as their `kind`: which they are, and the SPEC of the first.
-template <class Has>
-std::optional<Guess> guess_kind(std::string_view kind, const Has& has, const std::string& ending = {}) {
-    Guess guess{.text = {}, .kind = kind};
+template <class Has> std::optional<Guess> guess_kind(std::string_view word, std::string_view kind, const Has& has,
+                                                     const std::string& ending = {}) {
+    std::vector<std::string_view> owners;
     for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
-        if (has(entry)) {
-            const std::string name = entry.takes_sequence ? "euler:ZYX" : std::string(entry.text);
-            guess.text = guess.text.empty() ? name + ending : guess.text;
-            guess.of += (guess.of.empty() ? "" : ", ") + std::string(entry.text);
+        if (has(representation(id))) {
+            owners.push_back(representation(id).text);
         }
     }
-    return guess.text.empty() ? std::nullopt : std::optional(guess);
+    if (owners.empty()) {
+        return std::nullopt;
+    }
+    return Guess{fmt::format("{}{}", owners[0] == "euler" ? "euler:ZYX" : owners[0], ending),
+                 fmt::format(" {} is a {} of {}:", word, kind, fmt::join(owners, ", "))};
 }
 
 bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Preset::text) != 0; }
@@ -220,11 +212,11 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
         const auto is_changed = [word](const Representation& entry) {
             return !words_of(meaning_of(word, entry).modifiers, "").empty();
         };
-        return guess_kind("preset", is_changed, ending);
+        return guess_kind(word, "preset", is_changed, ending);
     }
     if (is_modifier(word)) {
         return guess_kind(
-            "modifier", [word](const auto& entry) { return has_modifier(entry, word); }, ending);
+            word, "modifier", [word](const auto& entry) { return has_modifier(entry, word); }, ending);
     }
     for (const std::string_view name : legal) {
         if (without_marks(lower(name)) == without_marks(lower(word))) {
@@ -234,18 +226,17 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
     const auto has_column = [word](const Representation& entry) {
         return std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
     };
-    if (auto guess = guess_kind("column", has_column)) {
+    if (auto guess = guess_kind(word, "column", has_column)) {
         return guess;
     }
-    const Meaning* meaning = find(names, word);
-    return meaning != nullptr ? Guess{std::string(meaning->text)} : guess_sequence(word);
+    const auto meaning = find(names, word);
+    return meaning ? meaning : guess_sequence(word);
 }
 
 std::optional<Guess> guess_modifier(std::string_view word, const Representation& entry) {
-    const Meaning* meaning = find(modifiers, word);
-    if (meaning != nullptr &&
-        (meaning->text.empty() || is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
-        return Guess{std::string(meaning->text)};
+    const auto meaning = find(modifiers, word);
+    if (meaning && (meaning->text.empty() || is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
+        return meaning;
     }
     return entry.has_gimbal_lock ? guess_sequence(word) : std::nullopt;
 }
@@ -258,9 +249,8 @@ std::optional<Guess> guess_letters(std::string_view word) {
     if (word == representation(RepresentationId::rpy).text) {
         return Guess{std::string(word)};
     }
-    const Meaning* meaning = find(names, word);
-    const bool is_sequence = meaning != nullptr && meaning->text.starts_with("euler:");
-    return is_sequence ? Guess{std::string(meaning->text)} : guess_sequence(word);
+    const auto meaning = find(names, word);
+    return meaning && meaning->text.starts_with("euler:") ? meaning : guess_sequence(word);
 }
 
 } // namespace
@@ -282,7 +272,7 @@ std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<
 
 std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal) {
     using What = SpecError::What;
-    if (const Meaning* project = find(projects, error.text)) {
+    if (const auto project = find(projects, error.text)) {
         return Guess{.text = {}, .note = project->text};
     }
     const auto guess = error.what == What::unknown_name       ? guess_name(error.text, legal)
@@ -336,15 +326,12 @@ std::string mend(const stream::RowError& error) {
     return mended.empty() && is_count && error.found == 2 * error.expected ? "; decimal commas must be points" : mended;
 }
 
-std::string answer_to_verb(std::string_view word) {
-    const Meaning* verb = find(verbs, word);
-    return verb == nullptr ? std::string() : std::string(verb->text);
-}
+std::string answer_to_verb(std::string_view word) { return find(verbs, word).value_or(Guess{}).text; }
 
 std::string about_project(std::string_view word) {
     std::string text;
     for (const Meaning& project : projects) {
-        if (word == "projects" || find({&project, 1}, word) != nullptr) {
+        if (word == "projects" || find({&project, 1}, word)) {
             text += fmt::format("{}: {}\n", project.words.substr(1, project.words.find(' ', 1) - 1), project.text);
         }
     }
@@ -373,8 +360,8 @@ std::optional<Guess> guess_option(std::string_view text, const std::vector<std::
     if (is_preset(word) || is_modifier(word)) {
         return Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)};
     }
-    const Meaning* meaning = find(options, text);
-    return meaning != nullptr ? Guess{std::string(meaning->text)} : guess_by_spelling(text, legal);
+    const auto meaning = find(options, text);
+    return meaning ? meaning : guess_by_spelling(text, legal);
 }
 
 } // namespace rotconv::cli::messages

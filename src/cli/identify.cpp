@@ -96,6 +96,10 @@ std::string list_of(const std::vector<std::size_t>& columns) {
     return text;
 }
 
+std::string in_brackets(const Eigen::Vector3d& v) {
+    return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
+}
+
 class IdentificationConclusion final : public Conclusion {
 public:
     struct Settings {
@@ -163,11 +167,11 @@ public:
                             std::to_string(each.angle_row), std::to_string(each.rows), (fits ? "yes" : "no") + turns);
             }
         }
-        const std::string best = verdict.fitting == 1
-                                     ? fmt::format("-f {} --columns {}{}", candidates.front().spec.text(),
-                                                   columns_of(candidates.front()), turn_options(candidates.front()))
-                                 : is_ambiguous ? "ambiguous"
-                                                : "none";
+        std::string best = is_ambiguous ? "ambiguous" : "none";
+        if (verdict.fitting == 1) {
+            const Candidate& first = candidates.front();
+            best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), turn_options(first));
+        }
         if (settings_.json) {
             std::vector<std::pair<std::string_view, JsonValue>> last{
                 {"rows", identification_->rows()}, {"fit", verdict.fitting}, {"answer", best}};
@@ -178,11 +182,13 @@ public:
         } else {
             const std::size_t looked_at = verdict.turned.empty() ? 0 : verdict.turned.front().rows;
             const bool is_part = looked_at > 0 && looked_at < identification_->rows();
-            text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}{}{}\n",
+            if (is_ambiguous) {
+                best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
+            }
+            text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}\n",
                                 counted(identification_->rows(), "row"),
                                 is_part ? fmt::format(", of which {} were held against turns", looked_at) : "",
-                                settings_.identification.within * unit_, unit_name_, best,
-                                is_ambiguous ? fmt::format(": {} fit; {}", verdict.fitting, lack(verdict)) : "", limit);
+                                settings_.identification.within * unit_, unit_name_, best);
         }
         return {.text = text, .holds = verdict.fitting == 1};
     }
@@ -225,12 +231,10 @@ private:
                        : fmt::format("there are {} rows, and turns on both sides take four", identification_->rows());
         case Ambiguity::attitudes: return "all rows have the same attitude";
         case Ambiguity::size: return fmt::format("all are small, at most {:.3g} {}", verdict.angle * unit_, unit_name_);
-        case Ambiguity::axes:
-            return fmt::format("all turn about one axis, ({:.3g}, {:.3g}, {:.3g})", verdict.axis[0] + 0.0,
-                               verdict.axis[1] + 0.0, verdict.axis[2] + 0.0);
+        case Ambiguity::axes: return fmt::format("all turn about one axis, {}", in_brackets(verdict.axis));
         case Ambiguity::plane:
-            return fmt::format("the axes of the turns between them lie in the plane across ({:.3g}, {:.3g}, {:.3g})",
-                               verdict.axis[0] + 0.0, verdict.axis[1] + 0.0, verdict.axis[2] + 0.0);
+            return fmt::format("the axes of the turns between them lie in the plane across {}",
+                               in_brackets(verdict.axis));
         case Ambiguity::zero: return fmt::format("the number in column {} is always 0", column(verdict.column));
         case Ambiguity::equal:
             return fmt::format("the numbers in columns {} and {} are always equal", column(verdict.column),

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -30,7 +29,7 @@ std::string effect_of(const Preset& preset, const Representation& entry) {
     return meaning.sequence ? meaning.sequence->text() : messages::words_of(meaning.modifiers, ", ");
 }
 
-/// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat".
+/// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat", or "nothing".
 std::string effects_of(const Preset& preset) {
     std::vector<std::pair<std::string, std::string>> effects;
     for (const RepresentationId id : all_representations) {
@@ -47,23 +46,22 @@ std::string effects_of(const Preset& preset) {
     for (const auto& [effect, words] : effects) {
         text += (text.empty() ? "" : "; ") + words;
     }
-    return text;
+    return text.empty() ? "nothing" : text;
 }
-
-std::string or_nothing(const std::string& effects) { return effects.empty() ? "nothing" : effects; }
 
 std::string_view name_of(const Representation& entry) { return entry.takes_sequence ? "euler:SEQ" : entry.text; }
 
 std::string list_all() {
-    std::string text = fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", "NAME", "also", "n", "numbers",
-                                   "range on output", "singular at");
+    std::string text;
+    const auto line = [&text](const auto&... cells) {
+        text += fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", cells...);
+    };
+    line("NAME", "also", "n", "numbers", "range on output", "singular at");
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
-        text += fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", name_of(entry), aliases_of(entry),
-                            entry.size, columns_of({.name = entry.name}), entry.range, entry.singular);
+        line(name_of(entry), aliases_of(entry), entry.size, columns_of({.name = id}), entry.range, entry.singular);
     }
-    text += "\nrotconv list NAME explains one: its formula, modifiers and presets.\n";
-    return text;
+    return text + "\nrotconv list NAME explains one: its formula, modifiers and presets.\n";
 }
 
 std::string list_one(const Representation& entry) {
@@ -93,7 +91,7 @@ std::string list_one(const Representation& entry) {
 std::string list_presets() {
     std::string text = fmt::format("{:<12}  {:<53}  {}\n", "PRESET", "of", "sets");
     for (const Preset& preset : presets()) {
-        text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.about, or_nothing(effects_of(preset)));
+        text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.about, effects_of(preset));
     }
     return text + "\nA preset follows a name, as in quat:tum; it leaves all else unchanged.\n";
 }
@@ -159,11 +157,11 @@ std::string list(const std::vector<std::string>& words) {
     if (first == "methods") {
         return list_methods({words.begin() + 1, words.end()});
     }
-    const auto all = presets();
-    const auto preset = std::ranges::find(all, first, &Preset::text);
-    if (preset != all.end()) {
-        return fmt::format("{}: {}\n  sets       {}\n  leaves     all else unchanged\n", preset->text, preset->about,
-                           or_nothing(effects_of(*preset)));
+    for (const Preset& preset : presets()) {
+        if (preset.text == first) {
+            return fmt::format("{}: {}\n  sets       {}\n  leaves     all else unchanged\n", preset.text, preset.about,
+                               effects_of(preset));
+        }
     }
     if (const std::string about = messages::about_project(first); !about.empty()) {
         return about;
@@ -187,15 +185,11 @@ public:
 std::unique_ptr<CommandOptions> list_options() { return std::make_unique<ListOptions>(); }
 
 std::string help_footer() {
-    std::vector<std::string_view> names;
-    std::ranges::transform(all_representations, std::back_inserter(names),
-                           [](RepresentationId id) { return name_of(representation(id)); });
-    std::vector<std::string_view> modifiers;
-    std::ranges::transform(all_modifiers, std::back_inserter(modifiers),
-                           [](Modifier modifier) { return rotconv::name_of(modifier); });
+    const auto names = mapped(all_representations, [](RepresentationId id) { return name_of(representation(id)); });
+    const auto modifiers = mapped(all_modifiers, [](Modifier modifier) { return rotconv::name_of(modifier); });
     std::vector<std::string_view> changing; // presets that set nothing would fill a line
     for (const Preset& preset : presets()) {
-        if (!effects_of(preset).empty()) {
+        if (effects_of(preset) != "nothing") {
             changing.push_back(preset.text);
         }
     }

@@ -22,9 +22,7 @@ std::string suggestion(std::string_view word, const std::optional<Guess>& guess)
     if (guess->text.empty()) {
         return fmt::format("; {} needs no modifier: leave it out", quoted(word));
     }
-    const std::string elsewhere =
-        guess->kind.empty() ? "" : fmt::format(" {} is a {} of {}:", word, guess->kind, guess->of);
-    return fmt::format(";{} did you mean {}?", elsewhere, guess->text);
+    return fmt::format(";{} did you mean {}?", guess->elsewhere, guess->text);
 }
 
 /// A word that is not one of the legal ones.
@@ -117,17 +115,9 @@ std::vector<std::string_view> all_names() {
     return names;
 }
 
-std::vector<std::string_view> all_presets() {
-    std::vector<std::string_view> words;
-    std::ranges::transform(presets(), std::back_inserter(words), &Preset::text);
-    return words;
-}
+std::vector<std::string_view> all_presets() { return mapped(presets(), &Preset::text); }
 
-std::vector<std::string> all_sequences() {
-    std::vector<std::string> list;
-    std::ranges::transform(EulerSequence::all(), std::back_inserter(list), &EulerSequence::text);
-    return list;
-}
+std::vector<std::string> all_sequences() { return mapped(EulerSequence::all(), &EulerSequence::text); }
 
 std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
     return fmt::format("{}", fmt::join(list_of(modifiers), separator));
@@ -160,8 +150,7 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
     if (rows.empty()) {
         return fmt::format("{}: from {} only default, fast and all are known", quoted(text), pair);
     }
-    std::vector<std::string_view> legal;
-    std::ranges::transform(rows, std::back_inserter(legal), &Method::name);
+    auto legal = mapped(rows, &Method::name);
     legal.insert(legal.end(), {fast_method, all_methods});
     std::string message = fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair,
                                       suggestion(text, guess_by_spelling(text, legal)));

@@ -96,10 +96,9 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 
 /// What a user may have meant by a word that rotconv does not know: its meaning elsewhere counts before its spelling.
 struct Guess {
-    std::string text;        ///< a legal text; empty: nothing needs to be said
-    std::string_view kind{}; ///< what the word is in another place, such as "preset"; may be empty
-    std::string of{};        ///< the representations that have the word as such a kind
-    std::string_view note{}; ///< in the place of all that: what to write instead
+    std::string text{};      ///< a legal text; empty: nothing needs to be said
+    std::string elsewhere{}; ///< what the word is in another place, such as " qw is a column of quat:"; may be empty
+    std::string note{};      ///< in the place of all that: what to write instead
 };
 
 /// What to write for a VALUE or ATTITUDE that is almost numbers, with "; " in front; or nothing.

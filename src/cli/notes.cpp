@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -18,13 +17,6 @@ using Kind = stream::Note::Kind;
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double most_turns = 10.0; ///< of unwrapped angles, such as those of --continuous
-
-std::string lower(std::string_view text) {
-    std::string made(text);
-    std::ranges::transform(made, made.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-    return made;
-}
 
 /// deg or rad, also of a rate, or a unit of time, as headers write it; empty for others.
 std::string_view unit_of(std::string_view text) {
@@ -104,7 +96,7 @@ std::string large_angle(const Spec& spec, std::span<const double> numbers, doubl
 class Notes {
 public:
     Notes(const stream::InputOptions& input, const ReadAs& reading)
-        : reading_(reading), selects_(!input.columns.empty()), units_(input.numbers.names.size()) {
+        : reading_(reading), refuses_(reading.refuses && input.columns.empty()), units_(input.numbers.names.size()) {
         const auto& names = input.numbers.names;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool is_rate = names[i] == "wx" || names[i] == "wy" || names[i] == "wz";
@@ -157,8 +149,7 @@ public:
                                              said.is_first ? full_turn : most_turns * full_turn));
             }
             if (!said.names.empty()) {
-                add(Kind::order, other_order(spec, std::span(said.names).subspan(first, spec.size())),
-                    reading_.refuses && !selects_);
+                add(Kind::order, other_order(spec, std::span(said.names).subspan(first, spec.size())), refuses_);
             }
         }
         for (std::size_t i = 0; i < said.names.size(); ++i) {
@@ -185,14 +176,11 @@ public:
 
 private:
     [[nodiscard]] std::string other_order(const Spec& spec, std::span<const std::string> names) const {
-        std::vector<std::string> own;
-        std::ranges::transform(names, std::back_inserter(own),
-                               [&spec](const auto& name) { return own_name(spec, name); });
+        const auto own = mapped(names, [&spec](const std::string& name) { return own_name(spec, name); });
         const std::string wrong = wrong_order(spec, {own.begin(), own.end()}, fmt::format("{}", fmt::join(names, ",")));
-        const bool ends_run = reading_.refuses && !selects_;
         return wrong.empty()
                    ? wrong
-                   : fmt::format("the header {}{}", wrong, ends_run ? " (if it is mislabelled, select by index)" : "");
+                   : fmt::format("the header {}{}", wrong, refuses_ ? " (if it is mislabelled, select by index)" : "");
     }
 
     [[nodiscard]] std::string mend(std::size_t at, std::string_view unit) const {
@@ -213,7 +201,7 @@ private:
     }
 
     ReadAs reading_;
-    bool selects_;                                        ///< --columns is given
+    bool refuses_;                                        ///< names in another order
     std::vector<std::string> units_;                      ///< of each number; empty: not one of those in headers
     std::vector<std::pair<std::size_t, Spec>> attitudes_; ///< each with the place of its first number
 };
@@ -227,19 +215,14 @@ void add_notes(stream::InputOptions& input, const ReadAs& reading) {
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
 
-std::vector<stream::Note> notes_of_attitude(std::string_view option, const std::string& text, bool degrees) {
-    const auto colon = text.rfind(':');
-    const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
-    const Spec spec = spec_of(option, text.substr(0, colon), degrees);
-    std::vector<std::string_view> fields;
-    stream::Delimiter::of_row(row).split(row, fields);
-    std::vector<double> numbers(fields.size());
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        static_cast<void>(stream::read_number(fields[i], numbers[i]));
+std::optional<stream::Note> note_on(std::string_view option, const std::string& text, bool degrees) {
+    if (text.empty()) {
+        return std::nullopt;
     }
-    const std::string large = large_angle(spec, numbers, full_turn);
-    return large.empty() ? std::vector<stream::Note>()
-                         : std::vector<stream::Note>{{Kind::angle, fmt::format("{}: {}", option, large)}};
+    const GivenNumbers given = numbers_of(option, text, degrees);
+    const std::string large = large_angle(given.spec, given.numbers, full_turn);
+    return large.empty() ? std::nullopt
+                         : std::optional(stream::Note{Kind::angle, fmt::format("{}: {}", option, large)});
 }
 
 } // namespace rotconv::cli

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -49,13 +47,11 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
     } else if (like.name == RepresentationId::dcm) {
         second.column_major = !like.column_major;
     } else { // yaw, pitch, roll about the body's axes are roll, pitch, yaw about the fixed ones
-        const auto is_negative = [&](int axis) {
-            const auto& sequence = like.sequence;
-            return sequence.sign(sequence.axis(0) == axis ? 0 : sequence.axis(1) == axis ? 1 : 2) < 0.0;
-        };
-        const bool x = is_negative(0);
-        const bool y = is_negative(1);
-        const bool z = is_negative(2);
+        std::array<bool, 3> is_negative{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            is_negative.at(static_cast<std::size_t>(like.sequence.axis(i))) = like.sequence.sign(i) < 0.0;
+        }
+        const auto [x, y, z] = is_negative;
         first.name = x || y || z ? RepresentationId::euler : RepresentationId::rpy;
         first.sequence = roll_pitch_yaw.with_signs(x, y, z);
         second.name = RepresentationId::euler;
@@ -98,6 +94,12 @@ SelectedColumns with_key(SelectedColumns columns, std::string_view key_option, c
         columns.key = key;
     }
     return columns;
+}
+
+[[noreturn]] void refuse(std::string_view option, const Spec& spec, const stream::RowError& error,
+                         double tolerance = 0.0) {
+    throw Usage(fmt::format("{}: {}{}", option, messages::explain(error, messages::subject_of(spec, tolerance)),
+                            messages::mend(error)));
 }
 
 const std::string& or_else(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
@@ -148,43 +150,45 @@ void require_rates(std::string_view option, const Spec& spec) {
     }
 }
 
-FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
+GivenNumbers numbers_of(std::string_view option, const std::string& text, bool degrees) {
     const auto colon = text.rfind(':');
     if (colon == std::string::npos) {
         throw Usage(fmt::format("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, quoted(text)));
     }
-    const Spec spec = spec_of(option, text.substr(0, colon), degrees);
-    const std::string_view row = stream::trimmed(std::string_view(text).substr(colon + 1));
-    stream::RowError error;
-    error.text = row;
-    const auto refuse = [&](stream::RowError::What what) {
-        error.what = what;
-        throw Usage(fmt::format("{}: {}{}", option, messages::explain(error, messages::subject_of(spec, tolerance)),
-                                messages::mend(error)));
-    };
+    GivenNumbers given{spec_of(option, text.substr(0, colon), degrees),
+                       stream::trimmed(std::string_view(text).substr(colon + 1))};
     std::vector<std::string_view> fields;
-    stream::Delimiter::of_row(row).split(row, fields);
-    if (fields.size() != spec.size()) {
-        throw Usage(fmt::format("{}: {} has {} numbers, not {}: {}", option, representation(spec.name).text,
-                                spec.size(), fields.size(), quoted(row)));
+    stream::Delimiter::of_row(given.row).split(given.row, fields);
+    if (fields.size() != given.spec.size()) {
+        throw Usage(fmt::format("{}: {} has {} numbers, not {}: {}", option, representation(given.spec.name).text,
+                                given.spec.size(), fields.size(), quoted(given.row)));
     }
-    std::array<double, 9> numbers{};
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        const auto number_error = stream::read_number(fields[i], numbers.at(i));
-        if (number_error != stream::NumberError::none) {
-            refuse(number_error == stream::NumberError::too_large ? stream::RowError::What::too_large
-                                                                  : stream::RowError::What::not_a_number);
+    for (const std::string_view field : fields) {
+        const auto error = stream::read_number(field, given.numbers.emplace_back());
+        if (error != stream::NumberError::none) {
+            using What = stream::RowError::What;
+            refuse(option, given.spec,
+                   {.what = error == stream::NumberError::too_large ? What::too_large : What::not_a_number,
+                    .text = std::string(given.row)});
         }
     }
+    return given;
+}
+
+FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees, double tolerance) {
+    const GivenNumbers given = numbers_of(option, text, degrees);
     std::array<double, 4> q{};
     std::vector<RowReport> reports;
-    Conversion(spec, Spec{}, {.tolerance = tolerance}).run(std::span(numbers).first(spec.size()), q, reports);
+    Conversion(given.spec, Spec{}, {.tolerance = tolerance}).run(given.numbers, q, reports);
     if (!reports.empty() && reports.front().error != Error::none) {
-        error.error = reports.front().error;
-        error.defect = reports.front().defect;
-        refuse(stream::RowError::What::attitude);
+        refuse(option, given.spec,
+               {.what = stream::RowError::What::attitude,
+                .text = std::string(given.row),
+                .error = reports.front().error,
+                .defect = reports.front().defect},
+               tolerance);
     }
-    return FixedRotation::of_numbers(spec, std::span(numbers).first(spec.size()));
+    return FixedRotation::of_numbers(given.spec, given.numbers);
 }
 
 double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite) {
@@ -387,8 +391,8 @@ RowsCommand RowOptions::rows_command(const SelectedColumns& selected, const stre
         .describe = messages::describe,
     };
     for (const char* option : {"--left", "--right", "--initial"}) {
-        if (const std::string text = argument_of(option); !text.empty()) {
-            std::ranges::move(notes_of_attitude(option, text, degrees), std::back_inserter(command.notes));
+        if (const auto note = note_on(option, argument_of(option), degrees)) {
+            command.notes.push_back(*note);
         }
     }
     command.subject = std::make_shared<messages::Subject>(std::move(subject));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,7 +37,15 @@ template <class Value> Value one_of(std::string_view what, std::string_view text
                                       std::string_view list);
 /// Refuses a SPEC whose numbers have no rates.
 void require_rates(std::string_view option, const Spec& spec);
-/// The attitude of "SPEC: NUMBERS".
+/// An option's "SPEC: NUMBERS".
+struct GivenNumbers {
+    Spec spec;
+    std::string_view row; ///< the numbers as they are written
+    std::vector<double> numbers{};
+};
+/// @param text must outlive the result
+[[nodiscard]] GivenNumbers numbers_of(std::string_view option, const std::string& text, bool degrees);
+/// Their attitude.
 [[nodiscard]] FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees,
                                         double tolerance);
 /// A number that is not negative; `default_value` if the option was not given.
@@ -58,9 +67,8 @@ struct ReadAs {
     bool refuses = true; ///< names in another order end the run, unless --columns selects
 };
 void add_notes(stream::InputOptions& input, const ReadAs& reading);
-/// The same for an option's "SPEC: NUMBERS", which has been read.
-[[nodiscard]] std::vector<stream::Note> notes_of_attitude(std::string_view option, const std::string& text,
-                                                          bool degrees);
+/// The same for an option's "SPEC: NUMBERS", which has been read; nothing for no text.
+[[nodiscard]] std::optional<stream::Note> note_on(std::string_view option, const std::string& text, bool degrees);
 
 inline constexpr int widest_row = 100'000; ///< doubles
 

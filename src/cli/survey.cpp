@@ -1,4 +1,3 @@
-#include <utility>
 
 #include <rotconv/survey.hpp>
 
@@ -24,25 +23,22 @@ public:
         }
         const RepresentationSurvey* best = is_empty ? nullptr : survey_.smallest(condition_);
         const std::string smallest = best != nullptr ? best->spec.text() : "none";
-        std::string text = is_empty ? "" : json_ ? in_json() : in_table();
-        if (json_) {
-            text += json_line({{"rows", survey_.rows()}, {"smallest", smallest}});
-        } else {
-            text += smallest + "\n";
-        }
-        return {text, best != nullptr};
+        const std::string text = is_empty ? "" : json_ ? in_json() : in_table();
+        const std::string end = json_ ? json_line({{"rows", survey_.rows()}, {"smallest", smallest}}) : smallest + "\n";
+        return {text + end, best != nullptr};
     }
 
 private:
     [[nodiscard]] std::string in_table() const {
-        constexpr const char* line = "{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n";
-        std::string text = fmt::format(fmt::runtime(line), "SET", "n", "least margin", "at line", "greatest condition",
-                                       "at line", "jumps", "first at", "serves");
+        std::string text;
+        const auto line = [&text](const auto&... cells) {
+            text += fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", cells...);
+        };
+        line("SET", "n", "least margin", "at line", "greatest condition", "at line", "jumps", "first at", "serves");
         for (const RepresentationSurvey& each : survey_.representations()) {
-            text += fmt::format(
-                fmt::runtime(line), each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin),
-                each.margin_row, fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
-                each.jumps == 0 ? "-" : std::to_string(each.jump_row), each.serves(condition_) ? "yes" : "no");
+            line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin), each.margin_row,
+                 fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
+                 each.jumps == 0 ? "-" : std::to_string(each.jump_row), each.serves(condition_) ? "yes" : "no");
         }
         return text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
                                   counted(survey_.rows(), "attitude"), condition_);

@@ -1,6 +1,5 @@
 #include "words.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <unistd.h>
@@ -28,9 +27,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string quoted_list(const std::vector<std::string>& texts) {
-    std::vector<std::string> list(texts.size());
-    std::ranges::transform(texts, list.begin(), quoted);
-    return texts.empty() ? "none" : fmt::format("{}", fmt::join(list, ", "));
+    return texts.empty() ? "none" : fmt::format("{}", fmt::join(mapped(texts, quoted), ", "));
 }
 
 std::string numbered(const std::vector<std::string>& texts) {
@@ -47,6 +44,13 @@ std::string numbered(const std::vector<std::string>& texts) {
 
 std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    return result;
 }
 
 bool is_alphanumeric(char c) noexcept {

@@ -1,13 +1,23 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 /// How texts from outside, counts and values look in messages and other output.
 namespace rotconv::cli {
+
+/// What the function makes of each.
+template <class Range, class Function> [[nodiscard]] auto mapped(const Range& range, const Function& function) {
+    std::vector<std::decay_t<std::invoke_result_t<const Function&, decltype(*std::begin(range))>>> made;
+    std::ranges::transform(range, std::back_inserter(made), function);
+    return made;
+}
 
 /// A text for messages: characters that could move a terminal's cursor, hide or end the line are escaped.
 [[nodiscard]] std::string shown(std::string_view text);
@@ -23,6 +33,9 @@ namespace rotconv::cli {
 
 /// "1 row", "2 rows".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
+/// With the letters of ASCII in lower case.
+[[nodiscard]] std::string lower(std::string_view text);
 
 /// A letter or a digit of ASCII.
 [[nodiscard]] bool is_alphanumeric(char c) noexcept;

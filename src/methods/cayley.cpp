@@ -17,20 +17,13 @@ void lu(const double* m, double* c) noexcept {
 
 /// The Rodrigues vector of a matrix, common property (in Shuster's survey of 1993 among others): (r32 - r23, r13 - r31,
 /// r21 - r12)/(1 + tr).
-void polynomial(const double* m, double* c) noexcept {
-    const double divisor = 1.0 + (m[0] + m[4] + m[8]);
-    c[0] = (m[7] - m[5]) / divisor;
-    c[1] = (m[2] - m[6]) / divisor;
-    c[2] = (m[3] - m[1]) / divisor;
-}
+void polynomial(const double* m, double* c) noexcept { Vector{c} = differences(m) / (1.0 + (m[0] + m[4] + m[8])); }
 
 /// Shepperd 1978, then c = v/w.
 void quaternion(const double* m, double* c) noexcept {
     double q[4];
     dcm_to_quat::shepperd(m, q);
-    c[0] = q[1] / q[0];
-    c[1] = q[2] / q[0];
-    c[2] = q[3] / q[0];
+    Vector{c} = Vector(q + 1) / q[0];
 }
 
 } // namespace dcm_to_cayley

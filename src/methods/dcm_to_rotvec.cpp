@@ -5,9 +5,6 @@
 namespace rotconv::formula::dcm_to_rotvec {
 namespace {
 
-/// 2 sin(theta) n.
-Eigen::Vector3d differences(const double* m) noexcept { return {m[7] - m[5], m[2] - m[6], m[3] - m[1]}; }
-
 double cosine(const double* m) noexcept { return 0.5 * (m[0] + m[4] + m[8] - 1.0); }
 
 } // namespace
@@ -16,14 +13,14 @@ double cosine(const double* m) noexcept { return 0.5 * (m[0] + m[4] + m[8] - 1.0
 /// differences/(2 sin angle).
 void acos(const double* m, double* r) noexcept {
     const double angle = std::acos(cosine(m));
-    Eigen::Map<Eigen::Vector3d>{r} = differences(m) / (2.0 * std::sin(angle)) * angle;
+    Vector{r} = differences(m) / (2.0 * std::sin(angle)) * angle;
 }
 
 /// The same with angle = atan2(|d|/2, (tr - 1)/2), axis = d/|d| of the differences d.
 void atan2(const double* m, double* r) noexcept {
     const Eigen::Vector3d d = differences(m);
     const double length = d.norm();
-    Eigen::Map<Eigen::Vector3d>{r} = d / length * std::atan2(0.5 * length, cosine(m));
+    Vector{r} = d / length * std::atan2(0.5 * length, cosine(m));
 }
 
 /// Stuelpnagel 1964, section 6, logarithm, its exchanged denominators put right:
@@ -45,9 +42,7 @@ void quaternion(const double* m, double* r) noexcept {
     double q[4];
     dcm_to_quat::shepperd(m, q);
     if (q[0] < 0.0) {
-        for (double& component : q) {
-            component = -component;
-        }
+        Eigen::Map<Eigen::Vector4d>{q} *= -1.0;
     }
     quat_to_rotvec::atan2(q, r);
 }

@@ -13,6 +13,11 @@ namespace rotconv::formula {
 /// A matrix as nine numbers, row by row.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
+using Vector = Eigen::Map<Eigen::Vector3d>;
+
+/// (m32 - m23, m13 - m31, m21 - m12) = 2 sin(theta) n.
+inline Eigen::Vector3d differences(const double* m) noexcept { return {m[7] - m[5], m[2] - m[6], m[3] - m[1]}; }
+
 /// [v]_x, so that [v]_x u = v x u.
 inline RowMajor cross_matrix(const double* v) noexcept {
     RowMajor cross;

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <utility>
+
+#include "../core/representations/euler_formulas.hpp"
 
 namespace rotconv::formula::quat_to_euler {
 namespace {
@@ -19,14 +20,12 @@ double wrapped(double angle) noexcept {
     return angle > pi ? angle - 2.0 * pi : angle;
 }
 
-/// +1 where (i, j, k) is an even permutation of (x, y, z), else -1.
-double parity(int i, int j) noexcept { return (j - i + 3) % 3 == 1 ? 1.0 : -1.0; }
-
 /// The entries of the rotation matrix by the axes of the sequence read as turns about moving axes, i first: fixed axes
 /// are the same turns in reverse order. For a proper sequence k is the axis that does not occur.
 struct MovingAxes {
-    MovingAxes(EulerSequence sequence, const double* q, void (*to_matrix)(const double*, double*) noexcept) noexcept
-        : i(sequence.axis(sequence.intrinsic() ? 0 : 2)), j(sequence.axis(1)), k(3 - i - j), sign(parity(i, j)) {
+    MovingAxes(EulerSequence sequence, const double* q, Formula* to_matrix) noexcept
+        : i(sequence.axis(sequence.intrinsic() ? 0 : 2)), j(sequence.axis(1)), k(3 - i - j),
+          sign((j - i + 3) % 3 == 1 ? 1.0 : -1.0) {
         to_matrix(q, m);
     }
 
@@ -39,6 +38,7 @@ struct MovingAxes {
     double m[9];
 };
 
+/// In the order of turns about moving axes.
 struct Angles {
     double first, middle, third;
 };
@@ -63,13 +63,11 @@ void set(EulerSequence sequence, const Angles& moving, double* angles) noexcept 
 /// Bernardes and Viollet 2022: a + ib and c + id of the sequence read as turns about fixed axes i, j, k.
 struct Halves {
     Halves(EulerSequence sequence, const double* q) noexcept {
-        const int i = sequence.axis(sequence.intrinsic() ? 2 : 0);
-        const int j = sequence.axis(1);
-        const int k = 3 - i - j;
-        sign = parity(i, j);
-        const double qi = q[1 + i];
-        const double qj = q[1 + j];
-        const double qk = q[1 + k] * sign;
+        const FixedAxes axes(sequence);
+        const double qi = q[1 + axes.i];
+        const double qj = q[1 + axes.j];
+        const double qk = q[1 + axes.k] * axes.sign;
+        sign = axes.sign;
         if (sequence.proper()) {
             a = q[0];
             b = qi;
@@ -87,19 +85,13 @@ struct Halves {
     double sign;
 };
 
-/// The end of their procedure: Tait-Bryan angles from those of a proper sequence. `fixed` is in the order of turns
-/// about fixed axes.
-void set_fixed(EulerSequence sequence, const Halves& h, Angles fixed, double* angles) noexcept {
+/// The end of their procedure: Tait-Bryan angles from those of a proper sequence.
+void set_halves(EulerSequence sequence, const Halves& h, Angles moving, double* angles) noexcept {
     if (!sequence.proper()) {
-        fixed.third *= h.sign;
-        fixed.middle -= 0.5 * pi;
+        moving.first *= h.sign;
+        moving.middle -= 0.5 * pi;
     }
-    if (sequence.intrinsic()) {
-        std::swap(fixed.first, fixed.third);
-    }
-    angles[0] = wrapped(fixed.first);
-    angles[1] = fixed.middle;
-    angles[2] = wrapped(fixed.third);
+    set(sequence, moving, angles);
 }
 
 } // namespace
@@ -145,19 +137,18 @@ void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) n
     const double middle = std::acos(2.0 * cosine_square / (cosine_square + sine_square) - 1.0);
     const double half_sum = std::atan2(h.b, h.a);
     const double half_difference = std::atan2(h.d, h.c);
-    Angles fixed{half_sum - half_difference, middle, half_sum + half_difference};
+    Angles moving{half_sum + half_difference, middle, half_sum - half_difference};
     const bool sum_only = std::fabs(middle) < lock;
     const bool difference_only = std::fabs(middle - pi) < lock;
     if (sum_only || difference_only) {
-        if (sequence.intrinsic()) { // the first about fixed axes is the third of the sequence
-            fixed.first = 0.0;
-            fixed.third = sum_only ? 2.0 * half_sum : 2.0 * half_difference;
-        } else {
-            fixed.first = sum_only ? 2.0 * half_sum : -2.0 * half_difference;
-            fixed.third = 0.0;
+        const double free = sum_only ? 2.0 * half_sum : 2.0 * half_difference;
+        if (sequence.intrinsic()) {
+            moving = {free, middle, 0.0};
+        } else { // the first of the sequence is the third about moving axes
+            moving = {0.0, middle, sum_only ? free : -free};
         }
     }
-    set_fixed(sequence, h, fixed, angles);
+    set_halves(sequence, h, moving, angles);
 }
 
 /// The same half angles, with the middle angle by atan2 of hypotenuses and without a threshold.
@@ -166,7 +157,7 @@ void bernardes_atan2(EulerSequence sequence, const double* q, double* angles) no
     const double middle = 2.0 * std::atan2(std::hypot(h.c, h.d), std::hypot(h.a, h.b));
     const double half_sum = std::atan2(h.b, h.a);
     const double half_difference = std::atan2(h.d, h.c);
-    set_fixed(sequence, h, {half_sum - half_difference, middle, half_sum + half_difference}, angles);
+    set_halves(sequence, h, {half_sum + half_difference, middle, half_sum - half_difference}, angles);
 }
 
 } // namespace rotconv::formula::quat_to_euler

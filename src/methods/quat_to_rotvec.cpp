@@ -10,10 +10,7 @@ namespace rotconv::formula::quat_to_rotvec {
 namespace {
 
 void along_vector_part(const double* q, double length, double angle, double* r) noexcept {
-    const double scale = angle / length;
-    r[0] = scale * q[1];
-    r[1] = scale * q[2];
-    r[2] = scale * q[3];
+    Vector{r} = angle / length * Eigen::Map<const Eigen::Vector3d>(q + 1);
 }
 
 double vector_length(const double* q) noexcept { return std::sqrt((q[1] * q[1] + q[2] * q[2]) + q[3] * q[3]); }

@@ -1,7 +1,5 @@
 #include <rotconv/cayley.hpp>
 
-#include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>

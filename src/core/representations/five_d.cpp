@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include <Eigen/Geometry>
-
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/power_of_two.hpp"
 #include "codec.hpp"

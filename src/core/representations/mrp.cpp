@@ -1,6 +1,5 @@
 #include <rotconv/mrp.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
