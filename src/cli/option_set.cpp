@@ -1,14 +1,37 @@
 #include "option_set.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
+
+#include <CLI/CLI.hpp>
 
 #include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
 namespace {
+
+/// Of the parts of CLI11's help those that it knows: the options.
+class Formatter : public CLI::Formatter {
+public:
+    std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
+};
+
+void define(CLI::App& app, const std::vector<Option>& options) {
+    app.set_help_flag();
+    app.formatter(std::make_shared<Formatter>());
+    for (const Option& option : options) {
+        app.option_defaults()->group(option.group);
+        if (auto* const* flag = std::get_if<bool*>(&option.value)) {
+            app.add_flag(option.names, **flag, option.about);
+        } else {
+            app.add_option(option.names, *std::get<std::string*>(option.value), option.about)
+                ->type_name(option.argument);
+        }
+    }
+}
 
 constexpr std::string_view brackets = "[](){}";
 
@@ -95,42 +118,32 @@ const Option* OptionSet::find(std::string_view name) const {
 }
 
 std::string OptionSet::help() const {
-    std::string text;
-    const auto add_line = [&text](std::string_view names, std::string_view about) {
-        text += fmt::format("  {:<27} {}\n", names, about);
-    };
+    CLI::App app;
+    define(app, options_);
+    std::vector<std::string> names;
     if (takes_names()) {
-        text += "\nPositionals:\n";
-        add_line("NAME ...", names_);
+        app.add_option("NAME", names, names_)->type_name("");
     }
-    std::vector<std::string_view> groups; // in the order of their first options
-    for (const Option& option : options_) {
-        if (std::ranges::count(groups, option.group) == 0) {
-            groups.push_back(option.group);
-        }
+    std::string help = app.help();
+    for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n")) {
+        help.erase(at, 1); // CLI11 ends a group with two
     }
-    for (const std::string_view group : groups) {
-        text += fmt::format("\n{}:\n", group);
-        for (const Option& option : options_) {
-            if (option.group == group) {
-                add_line(option.takes_argument() ? option.names + " " + option.argument : option.names, option.about);
-            }
-        }
-    }
-    return text;
+    help.erase(help.find_last_not_of('\n') + 2);
+    return help;
 }
 
 Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t begin,
                           const std::function<bool(std::string_view)>& is_command) const {
     Arguments read;
     std::vector<const Option*> given;
+    std::vector<std::string> option_words;
     std::size_t at = begin;
     /// Takes an option; `joined`: the argument that stands in the same word.
     const auto set = [&](const Option& option, std::optional<FileWord> joined) {
         const std::string name = option.name();
         read.first_option = read.first_option.empty() ? name : read.first_option;
         if (!option.takes_argument()) {
-            *std::get<bool*>(option.value) = true;
+            option_words.push_back(name);
             read.error = joined ? name + " takes no argument" : read.error;
             return;
         }
@@ -140,7 +153,7 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
         }
         const FileWord place = joined ? *joined : FileWord{++at, 0};
         const std::string argument = words[place.word].substr(place.begin);
-        *std::get<std::string*>(option.value) = argument;
+        option_words.push_back(name + "=" + argument);
         if (std::ranges::count(given, &option) != 0) {
             read.error = name + " is given twice";
         } else if (argument.empty()) {
@@ -186,6 +199,16 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
         }
     }
     read.end = std::min(at, words.size());
+    if (read.error.empty()) {
+        CLI::App app;
+        define(app, options_);
+        std::ranges::reverse(option_words); // as CLI11 wants them
+        try {
+            app.parse(option_words);
+        } catch (const CLI::ParseError& error) {
+            read.error = error.what();
+        }
+    }
     return read;
 }
 
