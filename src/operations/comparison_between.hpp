@@ -60,7 +60,7 @@ public:
         run(from_between_, between_, out);
         for (const Neighbour* neighbour : {&earlier_, &later_}) {
             for (const RowReport& report : neighbour->reports) {
-                add(report, neighbour == &later_, out);
+                add(report, neighbour == &later_);
             }
         }
         reports.clear();
@@ -68,6 +68,10 @@ public:
             if (found_[i]) {
                 found_[i]->row = i;
                 reports.push_back(*found_[i]);
+                if (found_[i]->error != Error::none) {
+                    const std::size_t size = comparison_.outputs();
+                    std::fill_n(out.data() + i * size, size, std::numeric_limits<double>::quiet_NaN());
+                }
             }
         }
     }
@@ -126,7 +130,7 @@ private:
     }
 
     /// Adds the report of a neighbour to that of the row, whose own error counts before it.
-    void add(const RowReport& report, bool of_later, std::span<double> out) {
+    void add(const RowReport& report, bool of_later) {
         auto& found = found_[report.row];
         const bool is_between = std::ranges::binary_search(between_.rows, report.row);
         if (!is_between || (found && found->error != Error::none)) {
@@ -135,8 +139,6 @@ private:
         if (report.error != Error::none) {
             found = RowReport{.error = report.error, .of_reference = true, .of_later = of_later};
             found->defect = report.defect;
-            const std::size_t size = comparison_.outputs();
-            std::fill_n(out.data() + report.row * size, size, std::numeric_limits<double>::quiet_NaN());
         } else if (!of_later) { // the row after it tells of the later
             found = found.value_or(RowReport{});
             found->reference_defect = report.defect;
