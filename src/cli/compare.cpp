@@ -600,8 +600,11 @@ private:
             turned.reading = turns.replaced_in(settings.reading);
             return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
         };
-        auto all_pairs = operations::compare(comparison, {.by_key = rows.by_key, .as_numbers = true},
-                                             std::make_shared<operations::PairWatch>(1, Limit().angle));
+        operations::ComparisonRows as_they_are = rows;
+        as_they_are.as_numbers = true;
+        as_they_are.delta = 0;
+        auto all_pairs =
+            operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle));
         command.first_pass = std::make_shared<AlignmentPass>(side, settings.reading, std::move(all_pairs), found, make);
     }
 
