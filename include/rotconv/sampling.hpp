@@ -32,11 +32,12 @@ struct SampleSettings {
 
 /// Rows of numbers on which to try conversions. A row depends on its index, the spec and the settings alone, to the
 /// bit, on every machine. It is finite, and an attitude of any defect: cayley has no half-turns. Most rows are rounded
-/// from an exact quaternion; angles near lock, and those of `scaled`, `noise` and `many_turns`, are chosen as numbers.
+/// from a quaternion of doubles; angles near lock, and those of `scaled`, `noise` and `many_turns`, are chosen as
+/// numbers.
 class Sampler {
 public:
     /// @pre the representation has each of the kinds, and there is one
-    Sampler(const Spec& spec, const SampleSettings& settings);
+    Sampler(const Spec& spec, SampleSettings settings);
 
     /// Makes the rows of these indices, whole numbers from 0 to 2^53.
     /// @pre out.size() >= rows.size() * spec.size()

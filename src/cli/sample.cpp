@@ -56,7 +56,7 @@ public:
     SampleOptions() {
         set.begin_group("What");
         set.add("-t,--to", to_, "SPEC", "The representation to write: NAME[:MODIFIER]...");
-        set.add("--kind", kinds_, "KIND", "Kinds, between commas, that take turns row by row (default: the first six)");
+        set.add("--kind", kinds_, "KIND", "Kinds, with commas between, that take turns (default: the first six)");
         set.add("--rows", rows_, "N", "Rows to write (default 1000)");
         set.add("--seed", seed_, "S", "Other rows for another whole number (default 0)");
         set.add("--noise", noise_, "E", "The most by which numbers of noise are off, to 0.5 (default 5e-4)");

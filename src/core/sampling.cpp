@@ -127,7 +127,7 @@ std::vector<Quaternion> rotations_of_cube(bool with_half_turns) {
             rest /= 3;
         }
         const auto zeros = std::ranges::count(q, 0.0);
-        const auto first = std::ranges::find_if(q, [](double component) { return component != 0.0; });
+        const double* const first = std::ranges::find_if(q, [](double component) { return component != 0.0; });
         if (zeros != 1 && zeros != 4 && *first > 0.0 && (with_half_turns || q[0] != 0.0)) {
             rotations.push_back(q);
         }
@@ -139,7 +139,7 @@ std::vector<Quaternion> rotations_of_cube(bool with_half_turns) {
 void choose_near_lock(const Spec& spec, Draws& draws, std::span<double> angles) {
     const bool degrees = spec.unit == AngleUnit::degrees;
     const double half_turn = degrees ? 180.0 : std::numbers::pi;
-    for (const std::size_t outer : {0, 2}) {
+    for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
         angles[outer] = half_turn * (spec.positive ? 2.0 * draws.fraction() : draws.signed_fraction());
     }
     const bool is_upper = draws.one_in(2);
@@ -168,8 +168,8 @@ std::vector<SampleKind> sample_kinds_of(RepresentationId name) {
     return kinds;
 }
 
-Sampler::Sampler(const Spec& spec, const SampleSettings& settings)
-    : conversion_(Spec{}, spec, {.tolerance = any_defect, .lock_margin = 0.0}), settings_(settings),
+Sampler::Sampler(const Spec& spec, SampleSettings settings)
+    : conversion_(Spec{}, spec, {.tolerance = any_defect, .lock_margin = 0.0}), settings_(std::move(settings)),
       cube_(rotations_of_cube(spec.name != RepresentationId::cayley)) {}
 
 void Sampler::run(std::span<const double> rows, std::span<double> out) {
