@@ -20,6 +20,7 @@
 #include <rotconv/quaternion.hpp>
 #include <rotconv/rates.hpp>
 #include <rotconv/rotation_vector.hpp>
+#include <rotconv/sampling.hpp>
 #include <rotconv/survey.hpp>
 #include <rotconv/two_column.hpp>
 #include <rotconv/version.hpp>

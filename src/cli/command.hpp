@@ -82,6 +82,7 @@ struct RowsCommand {
     std::string output = "-";
     bool has_values = false;
     std::string values{};                     ///< the VALUEs as one row
+    std::shared_ptr<stream::Source> source{}; ///< of the rows, in the place of the input; null: there is none
     std::string reference{};                  ///< the stream with which the rows are paired; see stream::Pairing
     messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::vector<stream::Note> notes{};        ///< of the command line
@@ -133,6 +134,7 @@ public:
 [[nodiscard]] std::unique_ptr<CommandOptions> survey_options();
 [[nodiscard]] std::unique_ptr<CommandOptions> compare_options();
 [[nodiscard]] std::unique_ptr<CommandOptions> identify_options();
+[[nodiscard]] std::unique_ptr<CommandOptions> sample_options();
 [[nodiscard]] std::unique_ptr<CommandOptions> list_options();
 
 /// What follows the options in the help: the words of SPECs, the exit status and examples.

@@ -22,13 +22,14 @@ struct Entry {
     std::size_t most_files = 1;
 };
 
-constexpr std::array<Entry, 7> entries{
+constexpr std::array<Entry, 8> entries{
     {{"", "Converts rotations from any representation into any other.",
       "Usage: rotconv -f FROM -t TO [OPTION]... [VALUE]...\n"
       "       rotconv -f FROM -t TO [OPTION]... [FILE]\n"
       "       rotconv list [NAME]\n"
       "       rotconv rates|propagate|survey [OPTION]... [FILE]\n"
-      "       rotconv compare|identify [OPTION]... [FILE [REFERENCE]]\n",
+      "       rotconv compare|identify [OPTION]... [FILE [REFERENCE]]\n"
+      "       rotconv sample -t SPEC [OPTION]...\n",
       convert_options},
      {"list", "List the representations, methods or presets, or explain one",
       "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", list_options},
@@ -49,7 +50,21 @@ constexpr std::array<Entry, 7> entries{
      {"identify", "Find the convention of numbers, from the same attitudes in a known one",
       "Usage: rotconv identify -t KNOWN [-f NAME] [OPTION]... FILE [REFERENCE]\n"
       "       rotconv identify -t KNOWN [-f NAME] [OPTION]... VALUE...\n",
-      identify_options, 2}}};
+      identify_options, 2},
+     {"sample", "Write rows on which conversions are known to fail, to test other programs",
+      "Usage: rotconv sample -t SPEC [OPTION]...\n"
+      "\nKinds of rows:\n"
+      "  uniform     all attitudes alike\n"
+      "  small       angles down to 1e-300\n"
+      "  half-turn   near a half-turn, and half-turns (cayley: not those)\n"
+      "  lock        near gimbal lock, and locked: of SPEC's sequence, else of all 24\n"
+      "  border      two quaternion components of equal size, or the trace of dcm 0\n"
+      "  cube        the 24 rotations of the cube\n"
+      "On request alone, and to be read with --tolerance inf:\n"
+      "  scaled      quat: norms from 1e-150 to 1e150\n"
+      "  noise       dcm, 6d, 5d: numbers off by up to --noise\n"
+      "  many-turns  euler, rpy, rotvec, axis-angle: angles up to 1e15\n",
+      sample_options, 0}}};
 
 std::unique_ptr<CommandOptions> options_of(const Entry& entry) {
     auto options = entry.make();

@@ -11,7 +11,7 @@ _rotconv_candidates() {
     fi
     local word=$1 command= argument= operand= before prefix= newline='
 '
-    local commands names presets methods operands options modifiers sequences
+    local commands names presets methods kinds operands options modifiers sequences
     shift
     _rotconv_words
     for before; do
@@ -57,6 +57,7 @@ _rotconv_candidates() {
     SPEC | KNOWN) _rotconv_spec ;;
     NAME | SET) _rotconv_add "$names" ;;
     METHOD) _rotconv_add "$methods" ;;
+    KIND) _rotconv_add "$kinds" ;;
     FROM:TO) _rotconv_add "ned:enu enu:ned frd:flu flu:frd rdf:rub rdf:flu ruf:flu fru:flu" ;;
     FILE) files=yes ;;
     esac

@@ -104,7 +104,7 @@ constexpr auto verbs = std::to_array<Meaning>({
     {"not here: rotconv does not interpolate; SciPy's Slerp", " slerp squad interpolate interp lerp resample "},
     {"not here: rotconv takes each row by itself; SciPy's Rotation.mean()", " average mean avg median filter smooth "},
     {"every conversion does, with --tolerance inf", " normalize normalise norm unit orthogonalize orthonormalize "},
-    {"not here: rotconv does not make attitudes; SciPy's Rotation.random()", " random rand generate "},
+    {"rotconv sample -t SPEC --kind uniform", " random rand generate samples "},
     {"not here: rotconv writes numbers; --format pretty is for people", " plot draw show view visualize "},
     {"not here: rotconv does not turn vectors; -t dcm is the matrix that does", " apply rotate transform "},
     {"it has no name: rotconv -f SPEC -t SPEC", " convert conversion conv "},

@@ -204,16 +204,16 @@ double amount_of(std::string_view option, const std::string& text, double defaul
     return value;
 }
 
-int count_of(std::string_view option, const std::string& text, int most, int least) {
+std::int64_t count_of(std::string_view option, const std::string& text, std::int64_t most, std::int64_t least) {
     if (text.empty()) {
         return 0;
     }
     double value = 0.0;
-    if (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) || value < least ||
-        value > most) {
+    if (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) ||
+        value < static_cast<double>(least) || value > static_cast<double>(most)) {
         throw Usage(fmt::format("{} {} must be a whole number from {} to {}", option, quoted(text), least, most));
     }
-    return static_cast<int>(value);
+    return static_cast<std::int64_t>(value);
 }
 
 Frame frame_of(const std::string& text) {
@@ -235,25 +235,34 @@ void RowOptions::add_reading() {
     set.add("-i,--input", input, "FILE", "Read FILE; - is standard input");
     set.add("--input-format", input_format, "FORMAT", "csv (default), which is text, or f64, little-endian doubles");
     set.add("--width", width, "N", "Doubles in an f64 row of input, if more than those that are read");
-    set.begin_group("Output");
-    set.add("-o,--output", output_, "FILE", "Write FILE; - is standard output");
+    add_output();
     set.begin_group("Errors");
     set.add("--on-error", on_error_, "POLICY", "What to do with a row that has no result: stop (default), nan, skip");
     set.add("--tolerance", tolerance_, "T", "How far from exact a quaternion or matrix may be (default 1e-3)");
 }
 
-void RowOptions::add_writing() {
+void RowOptions::add_output() {
     set.begin_group("Output");
-    set.add("--append", append_, "Keep the whole row and add the result at its end");
+    set.add("-o,--output", output_, "FILE", "Write FILE; - is standard output");
+}
+
+void RowOptions::add_format() {
+    set.begin_group("Output");
     set.add("--format", format, "FORMAT", "csv (default), json, pretty for people, or f64, little-endian doubles");
     set.add("-p,--precision", precision_, "N", "Significant digits (default: the fewest that read back equal)");
     set.add("--decimals", decimals_, "N", "Digits after the decimal point, instead of --precision");
+    set.begin_group("More");
+    set.add("--threads", threads_, "N", "At most N threads; the output is the same for every N");
+}
+
+void RowOptions::add_writing() {
+    set.begin_group("Output");
+    set.add("--append", append_, "Keep the whole row and add the result at its end");
+    add_format();
     set.begin_group("Errors");
     set.add("--diagnostics", diagnostics_, "WHERE",
             "Where to show diagnostics: off, summary (default), rows or columns");
     set.add("--strict", strict_, "Exit with 1 if there was a diagnostic other than normalized");
-    set.begin_group("More");
-    set.add("--threads", threads_, "N", "At most N threads; the output is the same for every N");
 }
 
 double RowOptions::tolerance() const {
@@ -283,8 +292,10 @@ stream::Digits RowOptions::digits() const {
     if (!precision_.empty() && !decimals_.empty()) {
         throw Usage("--precision cannot be combined with --decimals");
     }
-    return decimals_.empty() ? stream::Digits{.significant = count_of("--precision", precision_, most)}
-                             : stream::Digits{.decimals = count_of("--decimals", decimals_, most, 0)};
+    if (decimals_.empty()) {
+        return {.significant = static_cast<int>(count_of("--precision", precision_, most))};
+    }
+    return {.decimals = static_cast<int>(count_of("--decimals", decimals_, most, 0))};
 }
 
 /// Doubles of a binary row; 0 if the input is text.

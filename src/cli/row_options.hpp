@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,7 +52,8 @@ struct GivenNumbers {
 /// A number that is not negative; `default_value` if the option was not given.
 [[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
 /// A whole number from `least` to `most`; 0 if the option was not given.
-[[nodiscard]] int count_of(std::string_view option, const std::string& text, int most, int least = 1);
+[[nodiscard]] std::int64_t count_of(std::string_view option, const std::string& text, std::int64_t most,
+                                    std::int64_t least = 1);
 [[nodiscard]] Frame frame_of(const std::string& text);
 /// The power of ten of the seconds in a unit of time.
 [[nodiscard]] int time_power_of(const std::string& text);
@@ -107,6 +109,9 @@ class RowOptions : public CommandOptions {
 protected:
     void add_reading();
     void add_writing();
+    /// Those of the above that a command without input has.
+    void add_output();
+    void add_format();
     /// Options are read with this tolerance, and report the sensitivity of each row if its columns are shown.
     [[nodiscard]] ConversionSettings settings() const;
     [[nodiscard]] double tolerance() const;

@@ -308,7 +308,7 @@ ExitCode run_rows(const RowsCommand& command) {
         if (!input.is_open()) {
             return failed(path, What::read, errno);
         }
-        if (!command.has_values) {
+        if (!command.has_values && !command.source) {
             if (output.is_same(input)) {
                 return failed("the same file is input and output");
             }
@@ -325,7 +325,9 @@ ExitCode run_rows(const RowsCommand& command) {
     stream::TextSource values(command.values);
     const bool on_screen = other == nullptr && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
     Progress progress(*inputs.front(), !on_screen);
-    stream::Source& source = command.has_values ? static_cast<stream::Source&>(values) : progress;
+    stream::Source& source = command.source       ? *command.source
+                             : command.has_values ? static_cast<stream::Source&>(values)
+                                                  : progress;
     Reporter reporter(command, other == nullptr && command.options.on_error == stream::OnError::nan);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
     const auto report = [&reporter](const stream::Event& event) { reporter.add(event); };

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rotconv/sampling.hpp>
 #include <rotconv/spec.hpp>
 
 #include "../methods/method.hpp"
@@ -63,9 +64,9 @@ std::string words() {
     }
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
-        "    names={}\n    presets={}\n    methods={}\n    commands={}\n{}    esac\n{}}}\n",
-        as_word(messages::all_names()), as_word(messages::all_presets()), as_word(method_names), in_shell(commands),
-        options, modifiers());
+        "    names={}\n    presets={}\n    methods={}\n    kinds={}\n    commands={}\n{}    esac\n{}}}\n",
+        as_word(messages::all_names()), as_word(messages::all_presets()), as_word(method_names),
+        as_word(sample_kind_names), in_shell(commands), options, modifiers());
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include <rotconv/identification.hpp>
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
+#include <rotconv/sampling.hpp>
 #include <rotconv/survey.hpp>
 
 #include "../methods/method_conversion.hpp"
@@ -81,6 +82,9 @@ struct PropagationRows {
 /// The attitudes of a propagation, from rows t, wx, wy, wz.
 [[nodiscard]] stream::RowNumbers propagation_numbers();
 [[nodiscard]] Operation propagate(const PropagationRows& rows);
+
+/// The rows of a sampler, from their indices.
+[[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings);
 
 /// Adds the attitudes to a survey, which must outlive the operation. The results of the rows are not used.
 [[nodiscard]] Operation survey(const Spec& from, double tolerance, Survey& survey);

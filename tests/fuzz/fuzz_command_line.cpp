@@ -22,6 +22,7 @@ fuzz::Reach reach{"conversion",
                   "survey",
                   "compare",
                   "identify",
+                  "sample",
                   "text to print",
                   "usage error",
                   "VALUEs",
@@ -57,7 +58,7 @@ struct Check {
     void operator()(const cli::RowsCommand& command) const {
         check(command.options);
         std::string name = "conversion";
-        for (const char* other : {"rates", "propagate", "survey", "compare", "identify"}) {
+        for (const char* other : {"rates", "propagate", "survey", "compare", "identify", "sample"}) {
             name = std::ranges::count(words, other) > 0 ? other : name;
         }
         reach.add(name);

@@ -88,6 +88,7 @@ for shell in $shells; do
     check "$shell" "rotconv survey -f quat " rows.csv !list
     check "$shell" "rotconv -i " rows.csv !list
     check "$shell" "rotconv --method " fast trace !quat
+    check "$shell" "rotconv sample --kind " half-turn many-turns !quat
     check "$shell" "rotconv compare --body-axes " frd:flu !quat
     check "$shell" "rotconv propagate --integrator " !quat
     check "$shell" "rotconv rates -" --inverse !--lock-margin

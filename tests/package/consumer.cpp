@@ -24,7 +24,7 @@ static_assert(have_the_layout_of_doubles<
               ConversionSettings, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison, Candidate,
               Verdict, IdentificationSettings, Identification, IntegratorEntry, Stepper, PropagationSettings,
               Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey, Survey, AxesChange,
-              AxesError, ConstantTurns, MeanTurn, Alignment>);
+              AxesError, ConstantTurns, MeanTurn, Alignment, SampleSettings, Sampler>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
@@ -143,6 +143,11 @@ void rows() {
     }
     const RepresentationSurvey* const smallest = survey.smallest(1e3);
     check(survey.rows() == 100 && smallest != nullptr && smallest->spec.size() == 3, "Survey");
+
+    const SampleSettings sampling{.kinds = sample_kinds_of(RepresentationId::dcm)};
+    std::array<double, 9> sample{};
+    Sampler(spec_of("dcm"), sampling).run(std::array{7.0}, sample);
+    check(static_cast<bool>(read_attitude(spec_of("dcm"), sample)) && name_of(SampleKind::cube) == "cube", "Sampler");
 }
 
 void motion() {

@@ -45,7 +45,7 @@ TEST_CASE("decimals are digits after the point") {
     CHECK(run("-f quat -t cayley --diagnostics off --decimals 1 0 1 0 0") == done("inf 0.0 0.0\n"));
     CHECK(compact(run("-f rotvec -t rotvec --decimals 2 --format json 1e-9 0 1").out) ==
           "{\"rx\":0.00,\"ry\":0.00,\"rz\":1.00}\n");
-    CHECK(missing(run("compare -f rpy -d --decimals 2 0 0 0 0 0 30").out, {"max       30.00 at 1\n"}) == "");
+    CHECK(missing(run("compare -f rpy -d --decimals 2 0 0 0 0 0 30").out, {"max       30.00 deg at 1\n"}) == "");
     CHECK(run("-f quat -t dcm --on-error nan --decimals 2", "0 0 0 0\n").out ==
           "nan nan nan nan nan nan nan nan nan\n");
     CHECK(run("-f quat -t euler:ZYX -d --decimals 1 --diagnostics columns", "1,0,0,0\n") ==

@@ -223,7 +223,7 @@ TEST_CASE("numbers of options are checked") {
 
 TEST_CASE("no line of a help is wider than 100 columns") {
     // Catches a help that breaks in the middle of words.
-    for (const char* command : {"", "list", "rates", "propagate", "survey", "compare", "identify"}) {
+    for (const char* command : {"", "list", "rates", "propagate", "survey", "compare", "identify", "sample"}) {
         const auto printed = run(command + std::string(" --help"));
         CHECK(printed.exit_code == 0);
         CHECK(count_rows(printed.out) > 5);
