@@ -204,9 +204,7 @@ std::string help_footer() {
         "  2  stopped: wrong usage, a row error with --on-error stop, or a file that cannot be used\n"
         "\nExamples:\n"
         "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"
-        "  rotconv -f quat:xyzw -t rpy:deg 0 0 0.7071067811865476 0.7071067811865476\n"
-        "  rotconv -f quat:tum -t rpy -d --columns 5-8 trajectory.txt\n"
-        "  rotconv compare -f quat:tum --columns 5-8 --within 1e-6 new.txt old.txt\n",
+        "  rotconv compare -f quat:tum --columns 5-8 --within 0.01deg new.txt old.txt\n",
         fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(changing, " "));
 }
 
