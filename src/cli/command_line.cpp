@@ -51,7 +51,7 @@ constexpr std::array<Entry, 8> entries{
       "Usage: rotconv identify -t KNOWN [-f NAME] [OPTION]... FILE [REFERENCE]\n"
       "       rotconv identify -t KNOWN [-f NAME] [OPTION]... VALUE...\n",
       identify_options, 2},
-     {"sample", "Write rows on which conversions are known to fail, to test other programs",
+     {"sample", "Write rows on which conversions often fail, to test other programs",
       "Usage: rotconv sample -t SPEC [OPTION]...\n"
       "\nKinds of rows:\n"
       "  uniform     all attitudes alike\n"
