@@ -53,7 +53,8 @@ enum class AlignedSide : std::uint8_t {
 
 /// Finds the constant turns that bring attitudes to known ones: those that leave the least sum of the squared sines of
 /// the half angles. Constant memory. Worst error found with turns that are the same in all pairs: 2.9 eps, on both
-/// sides 5.6 eps of attitudes all around, and 1 eps over the size of smaller motions, in radians; limits 4, 8, 2.
+/// sides 5.6 eps of attitudes all around, and 1 eps over the size of smaller motions, in radians; limits 4, 8, 2. The
+/// sums of both sides lose more over many pairs: 9.5 eps found with 100,000, limit 16.
 class Alignment {
 public:
     explicit Alignment(AlignedSide side) : side_(side) {}
