@@ -439,7 +439,7 @@ Limit limit_of(std::string_view option, const std::string& text, bool degrees) {
         return {};
     }
     constexpr std::array<std::string_view, 3> units{"mrad", "rad", "deg"};
-    const auto unit = std::ranges::find_if(units, [&](std::string_view end) { return text.ends_with(end); });
+    const auto* const unit = std::ranges::find_if(units, [&](std::string_view end) { return text.ends_with(end); });
     const bool has_unit = unit != units.end();
     const std::string number = text.substr(0, text.size() - (has_unit ? unit->size() : 0));
     double value = 0.0;

@@ -234,7 +234,7 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
 }
 
 std::optional<Guess> guess_modifier(std::string_view word, const Representation& entry) {
-    const auto meaning = find(modifiers, word);
+    auto meaning = find(modifiers, word);
     if (meaning && (meaning->text.empty() || is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
         return meaning;
     }

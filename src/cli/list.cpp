@@ -163,7 +163,7 @@ std::string list(const std::vector<std::string>& words) {
                                effects_of(preset));
         }
     }
-    if (const std::string about = messages::about_project(first); !about.empty()) {
+    if (std::string about = messages::about_project(first); !about.empty()) {
         return about;
     }
     const Spec spec = named(first);

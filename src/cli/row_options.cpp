@@ -509,11 +509,11 @@ void PairingOptions::add_to(OptionSet& set, bool with_interpolation) {
 }
 
 void PairingOptions::check() const {
-    const std::pair<std::string_view, bool> given[] = {{"--time-unit", !time_unit.empty()},
-                                                       {"--reference-time-unit", !reference_time_unit.empty()},
-                                                       {"--key-offset", !key_offset.empty()},
-                                                       {"--interpolate", interpolates}};
-    for (const auto& [option, is_given] : given) {
+    using Given = std::pair<std::string_view, bool>;
+    for (const auto& [option, is_given] : {Given{"--time-unit", !time_unit.empty()},
+                                           {"--reference-time-unit", !reference_time_unit.empty()},
+                                           {"--key-offset", !key_offset.empty()},
+                                           {"--interpolate", interpolates}}) {
         if (is_given && key.empty()) {
             throw Usage(fmt::format("{} needs --key, because rows are paired by their number without it", option));
         }

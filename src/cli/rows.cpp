@@ -288,15 +288,7 @@ std::string run_first_pass(RowsCommand& command) {
     return {};
 }
 
-} // namespace
-
-ExitCode run_rows(const RowsCommand& command) {
-    if (command.first_pass) {
-        RowsCommand second = command;
-        const std::string wrong = run_first_pass(second);
-        second.first_pass.reset();
-        return wrong.empty() ? run_rows(second) : failed(wrong);
-    }
+ExitCode run_last_pass(const RowsCommand& command) {
     using What = stream::StreamError::What;
     stream::OutputFile output(command.output);
     std::vector<std::unique_ptr<stream::File>> inputs;
@@ -373,6 +365,17 @@ ExitCode run_rows(const RowsCommand& command) {
         return failed(command.output, What::write, error);
     }
     return result.code;
+}
+
+} // namespace
+
+ExitCode run_rows(const RowsCommand& command) {
+    if (!command.first_pass) {
+        return run_last_pass(command);
+    }
+    RowsCommand last = command;
+    const std::string wrong = run_first_pass(last);
+    return wrong.empty() ? run_last_pass(last) : failed(wrong);
 }
 
 } // namespace rotconv::cli

@@ -24,16 +24,17 @@ public:
               return settings;
           }()) {}
 
-    /// @param compared an angle, nan where there is none, and both attitudes: of each row the last of `width` numbers
-    void compare(std::span<const double> compared, std::size_t width, std::span<double> out, std::size_t out_width,
-                 std::vector<RowReport>& reports) {
-        const std::size_t rows = compared.size() / width;
+    /// @param compared an angle, nan where there is none, and both attitudes: of each row the last of `compared_width`
+    /// numbers
+    void compare(std::span<const double> compared, std::size_t compared_width, std::span<double> out,
+                 std::size_t out_width, std::vector<RowReport>& reports) {
+        const std::size_t rows = compared.size() / compared_width;
         numbers_.clear();
         rows_.clear();
         for (std::size_t row = 0; row < rows; ++row) {
-            const double* end = compared.data() + (row + 1) * width;
+            const double* end = compared.data() + (row + 1) * compared_width;
             std::fill_n(out.data() + row * out_width, out_width, std::numeric_limits<double>::quiet_NaN());
-            if (std::isnan(compared[row * width])) {
+            if (std::isnan(compared[row * compared_width])) {
                 continue;
             }
             Pair& place = kept_.size() < delta_ ? kept_.emplace_back() : kept_[next_++ % delta_];
