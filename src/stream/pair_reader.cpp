@@ -236,10 +236,12 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
 PairReader::Side* PairReader::match_between(Job& job) {
     const Decimal& key = rows_.waiting.front().key;
     const Decimal& earlier = references_.waiting.front().key;
-    if (const auto order = key <=> earlier; std::is_eq(order)) {
+    const auto order = key <=> earlier;
+    if (std::is_eq(order)) {
         pair(job);
         return nullptr;
-    } else if (std::is_lt(order)) {
+    }
+    if (std::is_lt(order)) {
         rows_.drop_row(false);
         return nullptr;
     }
