@@ -407,9 +407,9 @@ class AlignmentPass final : public FirstPass {
 public:
     using Make = std::function<operations::Operation(const TurnOptions&)>;
     /// @param make the command's operation
-    AlignmentPass(AlignedSide side, ConversionSettings given, operations::Operation all_pairs,
+    AlignmentPass(AlignedSide side, const ConversionSettings& given, operations::Operation all_pairs,
                   std::shared_ptr<TurnOptions> found, Make make)
-        : alignment_(side), given_(std::move(given)), all_pairs_(std::move(all_pairs)), found_(std::move(found)),
+        : alignment_(side), given_(given), all_pairs_(std::move(all_pairs)), found_(std::move(found)),
           make_(std::move(make)) {}
 
     [[nodiscard]] operations::Operation operation() const override { return all_pairs_; }
@@ -430,7 +430,7 @@ private:
     std::shared_ptr<TurnOptions> found_;
     Make make_;
     PairSink sink_{
-        [this](double /*angle*/, const Rotation& own, const Rotation& reference) { alignment_.add(own, reference); }};
+        [this](double /*angle*/, const Rotation& attitude, const Rotation& known) { alignment_.add(attitude, known); }};
 };
 
 /// An angle, perhaps with its unit, as a limit in the unit of the output.
