@@ -4,32 +4,26 @@
 
 using namespace program;
 
-namespace {
-
-const std::string convert = "-f quat -t quat:xyzw ";
-
-} // namespace
-
 TEST_CASE("without a selection a row has exactly the numbers") {
     // Catches surplus fields that are dropped and missing ones that are made up.
     for (const char* row : {"1,0,0", "1,0,0,0,0", "1,0,0,0,", ",1,0,0,0", "1"}) {
-        CHECK(run(convert, std::string("1,0,0,0\n") + row + "\n") == stopped("0,0,0,1\n", {"rotconv: -:2: ", row}));
+        CHECK(run(reorder, std::string("1,0,0,0\n") + row + "\n") == stopped("0,0,0,1\n", {"rotconv: -:2: ", row}));
     }
 }
 
 TEST_CASE("a list of another length than the numbers is a usage error") {
     // Catches surplus items that are dropped.
     for (const char* list : {"1", "1-3", "1-5", "1,2,3", "1,2,3,4,5", "qw,qx,qy", "1-1000000000"}) {
-        CHECK(run(convert + "--columns " + list, "1,0,0,0\n") == stopped("", {"rotconv: ", "--columns"}));
+        CHECK(run(reorder + "--columns " + list, "1,0,0,0\n") == stopped("", {"rotconv: ", "--columns"}));
     }
 }
 
 TEST_CASE("a column that is selected twice is a usage error") {
     // Catches overlap of ranges, of names, and of names with indices.
     for (const char* list : {"1,1,2,3", "1-3,3", "2-4,2", "qw,qw,qx,qy"}) {
-        CHECK(run(convert + "--columns " + list, "1,0,0,0\n") == stopped(""));
+        CHECK(run(reorder + "--columns " + list, "1,0,0,0\n") == stopped(""));
     }
-    const auto mixed = run(convert + "--columns qw,1,2,3", "qw,qx,qy,qz\n1,0,0,0\n");
+    const auto mixed = run(reorder + "--columns qw,1,2,3", "qw,qx,qy,qz\n1,0,0,0\n");
     CHECK(mixed.exit_code == 2);
     CHECK(missing(mixed.out, {"0,0,0,1"}) != "");
 }
@@ -37,7 +31,7 @@ TEST_CASE("a column that is selected twice is a usage error") {
 TEST_CASE("an item that is no index nor range is a usage error") {
     // Catches index 0, ranges that run backwards and empty items.
     for (const char* list : {"0-3", "0,1,2,3", "4-1", "1,2,,3", ",1-4", "1-4,", "99999999999999999999,1,2,3"}) {
-        CHECK(run(convert + "--columns " + list, "1,0,0,0\n") == stopped("", {"rotconv: "}));
+        CHECK(run(reorder + "--columns " + list, "1,0,0,0\n") == stopped("", {"rotconv: "}));
     }
 }
 

@@ -8,8 +8,6 @@ using namespace program;
 
 namespace {
 
-const std::string convert = "-f quat -t quat:xyzw ";
-
 /// A bad row between two good ones, and the part of it that the message has to quote.
 struct BadRow {
     const char* from;
@@ -65,18 +63,18 @@ TEST_CASE("a row that fails ends the run, is written as nan or is left out") {
 TEST_CASE("all rows may fail") {
     // Catches a special case of no good row.
     const auto rows = repeated("0,0,0,0\n", 1000);
-    const auto skipped = run(convert + "--on-error skip", rows);
+    const auto skipped = run(reorder + "--on-error skip", rows);
     CHECK(skipped.exit_code == 1);
     CHECK(skipped.out == "");
     CHECK(count_rows(skipped.err) == 1000);
-    CHECK(run(convert + "--on-error nan", rows) == went_on(repeated("nan,nan,nan,nan\n", 1000)));
+    CHECK(run(reorder + "--on-error nan", rows) == went_on(repeated("nan,nan,nan,nan\n", 1000)));
 }
 
 TEST_CASE("missing selected fields are added at the end of the row under nan") {
     // Catches short rows out of short rows in.
-    CHECK(run(convert + "--on-error nan --columns 2-5", "t,1,0,0,0\nu\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
-    CHECK(run(convert + "--on-error nan --columns 2-5", "t,1,0,0,0\nu,1,0\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
-    CHECK(run(convert + "--on-error nan --columns 3-6", "t,s,1,0,0,0\nu,v\n").out ==
+    CHECK(run(reorder + "--on-error nan --columns 2-5", "t,1,0,0,0\nu\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
+    CHECK(run(reorder + "--on-error nan --columns 2-5", "t,1,0,0,0\nu,1,0\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
+    CHECK(run(reorder + "--on-error nan --columns 3-6", "t,s,1,0,0,0\nu,v\n").out ==
           "t,s,0,0,0,1\nu,v,nan,nan,nan,nan\n");
 }
 
@@ -100,9 +98,9 @@ TEST_CASE("a tolerance of inf still refuses what has no attitude") {
 
 TEST_CASE("the text at fault is quoted without its control characters") {
     // Catches messages that steer the terminal or fill it.
-    const auto result = run(convert, "1,\x1B[2J,0,0\n");
+    const auto result = run(reorder, "1,\x1B[2J,0,0\n");
     CHECK(result.err.find('\x1B') == std::string::npos);
-    const auto numbers = run(convert + "--header no", "1," + repeated("x", 100'000) + ",0,0\n");
+    const auto numbers = run(reorder + "--header no", "1," + repeated("x", 100'000) + ",0,0\n");
     CHECK(numbers.exit_code == 2);
     CHECK(numbers.err.size() < 1000);
 }

@@ -12,18 +12,12 @@
 
 using namespace program;
 
-namespace {
-
-const std::string convert = "-f quat -t quat:xyzw ";
-
-} // namespace
-
 TEST_CASE("a longer file is replaced and not written over") {
     // Catches a missing truncation, which leaves the old end.
     const Folder folder;
     const auto out = folder / "out";
     write_file(out, repeated("old\n", 1000));
-    CHECK(run(convert + "-o " + out.string(), "1 0 0 0\n") == done(""));
+    CHECK(run(reorder + "-o " + out.string(), "1 0 0 0\n") == done(""));
     CHECK(read_file(out) == "0 0 0 1\n");
 }
 
@@ -31,7 +25,7 @@ TEST_CASE("an output file is written as soon as there are rows") {
     // Catches output that is kept until the end.
     const Folder folder;
     const auto out = folder / "out";
-    Process process(words_of(convert + "-o " + out.string()));
+    Process process(words_of(reorder + "-o " + out.string()));
     process.write("1 0 0 0\n");
     for (int i = 0; i < 1000 && (!std::filesystem::exists(out) || read_file(out).empty()); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -83,10 +77,10 @@ TEST_CASE("FILE, --input and VALUEs exclude each other, and so do two FILEs") {
     for (const auto& operands :
          {file + " 1 0 0 0", "1 0 0 0 " + file, "-i " + file + " " + file, "-i - " + file, file + " " + other}) {
         INFO(operands);
-        CHECK(run(convert + operands) == stopped(""));
+        CHECK(run(reorder + operands) == stopped(""));
     }
-    CHECK(missing(run(convert + file + " " + other).err, {"cat"}) == "");
-    CHECK(run(convert + file + " -o " + file).exit_code == 2);
+    CHECK(missing(run(reorder + file + " " + other).err, {"cat"}) == "");
+    CHECK(run(reorder + file + " -o " + file).exit_code == 2);
     CHECK(read_file(file) == "1 0 0 0\n");
 }
 
@@ -102,39 +96,39 @@ TEST_CASE("the same file for input and output is refused and kept") {
     std::filesystem::create_hard_link(file, hard_link);
     const std::string path = file.string();
     for (const auto& other : {path, (folder / "./file").string(), link.string(), hard_link.string()}) {
-        CHECK(run(convert + "-i " + path + " -o " + other) == stopped(any_output, {"rotconv: "}));
+        CHECK(run(reorder + "-i " + path + " -o " + other) == stopped(any_output, {"rotconv: "}));
         CHECK(read_file(file) == bytes);
     }
     // the shell's redirection
-    CHECK(run(convert + "-o " + path, {}, {.input_file = file}).exit_code == 2);
+    CHECK(run(reorder + "-o " + path, {}, {.input_file = file}).exit_code == 2);
     CHECK(read_file(file) == bytes);
 }
 
 TEST_CASE("a folder on stdin ends the run") {
     // Catches a failed read taken for the end of the input.
     const Folder folder;
-    CHECK(run(convert, {}, {.input_file = folder / ""}) == stopped("", {"rotconv: -"}));
+    CHECK(run(reorder, {}, {.input_file = folder / ""}) == stopped("", {"rotconv: -"}));
 }
 
 TEST_CASE("a full disk ends the run with exit 2") {
     // Catches a failed write that nobody looked at.
-    CHECK(run(convert + "-o /dev/full", "1 0 0 0\n") == stopped(any_output, {"rotconv: ", "/dev/full"}));
+    CHECK(run(reorder + "-o /dev/full", "1 0 0 0\n") == stopped(any_output, {"rotconv: ", "/dev/full"}));
     const Surroundings full{.output_file = "/dev/full"};
-    CHECK(run(convert + "1 0 0 0", {}, full).exit_code == 2);
-    CHECK(run(convert, "1 0 0 0\n", full).exit_code == 2);
-    CHECK(run(convert, repeated("1 0 0 0\n", 100'000), full).exit_code == 2);
+    CHECK(run(reorder + "1 0 0 0", {}, full).exit_code == 2);
+    CHECK(run(reorder, "1 0 0 0\n", full).exit_code == 2);
+    CHECK(run(reorder, repeated("1 0 0 0\n", 100'000), full).exit_code == 2);
     CHECK(run("--help", {}, full).exit_code == 2);
     CHECK(run("list", {}, full).exit_code == 2);
-    CHECK(missing(run(convert, "1 0 0 0\n", full).err, {"rotconv: "}) == "");
+    CHECK(missing(run(reorder, "1 0 0 0\n", full).err, {"rotconv: "}) == "");
 }
 
 TEST_CASE("a stderr that cannot be written does not kill the program") {
     // Catches death by an exception out of a message, which changes the exit code and loses rows.
     const Surroundings full{.errors_file = "/dev/full"};
-    CHECK(run(convert, "1 0 0 0\n0 0 0 0\n", full) == Result{2, "0 0 0 1\n", {}});
-    CHECK(run(convert + "0 0 0 0", {}, full).exit_code == 2);
+    CHECK(run(reorder, "1 0 0 0\n0 0 0 0\n", full) == Result{2, "0 0 0 1\n", {}});
+    CHECK(run(reorder + "0 0 0 0", {}, full).exit_code == 2);
     CHECK(run("-f quat -t nothing 1 0 0 0", {}, full).exit_code == 2);
-    const auto skipped = run(convert + "--on-error skip", "0 0 0 0\n1 0 0 0\n", full);
+    const auto skipped = run(reorder + "--on-error skip", "0 0 0 0\n1 0 0 0\n", full);
     CHECK(skipped.exit_code > 0); // 1, or 2 for the full disk
     CHECK(skipped.out == "0 0 0 1\n");
     const auto half_turn = run("-f quat -t mrp", "0 1 0 0\n1 0 0 0\n", full);

@@ -4,52 +4,46 @@
 
 using namespace program;
 
-namespace {
-
-const std::string convert = "-f quat -t quat:xyzw ";
-
-} // namespace
-
 TEST_CASE("a first row without numbers is the header") {
     // Catches a header that is an error, lost, or left with the old names.
-    CHECK(run(convert, "qw,qx,qy,qz\n1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(reorder, "qw,qx,qy,qz\n1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
     CHECK(run("-f quat -t cayley", "a b c d\n1 0 0 0\n") == done("cx cy cz\n0 0 0\n"));
     CHECK(run("-f quat -t euler:ZYX", "a;b;c;d\r\n1;0;0;0\r\n") == done("e1;e2;e3\r\n0;0;0\r\n"));
-    CHECK(run(convert, "# note\n\nqw,qx,qy,qz\n1,0,0,0\n") == done("# note\n\nqx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(reorder, "# note\n\nqw,qx,qy,qz\n1,0,0,0\n") == done("# note\n\nqx,qy,qz,qw\n0,0,0,1\n"));
 }
 
 TEST_CASE("a first row with one number is data") {
     // Catches a broken first row that is taken for a header in silence.
     for (const char* row : {"1,x,y,z", "w,x,y,0", "nan,x,y,z", "w,inf,y,z", "w,x,-1e400,z"}) {
-        CHECK(run(convert, std::string(row) + "\n1,0,0,0\n") == stopped("", {"rotconv: -:1: "}));
+        CHECK(run(reorder, std::string(row) + "\n1,0,0,0\n") == stopped("", {"rotconv: -:1: "}));
     }
 }
 
 TEST_CASE("header add prints one where there was none") {
     // Catches a missing header, and a first row that is lost to it.
-    CHECK(run(convert + "--header add", "1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(reorder + "--header add", "1,0,0,0\n") == done("qx,qy,qz,qw\n0,0,0,1\n"));
     CHECK(run("-f quat -t rotvec --header add", "1 0 0 0\n1 0 0 0\n") == done("rx ry rz\n0 0 0\n0 0 0\n"));
-    CHECK(run(convert + "--header add", "1;0;0;0\r\n") == done("qx;qy;qz;qw\r\n0;0;0;1\r\n"));
+    CHECK(run(reorder + "--header add", "1;0;0;0\r\n") == done("qx;qy;qz;qw\r\n0;0;0;1\r\n"));
 }
 
 TEST_CASE("a name matches up to the first blank of a header field") {
     // Catches units that hide a column, as in EuRoC's ground truth.
     const std::string names = "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],";
-    CHECK(run(convert + "--columns q_RS_w,q_RS_x,q_RS_y,q_RS_z",
+    CHECK(run(reorder + "--columns q_RS_w,q_RS_x,q_RS_y,q_RS_z",
               names +
                   "q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n1403636580838555648,4.68,-1.78,0.78,0.5,-0.5,0.5,0.5\n") ==
           done(names + "qx,qy,qz,qw\n1403636580838555648,4.68,-1.78,0.78,-0.5,0.5,0.5,0.5\n"));
-    CHECK(run(convert + "--columns q_RS_w,q_RS_x,q_RS_y,q_RS_z",
+    CHECK(run(reorder + "--columns q_RS_w,q_RS_x,q_RS_y,q_RS_z",
               "# t, q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z []\r\n"
               "7,1,0,0,0\r\n") == done("# t,qx,qy,qz,qw\r\n7,0,0,0,1\r\n"));
 }
 
 TEST_CASE("a header may begin with a number sign") {
     // Catches a first name that is not found behind it, or a header that is no comment any more.
-    CHECK(run(convert + "--columns qw,qx,qy,qz", "# t qw qx qy qz note\n7 1 0 0 0 a\n") ==
+    CHECK(run(reorder + "--columns qw,qx,qy,qz", "# t qw qx qy qz note\n7 1 0 0 0 a\n") ==
           done("# t qx qy qz qw note\n7 0 0 0 1 a\n"));
     for (const std::string sign : {"#", "# ", "#  ", "#\t"}) {
-        CHECK(run(convert + "--columns qw,qx,qy,qz", sign + "qw,qx,qy,qz,t\n1,0,0,0,7\n") ==
+        CHECK(run(reorder + "--columns qw,qx,qy,qz", sign + "qw,qx,qy,qz,t\n1,0,0,0,7\n") ==
               done(sign + "qx,qy,qz,qw,t\n0,0,0,1,7\n"));
     }
 }
@@ -59,11 +53,11 @@ TEST_CASE("words for a missing number are no names") {
     for (const char* row : {"NA,NA,NA,NA", ",,,", "w,n/a,y,z", "w,NULL,y,z", "None,x,y,z", "w,x,y,nil", "-,-,-,-",
                             "w,?,y,z", "., . ,.,.", "w,\"\",y,z", "w,\"NaN\",y,z"}) {
         INFO(row);
-        CHECK(run(convert + "--on-error nan", std::string(row) + "\n1,0,0,0\n") ==
+        CHECK(run(reorder + "--on-error nan", std::string(row) + "\n1,0,0,0\n") ==
               went_on("nan,nan,nan,nan\n0,0,0,1\n"));
     }
     // other columns may be called anything
-    CHECK(run(convert + "--columns 2-5", "NA,w,x,y,z,\n7,1,0,0,0,8\n") == done("NA,qx,qy,qz,qw,\n7,0,0,0,1,8\n"));
+    CHECK(run(reorder + "--columns 2-5", "NA,w,x,y,z,\n7,1,0,0,0,8\n") == done("NA,qx,qy,qz,qw,\n7,0,0,0,1,8\n"));
 }
 
 TEST_CASE("the comment before the first row is the header where it has its fields") {
@@ -97,27 +91,27 @@ TEST_CASE("a comment that is not the first row's header passes") {
              "# a,b,c,d\n",                        // another delimiter
          }) {
         INFO(comment);
-        CHECK(run(convert, std::string(comment) + "1 0 0 0\n") == done(std::string(comment) + "0 0 0 1\n"));
+        CHECK(run(reorder, std::string(comment) + "1 0 0 0\n") == done(std::string(comment) + "0 0 0 1\n"));
     }
-    CHECK(run(convert + "--header no", "# a,b,c,d\n1,0,0,0\n") == done("# a,b,c,d\n0,0,0,1\n"));
-    CHECK(run(convert + "--header add", "# a,b,c,d\n1,0,0,0\n") == done("# a,b,c,d\nqx,qy,qz,qw\n0,0,0,1\n"));
-    CHECK(run(convert, "# a,b,c,d\nw,x,y,z\n1,0,0,0\n") == done("# a,b,c,d\nqx,qy,qz,qw\n0,0,0,1\n"));
-    CHECK(run(convert, "w,x,y,z\n# a,b,c,d\n1,0,0,0\n") == done("qx,qy,qz,qw\n# a,b,c,d\n0,0,0,1\n"));
-    CHECK(run(convert, "1,0,0,0\n# a,b,c,d\n1,0,0,0\n") == done("0,0,0,1\n# a,b,c,d\n0,0,0,1\n"));
-    CHECK(run(convert, "# qw qx qy qz\n\n# end").out == "# qw qx qy qz\n\n# end");
+    CHECK(run(reorder + "--header no", "# a,b,c,d\n1,0,0,0\n") == done("# a,b,c,d\n0,0,0,1\n"));
+    CHECK(run(reorder + "--header add", "# a,b,c,d\n1,0,0,0\n") == done("# a,b,c,d\nqx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(reorder, "# a,b,c,d\nw,x,y,z\n1,0,0,0\n") == done("# a,b,c,d\nqx,qy,qz,qw\n0,0,0,1\n"));
+    CHECK(run(reorder, "w,x,y,z\n# a,b,c,d\n1,0,0,0\n") == done("qx,qy,qz,qw\n# a,b,c,d\n0,0,0,1\n"));
+    CHECK(run(reorder, "1,0,0,0\n# a,b,c,d\n1,0,0,0\n") == done("0,0,0,1\n# a,b,c,d\n0,0,0,1\n"));
+    CHECK(run(reorder, "# qw qx qy qz\n\n# end").out == "# qw qx qy qz\n\n# end");
 }
 
 TEST_CASE("comments and blank rows before the first row keep their order and use no memory") {
     // Catches lines that are lost where they wait for the row that tells, and those that pile up.
     const std::string many = repeated("# " + std::string(100, 'c') + "\n\n", 20'000);
-    CHECK((run(convert, many + "#a,b,c,d\n1,0,0,0\n") == done(many + "#qx,qy,qz,qw\n0,0,0,1\n")));
-    CHECK((run(convert, many).out == many));
-    CHECK((run(convert + "--columns qw,qx,qy,qz", many + "#qw,qx,qy,qz\n# note\n\n1,0,0,0\n") ==
+    CHECK((run(reorder, many + "#a,b,c,d\n1,0,0,0\n") == done(many + "#qx,qy,qz,qw\n0,0,0,1\n")));
+    CHECK((run(reorder, many).out == many));
+    CHECK((run(reorder + "--columns qw,qx,qy,qz", many + "#qw,qx,qy,qz\n# note\n\n1,0,0,0\n") ==
            done(many + "#qx,qy,qz,qw\n# note\n\n0,0,0,1\n")));
     const std::string wide = "# " + std::string(4'000'000, 'c') + "\n";
-    CHECK((run(convert, wide + wide + "1,0,0,0\n") == done(wide + wide + "0,0,0,1\n")));
+    CHECK((run(reorder, wide + wide + "1,0,0,0\n") == done(wide + wide + "0,0,0,1\n")));
     for (const std::string list : {"1-4", "qw,qx,qy,qz"}) { // what waits has an end
-        Process process(words_of(convert + "--columns " + list));
+        Process process(words_of(reorder + "--columns " + list));
         process.write("#qw,qx,qy,qz\n");
         for (int i = 0; i < 1000; ++i) {
             process.write(std::string(100'000, '\n'));
@@ -132,12 +126,12 @@ TEST_CASE("comments and blank rows before the first row keep their order and use
         CHECK(result.out.size() == 13 + 100'000'000 + 8);
     }
     // a line that is too long loses none of those before it
-    CHECK(run(convert, "# note\n" + std::string(5'000'000, '1')) == stopped("# note\n"));
+    CHECK(run(reorder, "# note\n" + std::string(5'000'000, '1')) == stopped("# note\n"));
 }
 
 TEST_CASE("of several rows with all names the last is the header") {
     // Catches a remark before the header that is taken for it, and one after it.
-    const std::string by_name = convert + "--columns qw,qx,qy,qz";
+    const std::string by_name = reorder + "--columns qw,qx,qy,qz";
     CHECK(run(by_name, "# it is t qw qx qy qz here\nt,qw,qx,qy,qz\n7,1,0,0,0\n") ==
           done("# it is t qw qx qy qz here\nt,qx,qy,qz,qw\n7,0,0,0,1\n"));
     CHECK(run(by_name, "t,qw,qx,qy,qz\n# qw qx qy qz t\n\n7,1,0,0,0\n") ==
@@ -158,15 +152,15 @@ TEST_CASE("an input that is JSON is told so") {
                              "\n[\n1,0,0,0\n]\n", "  {\n", "{}"}) {
         for (const char* more : {"", "--columns qw,qx,qy,qz"}) {
             INFO(json << more);
-            CHECK(run(convert + more, json) == stopped(any_output, {"rotconv: -:", "JSON"}));
+            CHECK(run(reorder + more, json) == stopped(any_output, {"rotconv: -:", "JSON"}));
         }
         // Whoever says that bad rows are to be gone over means these too.
-        CHECK(run(convert + "--delimiter comma --on-error skip", std::string(json) + "\n1,0,0,0\n")
+        CHECK(run(reorder + "--delimiter comma --on-error skip", std::string(json) + "\n1,0,0,0\n")
                   .out.ends_with("0,0,0,1\n"));
-        CHECK(run(convert + "--header no", json).err.find("JSON") == std::string::npos);
+        CHECK(run(reorder + "--header no", json).err.find("JSON") == std::string::npos);
     }
-    CHECK(run(convert + "--columns 2-5", "[a],1,0,0,0\n") == done("[a],0,0,0,1\n"));
-    CHECK(run(convert + "--columns qw,qx,qy,qz", "{t},qw,qx,qy,qz\n7,1,0,0,0\n") ==
+    CHECK(run(reorder + "--columns 2-5", "[a],1,0,0,0\n") == done("[a],0,0,0,1\n"));
+    CHECK(run(reorder + "--columns qw,qx,qy,qz", "{t},qw,qx,qy,qz\n7,1,0,0,0\n") ==
           done("{t},qx,qy,qz,qw\n7,0,0,0,1\n"));
 }
 

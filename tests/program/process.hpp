@@ -109,6 +109,9 @@ private:
     std::chrono::steady_clock::time_point limit_;
 };
 
+/// A conversion that keeps every number, and has work to do.
+inline const std::string reorder = "-f quat -t quat:xyzw ";
+
 /// Runs the program to its end.
 Result run(const Words& arguments, std::string_view input = {}, const Surroundings& surroundings = {});
 /// The same, with the arguments in one text, parted by blanks.

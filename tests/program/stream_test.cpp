@@ -9,8 +9,6 @@ using namespace program;
 
 namespace {
 
-const std::string convert = "-f quat -t quat:xyzw ";
-
 /// Rows of unit quaternions whose answers are exact, each with its number.
 struct Rows {
     std::string input;
@@ -38,7 +36,7 @@ Rows numbered_rows(std::size_t count) {
 
 TEST_CASE("a row is answered before the next one is sent") {
     // Catches output that waits in a buffer, and a reader that waits for more than a line.
-    Process process(words_of(convert));
+    Process process(words_of(reorder));
     for (int i = 0; i < 100; ++i) {
         process.write("1 0 0 0\n");
         REQUIRE(process.read_rows(1) == "0 0 0 1\n");
@@ -50,7 +48,7 @@ TEST_CASE("a row is answered before the next one is sent") {
 
 TEST_CASE("a row that comes in pieces is answered when it is whole") {
     // Catches half a row that is converted.
-    Process process(words_of(convert));
+    Process process(words_of(reorder));
     for (const char* piece : {"0.", "5 -0.5 0", ".5 0.", "5"}) {
         process.write(piece);
         process.wait_until_read();
@@ -65,7 +63,7 @@ TEST_CASE("a row that comes in pieces is answered when it is whole") {
 
 TEST_CASE("header and comments and failed rows are answered at once") {
     // Catches a first block that is held back, in every format and policy.
-    Process process(words_of(convert + "--on-error nan --columns qw,qx,qy,qz"));
+    Process process(words_of(reorder + "--on-error nan --columns qw,qx,qy,qz"));
     process.write("# t,qw,qx,qy,qz\n7,1,0,0,0\n"); // whether that is the header, the row after it tells
     CHECK(process.read_rows(2) == "# t,qx,qy,qz,qw\n7,0,0,0,1\n");
     process.write("# note\n");
@@ -84,7 +82,7 @@ TEST_CASE("an output file is written row by row") {
     // Catches a file that stays empty until the end.
     const Folder folder;
     const auto out = folder / "out";
-    Process process(words_of(convert + "-o " + out.string() + " --on-error skip --diagnostics rows"));
+    Process process(words_of(reorder + "-o " + out.string() + " --on-error skip --diagnostics rows"));
     process.write("1 0 0 0\n0 0 0 0\n");
     process.write("x 0 0 0\n");
     CHECK(process.finish().exit_code == 1);
@@ -93,7 +91,7 @@ TEST_CASE("an output file is written row by row") {
 
 TEST_CASE("a row error under stop ends the run while the input is open") {
     // Catches a program that reads on for nothing.
-    Process process(words_of(convert));
+    Process process(words_of(reorder));
     process.write("1 0 0 0\nbad 0 0 0\n");
     CHECK(process.wait() == stopped("0 0 0 1\n"));
 }
@@ -123,7 +121,7 @@ TEST_CASE("memory does not grow with the stream") {
 TEST_CASE("many rows come out as many and in order") {
     // Catches rows that are lost or change places at the borders of blocks.
     const auto rows = numbered_rows(200'000);
-    const auto result = run(convert + "--columns 2-5", rows.input);
+    const auto result = run(reorder + "--columns 2-5", rows.input);
     CHECK(result.exit_code == 0);
     CHECK(result.err == "");
     CHECK(count_rows(result.out) == 200'000);
@@ -149,7 +147,7 @@ TEST_CASE("the number of threads changes no byte") {
 TEST_CASE("rows before an error far down the stream are all written") {
     // Catches blocks after the error that overtake it, and blocks before it that are dropped.
     const auto rows = numbered_rows(100'000);
-    const auto result = run(convert + "--columns 2-5", rows.input + "bad,1,zero,0,0\n" + rows.input);
+    const auto result = run(reorder + "--columns 2-5", rows.input + "bad,1,zero,0,0\n" + rows.input);
     CHECK(result.exit_code == 2);
     CHECK((result.out == rows.output));
     CHECK(missing(result.err, {"rotconv: -:100001: ", "zero"}) == "");
@@ -161,7 +159,7 @@ TEST_CASE("every split of the input gives the same bytes") {
     const std::string input =
         "\xEF\xBB\xBF# note\r\n\r\n# t,qw [],qx,qy,qz\r\n\"a,b\",1,0,0,0\r\n#\r\n7,.5,-0.5,0.5,0.5";
     const std::string output = "# note\r\n\r\n# t,qx,qy,qz,qw\r\n\"a,b\",0,0,0,1\r\n#\r\n7,-0.5,0.5,0.5,0.5";
-    const auto arguments = words_of(convert + "--columns qw,qx,qy,qz");
+    const auto arguments = words_of(reorder + "--columns qw,qx,qy,qz");
     const auto whole = run(arguments, input);
     CHECK(whole.exit_code == 0);
     CHECK(whole.out.substr(0, output.size()) == output); // the last line may get a line end
@@ -178,7 +176,7 @@ TEST_CASE("every split of the input gives the same bytes") {
 TEST_CASE("a stream that comes byte by byte gives the same bytes") {
     // Catches a state that is lost between reads.
     const auto rows = numbered_rows(20);
-    CHECK(run_in_pieces(convert + "--columns 2-5", rows.input, 1) == done(rows.output));
+    CHECK(run_in_pieces(reorder + "--columns 2-5", rows.input, 1) == done(rows.output));
 }
 
 TEST_CASE("nothing depends on the locale") {
@@ -187,10 +185,10 @@ TEST_CASE("nothing depends on the locale") {
     INFO("localedef (package locales) makes the German locale when the tests are configured");
     REQUIRE(std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr);
     std::setlocale(LC_ALL, "C");
-    CHECK(run(convert + "-p 3", "0.5;-0.5;0.5;0.5\n", german) == done("-0.5;0.5;0.5;0.5\n"));
-    CHECK(run(convert, "0.5,-0.5,0.5,0.5\n", german) == done("-0.5,0.5,0.5,0.5\n"));
-    CHECK(run(convert + "--tolerance 0.5 --diagnostics off", "1.25 0 0 0\n", german) == done("0 0 0 1\n"));
-    const auto comma = run(convert + "0,5 0,5 0,5 0,5", {}, german);
+    CHECK(run(reorder + "-p 3", "0.5;-0.5;0.5;0.5\n", german) == done("-0.5;0.5;0.5;0.5\n"));
+    CHECK(run(reorder, "0.5,-0.5,0.5,0.5\n", german) == done("-0.5,0.5,0.5,0.5\n"));
+    CHECK(run(reorder + "--tolerance 0.5 --diagnostics off", "1.25 0 0 0\n", german) == done("0 0 0 1\n"));
+    const auto comma = run(reorder + "0,5 0,5 0,5 0,5", {}, german);
     CHECK(comma.exit_code == 2);
     for (const char* arguments : {"-f quat -t rotvec --diagnostics rows", "-f quat -t dcm --diagnostics columns",
                                   "-f quat -t quat --format pretty", "-f quat -t quat --format json"}) {

@@ -53,7 +53,7 @@ std::string made_rows(std::size_t count, const Kinds& kinds) {
     return text;
 }
 
-const std::string convert = "-f quat -t rotvec --tolerance inf ";
+const std::string to_rotvec = "-f quat -t rotvec --tolerance inf ";
 
 /// The same bytes and the same end for every number of threads, from a file and from a pipe.
 void check_threads(const std::string& arguments, const std::string& rows) {
@@ -77,10 +77,10 @@ TEST_CASE("every policy and place for diagnostics gives the same bytes with any 
     const auto rows = "label,qw,qx,qy,qz,more\n" + made_rows(12'000, {});
     for (const std::string policy : {"nan", "skip"}) {
         for (const std::string place : {"summary", "rows", "columns", "off"}) {
-            check_threads(convert + "--columns qw,qx,qy,qz --on-error " + policy + " --diagnostics " + place, rows);
+            check_threads(to_rotvec + "--columns qw,qx,qy,qz --on-error " + policy + " --diagnostics " + place, rows);
         }
     }
-    check_threads(convert + "--columns 2-5 --on-error nan --append --strict -p 7", rows);
+    check_threads(to_rotvec + "--columns 2-5 --on-error nan --append --strict -p 7", rows);
 }
 
 TEST_CASE("every format and line end gives the same bytes with any number of threads") {
@@ -88,7 +88,7 @@ TEST_CASE("every format and line end gives the same bytes with any number of thr
     for (const std::string_view line_end : {"\n", "\r\n"}) {
         const auto rows = made_rows(10'000, {.line_end = line_end});
         for (const std::string format : {"csv", "json", "pretty"}) {
-            check_threads(convert + "--columns 2-5 --on-error nan --header add --format " + format, rows);
+            check_threads(to_rotvec + "--columns 2-5 --on-error nan --header add --format " + format, rows);
         }
     }
 }
@@ -150,11 +150,11 @@ TEST_CASE("an error stops the stream after the rows before it with any number of
     const auto more = made_rows(30'000, {});
     for (const std::string bad : {"x,1,zero,0,0\n", "x,0,0,0,0\n", "x,1\n"}) {
         const auto rows = good + bad + more;
-        check_threads(convert + "--columns 2-5", rows);
-        CHECK(run(convert + "--columns 2-5 --threads 8", rows) == Failure{2, any_output, {"rotconv: -:9001: "}});
+        check_threads(to_rotvec + "--columns 2-5", rows);
+        CHECK(run(to_rotvec + "--columns 2-5 --threads 8", rows) == Failure{2, any_output, {"rotconv: -:9001: "}});
     }
-    check_threads(convert + "--columns 2-5", "x,1,zero,0,0\n" + more);
-    check_threads(convert + "--columns 2-5", good + repeated("z", 5'000'000) + "\n" + more);
+    check_threads(to_rotvec + "--columns 2-5", "x,1,zero,0,0\n" + more);
+    check_threads(to_rotvec + "--columns 2-5", good + repeated("z", 5'000'000) + "\n" + more);
 }
 
 TEST_CASE("long lines give the same bytes with any number of threads") {
@@ -233,7 +233,7 @@ TEST_CASE("a full disk ends the threads with exit 2") {
     // Catches a failed write of a thread that nobody looked at.
     const auto rows = made_rows(10'000, {.bad = false});
     for (const std::string threads : thread_counts) {
-        const auto result = run(convert + "--columns 2-5 --threads " + threads, rows, {.output_file = "/dev/full"});
+        const auto result = run(to_rotvec + "--columns 2-5 --threads " + threads, rows, {.output_file = "/dev/full"});
         CHECK(result.exit_code == 2);
         CHECK(missing(result.err, {"rotconv: -: cannot be written: "}) == "");
         CHECK(count_rows(result.err) <= 2); // the summary may come before it
@@ -243,8 +243,8 @@ TEST_CASE("a full disk ends the threads with exit 2") {
 TEST_CASE("interrupted threads lose nothing") {
     // Catches interrupted and partial writes and reads that are taken for whole ones.
     const auto rows = made_rows(20'000, {.bad = false});
-    const auto expected = run(convert + "--columns 2-5 --threads 1", rows);
-    Process process(words_of(convert + "--columns 2-5 --threads 4"));
+    const auto expected = run(to_rotvec + "--columns 2-5 --threads 1", rows);
+    Process process(words_of(to_rotvec + "--columns 2-5 --threads 4"));
     for (std::string_view rest = rows; !rest.empty(); rest.remove_prefix(std::min<std::size_t>(rest.size(), 10'000))) {
         process.write(rest.substr(0, 10'000));
         process.interrupt();

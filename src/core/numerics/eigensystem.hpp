@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 #include <Eigen/Core>
 
@@ -16,62 +14,34 @@ struct PlaneRotation {
         cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
     }
 
-    /// Turns two rows or columns.
-    template <class Line> void operator()(Line&& first, Line&& second) const noexcept {
-        const typename std::decay_t<Line>::PlainObject old = first;
-        first = cosine * (old - tangent * second);
-        second = cosine * (second + tangent * old);
+    /// Turns two lines of so many numbers, each `step` after the one before.
+    void operator()(double* first, double* second, int size, int step = 1) const noexcept {
+        for (int i = 0; i < size; ++i, first += step, second += step) {
+            const double old = *first;
+            *first = cosine * (old - tangent * *second);
+            *second = cosine * (*second + tangent * old);
+        }
     }
 
     double tangent;
     double cosine;
 };
 
-/// The eigenvalues of a symmetric matrix, increasing, with their vectors: plane rotations until it is diagonal (Jacobi
-/// 1846). Each entry is held against its own two of the diagonal, so that a positive matrix keeps the digits of its
-/// small eigenvalues.
+/// The eigenvalues of a symmetric matrix of size x size numbers, increasing, with their vectors one after another:
+/// plane rotations until it is diagonal (Jacobi 1846). Each entry is held against its own two of the diagonal, so that
+/// a positive matrix keeps the digits of its small eigenvalues.
+/// @param matrix is overwritten
+/// @param vectors the identity
+void diagonalize(double* matrix, int size, double* values, double* vectors) noexcept;
+
+/// The same for Eigen's matrices. All sizes share one function, since this took seconds to compile for each.
 template <int size> struct Eigensystem {
     explicit Eigensystem(Eigen::Matrix<double, size, size> matrix) noexcept {
-        constexpr int most_sweeps = 30;
-        bool diagonal = false;
-        for (int sweep = 0; sweep < most_sweeps && !diagonal; ++sweep) {
-            diagonal = true;
-            for (Eigen::Index i = 0; i < size - 1; ++i) {
-                for (Eigen::Index k = i + 1; k < size; ++k) {
-                    diagonal = !rotate(matrix, i, k) && diagonal;
-                }
-            }
-        }
-        values = matrix.diagonal();
-        for (Eigen::Index i = 0; i < size - 1; ++i) {
-            Eigen::Index least = 0;
-            values.tail(size - i).minCoeff(&least);
-            std::swap(values[i], values[i + least]);
-            vectors.col(i).swap(vectors.col(i + least));
-        }
+        diagonalize(matrix.data(), size, values.data(), vectors.data());
     }
 
     Eigen::Matrix<double, size, 1> values;
     Eigen::Matrix<double, size, size> vectors = Eigen::Matrix<double, size, size>::Identity();
-
-private:
-    /// Makes an entry 0; false where it is as good as 0.
-    bool rotate(Eigen::Matrix<double, size, size>& matrix, Eigen::Index i, Eigen::Index k) noexcept {
-        const double a = matrix(i, i);
-        const double b = matrix(k, k);
-        const double c = matrix(i, k);
-        if (!(std::fabs(c) > 0x1p-54 * std::sqrt(std::fabs(a * b)))) {
-            return false;
-        }
-        const PlaneRotation rotation(a, b, c);
-        rotation(matrix.col(i), matrix.col(k));
-        rotation(matrix.row(i), matrix.row(k));
-        rotation(vectors.col(i), vectors.col(k));
-        matrix(i, i) = a - rotation.tangent * c;
-        matrix(k, k) = b + rotation.tangent * c;
-        matrix(i, k) = matrix(k, i) = 0.0;
-        return true;
-    }
 };
 
 } // namespace rotconv

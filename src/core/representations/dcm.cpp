@@ -76,7 +76,7 @@ private:
         }
         const PlaneRotation turned(a, b, c);
         for (Matrix3d* const m : {&left, &right}) {
-            turned(m->col(i), m->col(k));
+            turned(m->col(i).data(), m->col(k).data(), 3);
         }
         return true;
     }
