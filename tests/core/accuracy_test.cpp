@@ -15,7 +15,7 @@ using accuracy::spec;
 // Would catch: any loss of digits anywhere, however near to a singularity.
 TEST_CASE("every way stays within its limit in radians") {
     const auto way = GENERATE(from_range(accuracy::ways()));
-    const auto worst = accuracy::worst_of(way, 3000);
+    const auto worst = accuracy::worst_of(way, 2000);
     INFO(worst.where);
     CHECK(worst.error <= way.limit);
     CHECK(worst.error > 0.3 * way.worst); // a check that sees no error sees nothing
@@ -28,7 +28,7 @@ TEST_CASE("every way stays within its limit in degrees") {
             spec(way.to == "euler" ? "rpy" : way.to).in_degrees().unit == rotconv::AngleUnit::radians) {
             continue; // no angles
         }
-        const auto worst = accuracy::worst_of(way, 3000, rotconv::AngleUnit::degrees);
+        const auto worst = accuracy::worst_of(way, 2000, rotconv::AngleUnit::degrees);
         INFO(worst.where);
         CHECK(worst.error <= way.limit);
     }

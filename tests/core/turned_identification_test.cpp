@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rotconv/identification.hpp>
@@ -47,6 +48,9 @@ public:
     Quaternion any() {
         Quaternion q(normal_(random_), normal_(random_), normal_(random_), normal_(random_));
         return q.normalized();
+    }
+    std::size_t index(std::size_t from, std::size_t end) {
+        return std::uniform_int_distribution(from, end - 1)(random_);
     }
     /// A turn of a normally distributed vector, standard deviation in radians on each axis, at most thrice that long.
     Quaternion small(double deviation) {
@@ -95,21 +99,20 @@ std::vector<Case> cases() {
     };
 }
 
-/// The rows of a case, with noise, radians on each axis.
-Row rows_of(const Case& each, Attitudes& random, std::size_t count, double noise) {
-    Row rows;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Quaternion own = random.any();
-        const Row unknown = oracle::numbers(each.unknown, own);
-        Quaternion turned = each.left * oracle::attitude(each.unknown, unknown) * each.right;
+/// Rows of a case, with noise, radians on each axis. Sets of rows are drawn from them, for the oracle takes its time.
+std::vector<Row> pairs_of(const Case& each, Attitudes& random, double noise) {
+    constexpr std::size_t count = 1000;
+    std::vector<Row> pairs(count);
+    for (Row& pair : pairs) {
+        pair = oracle::numbers(each.unknown, random.any());
+        Quaternion turned = each.left * oracle::attitude(each.unknown, pair) * each.right;
         if (noise > 0) {
             turned = turned * random.small(noise);
         }
         const Row known = oracle::numbers(each.known, turned);
-        rows.insert(rows.end(), unknown.begin(), unknown.end());
-        rows.insert(rows.end(), known.begin(), known.end());
+        pair.insert(pair.end(), known.begin(), known.end());
     }
-    return rows;
+    return pairs;
 }
 
 /// What the answer makes of an attitude, written as the unknown numbers are, less what the case makes of it, in
@@ -133,8 +136,13 @@ void check(const Case& each, int seed, std::size_t count, double noise, double w
     std::size_t wrong = 0;
     std::size_t undecided = 0;
     const Identification fresh(each.unknown.size(), each.known, {}, {.within = within});
+    std::vector<Row> pairs = pairs_of(each, random, noise);
     for (int run = 0; run < runs; ++run) {
-        const Row rows = rows_of(each, random, count, noise);
+        Row rows;
+        for (std::size_t i = 0; i < count; ++i) {
+            std::swap(pairs[i], pairs[random.index(i, pairs.size())]);
+            rows.insert(rows.end(), pairs[i].begin(), pairs[i].end());
+        }
         const std::vector<std::size_t> lines(count, 1);
         std::vector<RowReport> reports;
         Identification identification = fresh;
