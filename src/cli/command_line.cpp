@@ -60,7 +60,7 @@ constexpr std::array<Entry, 8> entries{
       "  lock        near gimbal lock, and locked: of SPEC's sequence, else of all 24\n"
       "  border      two quaternion components of equal size, or the trace of dcm 0\n"
       "  cube        the 24 rotations of the cube\n"
-      "On request alone, and to be read with --tolerance inf:\n"
+      "On request alone; scaled and noise are to be read with --tolerance inf:\n"
       "  scaled      quat: norms from 1e-150 to 1e150\n"
       "  noise       dcm, 6d, 5d: numbers off by up to --noise\n"
       "  many-turns  euler, rpy, rotvec, axis-angle: angles up to 1e15\n",

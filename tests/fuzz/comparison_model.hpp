@@ -2,11 +2,21 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include <rotconv/spec.hpp>
 
+#include "oracle.hpp"
+
 /// What a comparison's numbers are to be, from the definitions of the representations in many digits.
 namespace fuzz {
+
+/// R becomes left R right.
+struct Turns {
+    oracle::Quaternion left = oracle::Quaternion::Identity();
+    oracle::Quaternion right = oracle::Quaternion::Identity();
+    bool any = false;
+};
 
 /// What is compared with what, and how.
 struct Compared {
@@ -17,8 +27,14 @@ struct Compared {
     bool degrees = false;           ///< the angle
     double tolerance = 1e-3;
     double lock_margin = 1e-15;
-    bool is_turned = false; ///< by --left, --right or other axes, which are not modelled
+    /// Of the first attitude, by --left, --right and other axes. Not given: they are not modelled.
+    std::optional<Turns> turns = Turns{};
 };
+
+/// The turns that those options ask for, each empty if it is not given; nothing where they are not modelled.
+[[nodiscard]] std::optional<Turns> turns_of(const std::string& left, const std::string& right,
+                                            const std::string& reference_axes, const std::string& body_axes,
+                                            bool degrees);
 
 enum class Agreement { yes, no, not_modelled };
 

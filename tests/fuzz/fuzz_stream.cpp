@@ -297,9 +297,9 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
             .degrees = degrees,
             .tolerance = std::strtod(argument_of(words, "--tolerance", "1e-3").c_str(), nullptr),
             .lock_margin = std::strtod(argument_of(words, "--lock-margin", "1e-15").c_str(), nullptr),
-            .is_turned = !(argument_of(words, "--left") + argument_of(words, "--right") +
-                           argument_of(words, "--reference-axes") + argument_of(words, "--body-axes"))
-                              .empty()};
+            .turns =
+                fuzz::turns_of(argument_of(words, "--left"), argument_of(words, "--right"),
+                               argument_of(words, "--reference-axes"), argument_of(words, "--body-axes"), degrees)};
 }
 
 /// What the manual says of digits: kinds that depend on how the numbers are written.
