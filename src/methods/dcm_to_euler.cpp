@@ -4,28 +4,14 @@
 #include <limits>
 #include <numbers>
 
-namespace rotconv::formula {
+namespace rotconv::formula::dcm_to_euler {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
 double wrapped(double angle) noexcept {
-    if (angle <= -pi) {
-        return angle + 2.0 * pi;
-    }
-    return angle > pi ? angle - 2.0 * pi : angle;
+    return angle <= -pi ? angle + 2.0 * pi : angle > pi ? angle - 2.0 * pi : angle;
 }
-
-} // namespace
-
-void set(EulerSequence sequence, const MovingAngles& moving, double* angles) noexcept {
-    angles[0] = wrapped(sequence.intrinsic() ? moving.first : moving.third);
-    angles[1] = wrapped(moving.middle);
-    angles[2] = wrapped(sequence.intrinsic() ? moving.third : moving.first);
-}
-
-namespace dcm_to_euler {
-namespace {
 
 /// The entries of a rotation matrix by the axes of the sequence read as turns about moving axes, i first: R =
 /// R_i(first) R_j(middle) R_k(third), or with R_i at the end. Fixed axes are the same turns in reverse order. For a
@@ -35,15 +21,13 @@ struct MovingAxes {
         : i(sequence.axis(sequence.intrinsic() ? 0 : 2)), j(sequence.axis(1)), k(3 - i - j),
           sign((j - i + 3) % 3 == 1 ? 1.0 : -1.0), proper(sequence.proper()), m(matrix) {}
 
-    double operator()(int row, int column) const noexcept { return m(row, column); }
-
-    /// The outer angles by atan2 of entries, each of them over `divisor`.
-    [[nodiscard]] MovingAngles outer_angles(double divisor = 1.0) const noexcept {
+    /// With the outer angles by atan2 of entries, each of them over `divisor`.
+    [[nodiscard]] MovingAngles angles(double middle, double divisor = 1.0) const noexcept {
         const auto angle = [divisor](double y, double x) { return std::atan2(y / divisor, x / divisor); };
         if (proper) {
-            return {angle(m(j, i), -sign * m(k, i)), 0.0, angle(m(i, j), sign * m(i, k))};
+            return {angle(m(j, i), -sign * m(k, i)), middle, angle(m(i, j), sign * m(i, k))};
         }
-        return {angle(-sign * m(j, k), m(k, k)), 0.0, angle(-sign * m(i, j), m(i, i))};
+        return {angle(-sign * m(j, k), m(k, k)), middle, angle(-sign * m(i, j), m(i, i))};
     }
 
     /// The cosine of the middle angle for a proper sequence, its sine for another.
@@ -51,6 +35,11 @@ struct MovingAxes {
 
     [[nodiscard]] double middle_angle() const noexcept {
         return proper ? std::acos(middle_entry()) : std::asin(middle_entry());
+    }
+
+    /// The middle angle by the length of the other entries.
+    [[nodiscard]] double middle_with(double length) const noexcept {
+        return proper ? std::atan2(length, middle_entry()) : std::atan2(middle_entry(), length);
     }
 
     /// The third angle when the turn by the first is undone, from row j of R_i(-first) R.
@@ -70,13 +59,17 @@ struct MovingAxes {
 
 } // namespace
 
+void set(EulerSequence sequence, const MovingAngles& moving, double* angles) noexcept {
+    angles[0] = wrapped(sequence.intrinsic() ? moving.first : moving.third);
+    angles[1] = wrapped(moving.middle);
+    angles[2] = wrapped(sequence.intrinsic() ? moving.third : moving.first);
+}
+
 /// Textbook form, in Diebel 2006 for the twelve sequences: atan2 for the outer angles, asin or acos of one entry for
 /// the middle one.
 void asin(EulerSequence sequence, const double* m, double* angles) noexcept {
     const MovingAxes r(sequence, m);
-    MovingAngles moving = r.outer_angles();
-    moving.middle = r.middle_angle();
-    set(sequence, moving, angles);
+    set(sequence, r.angles(r.middle_angle()), angles);
 }
 
 /// Slabaugh's note of 1999, which is for ZYX; the other sequences in the same way. Entries over the cosine (for a
@@ -86,14 +79,12 @@ void slabaugh(EulerSequence sequence, const double* m, double* angles) noexcept 
     const MovingAxes r(sequence, m);
     const double entry = r.middle_entry();
     const double middle = r.middle_angle();
-    MovingAngles moving{};
-    if (std::fabs(entry) != 1.0) {
-        moving = r.outer_angles(r.proper ? std::sin(middle) : std::cos(middle));
-    } else {
-        moving.third = std::atan2((r.proper ? r.sign : 1.0) * entry * r(r.k, r.j),
-                                  entry * (r.proper ? r(r.k, r.k) : -r.sign * r(r.k, r.i)));
+    MovingAngles moving = r.angles(middle, r.proper ? std::sin(middle) : std::cos(middle));
+    if (std::fabs(entry) == 1.0) {
+        moving.first = 0.0;
+        moving.third = std::atan2((r.proper ? r.sign : 1.0) * entry * r.m(r.k, r.j),
+                                  entry * (r.proper ? r.m(r.k, r.k) : -r.sign * r.m(r.k, r.i)));
     }
-    moving.middle = middle;
     set(sequence, moving, angles);
 }
 
@@ -102,17 +93,16 @@ void slabaugh(EulerSequence sequence, const double* m, double* angles) noexcept 
 void shoemake(EulerSequence sequence, const double* m, double* angles) noexcept {
     constexpr double lock = 16.0 * std::numeric_limits<float>::epsilon(); // 1.9e-6, as in his program
     const MovingAxes r(sequence, m);
-    const double beside = r(r.i, r.proper ? r.k : r.i);
-    const double hypotenuse = std::sqrt(beside * beside + r(r.i, r.j) * r(r.i, r.j));
-    MovingAngles moving{};
+    const double beside = r.m(r.i, r.proper ? r.k : r.i);
+    const double hypotenuse = std::sqrt(beside * beside + r.m(r.i, r.j) * r.m(r.i, r.j));
+    MovingAngles moving{0.0, r.middle_with(hypotenuse), 0.0};
     if (hypotenuse > lock) {
-        moving = r.outer_angles();
+        moving = r.angles(moving.middle);
     } else if (sequence.intrinsic()) { // R = R_i R_j
-        moving.first = std::atan2(r.sign * r(r.k, r.j), r(r.j, r.j));
+        moving.first = std::atan2(r.sign * r.m(r.k, r.j), r.m(r.j, r.j));
     } else { // the third of the sequence is the first of the moving axes
         moving.third = r.third_after(0.0);
     }
-    moving.middle = r.proper ? std::atan2(hypotenuse, r.middle_entry()) : std::atan2(r.middle_entry(), hypotenuse);
     set(sequence, moving, angles);
 }
 
@@ -122,11 +112,9 @@ void shoemake(EulerSequence sequence, const double* m, double* angles) noexcept 
 void shuster_markley(EulerSequence sequence, const double* m, double* angles) noexcept {
     constexpr double lock = 1e-7;
     const MovingAxes r(sequence, m);
-    Eigen::Matrix3d frame = Eigen::Matrix3d::Zero();
-    frame(0, r.j) = 1.0;
-    frame(1, r.k) = r.sign;
-    frame(2, r.i) = 1.0;
-    Eigen::Matrix3d o = frame * r.m * frame.transpose();
+    Eigen::Matrix3d frame;
+    frame << Eigen::Vector3d::Unit(r.j), r.sign * Eigen::Vector3d::Unit(r.k), Eigen::Vector3d::Unit(r.i);
+    Eigen::Matrix3d o = frame.transpose() * r.m * frame;
     if (!r.proper) { // turned back by lambda about the first axis
         const Eigen::Vector3d second = o.col(1);
         o.col(1) = -r.sign * o.col(2);
@@ -153,16 +141,16 @@ void shuster_markley(EulerSequence sequence, const double* m, double* angles) no
 /// middle one in (-pi, pi]; the third from the matrix with the first turn undone.
 void eigen(EulerSequence sequence, const double* m, double* angles) noexcept {
     const MovingAxes r(sequence, m);
-    MovingAngles moving = r.outer_angles();
-    const bool is_other = moving.first < 0.0;
-    moving.first += is_other ? pi : 0.0;
-    const Eigen::Vector2d beside =
-        r.proper ? Eigen::Vector2d(r(r.j, r.i), r(r.k, r.i)) : Eigen::Vector2d(r(r.i, r.i), r(r.i, r.j));
-    const double length = is_other ? -beside.norm() : beside.norm();
-    moving.middle = r.proper ? std::atan2(length, r.middle_entry()) : std::atan2(r.middle_entry(), length);
+    const double beside = r.proper ? r.m(r.k, r.i) : r.m(r.i, r.i);
+    const double before = r.proper ? r.m(r.j, r.i) : r.m(r.i, r.j);
+    const double length = std::sqrt(before * before + beside * beside);
+    MovingAngles moving = r.angles(r.middle_with(length));
+    if (moving.first < 0.0) {
+        moving.first += pi;
+        moving.middle = r.middle_with(-length);
+    }
     moving.third = r.third_after(moving.first);
     set(sequence, moving, angles);
 }
 
-} // namespace dcm_to_euler
-} // namespace rotconv::formula
+} // namespace rotconv::formula::dcm_to_euler

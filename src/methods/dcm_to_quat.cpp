@@ -1,6 +1,7 @@
 #include "formulas.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -148,24 +149,19 @@ void sarabandi_2020(const double* m, double* q) noexcept {
     const Eigen::Matrix4d p = products(m);
     int longest = 0;
     norms_of_rows(p).maxCoeff(&longest);
-    const Eigen::Vector4d along = p * p.col(longest);
-    Quaternion{q} = (p * along.array().sign().matrix()).normalized();
+    Quaternion{q} = (p * (p * p.col(longest)).cwiseSign()).normalized();
 }
 
 /// Hanson and Hanson 2022, for a matrix without noise: K, of which a rotation's quaternion is the eigenvector to 3, and
 /// of the adjugate of K - 3 I, which is -64 q q', the longest column.
 void adjugate(const double* m, double* q) noexcept {
+    constexpr std::array<std::array<int, 3>, 4> others{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
     Eigen::Matrix4d k = products(m);
     k.diagonal() = sums(m).array() - 3.0;
     Eigen::Matrix4d cofactors;
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            Eigen::Matrix3d rest;
-            for (int i = 0; i < 9; ++i) {
-                rest(i / 3, i % 3) = k(i / 3 + (i / 3 >= row ? 1 : 0), i % 3 + (i % 3 >= column ? 1 : 0));
-            }
-            cofactors(row, column) = (row + column) % 2 == 0 ? rest.determinant() : -rest.determinant();
-        }
+    for (unsigned at = 0; at < 16; ++at) {
+        const double minor = k(others[at / 4], others[at % 4]).determinant();
+        cofactors(at / 4, at % 4) = (at / 4 + at) % 2 == 0 ? minor : -minor;
     }
     int longest = 0;
     norms_of_rows(cofactors).maxCoeff(&longest);

@@ -49,8 +49,7 @@ void polynomial(const double* m, double* r) noexcept {
 /// diagonal, its signs from the row of the longest and from the differences.
 void nurlanov(const double* m, double* r) noexcept {
     const double trace = m[0] + m[4] + m[8];
-    const double sine = 0.5 * std::sqrt(std::max(0.0, (3.0 - trace) * (1.0 + trace)));
-    const double angle = std::atan2(sine, cosine(m));
+    const double angle = std::atan2(0.5 * std::sqrt(std::max(0.0, (3.0 - trace) * (1.0 + trace))), cosine(m));
     const Eigen::Vector3d d = differences(m);
     if (std::fabs(3.0 - trace) < 1e-8) {
         const double square = angle * angle;
@@ -58,7 +57,7 @@ void nurlanov(const double* m, double* r) noexcept {
         return;
     }
     const Eigen::Matrix3d s = dcm_to_quat::products(m).bottomRightCorner<3, 3>();
-    Eigen::Vector3d axis = (s.diagonal().array().max(0.0) / (3.0 - trace)).sqrt();
+    Eigen::Vector3d axis = (s.diagonal().array() / (3.0 - trace)).max(0.0).sqrt();
     int longest = 0;
     axis.maxCoeff(&longest);
     axis = (s.col(longest).array() < 0.0).select(-axis, axis);

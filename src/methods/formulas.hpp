@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 #include <rotconv/euler.hpp>
@@ -18,6 +20,8 @@ using Vector = Eigen::Map<Eigen::Vector3d>;
 /// (m32 - m23, m13 - m31, m21 - m12) = 2 sin(theta) n.
 inline Eigen::Vector3d differences(const double* m) noexcept { return {m[7] - m[5], m[2] - m[6], m[3] - m[1]}; }
 
+inline double length(const double* v) noexcept { return std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]); }
+
 /// [v]_x, so that [v]_x u = v x u.
 inline RowMajor cross_matrix(const double* v) noexcept {
     RowMajor cross;
@@ -29,9 +33,6 @@ inline RowMajor cross_matrix(const double* v) noexcept {
 struct MovingAngles {
     double first, middle, third;
 };
-
-/// Writes them in the order of the sequence, each in (-pi, pi]; sums of two arguments need no more than one turn.
-void set(EulerSequence sequence, const MovingAngles& moving, double* angles) noexcept;
 
 // Types of functions: `Formula a, b;` declares two.
 using Formula = void(const double* in, double* out) noexcept;
@@ -49,7 +50,10 @@ Formula acos, atan2, polynomial, nurlanov, gtsam, hertzberg, quaternion, compens
 }
 namespace dcm_to_euler {
 EulerFormula asin, slabaugh, shoemake, shuster_markley, eigen;
-}
+
+/// Writes them in the order of the sequence, each in (-pi, pi]; sums of two arguments need no more than one turn.
+void set(EulerSequence sequence, const MovingAngles& moving, double* angles) noexcept;
+} // namespace dcm_to_euler
 namespace dcm_to_cayley {
 Formula lu, polynomial, quaternion;
 }

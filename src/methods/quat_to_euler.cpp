@@ -41,7 +41,7 @@ void set_halves(EulerSequence sequence, const Halves& h, MovingAngles moving, do
         moving.first *= h.sign;
         moving.middle -= 0.5 * pi;
     }
-    set(sequence, moving, angles);
+    dcm_to_euler::set(sequence, moving, angles);
 }
 
 } // namespace
