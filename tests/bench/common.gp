@@ -35,7 +35,7 @@ method_names = "default fast typed Eigen trace shepperd klumpp sarabandi-thomas 
 method_colours = "#c1121f #c2560a #8f6b00 #1769aa #6c757d #1f8a4d #8c5a3c #c21e7a #7b3fb5 #b0468a #0b7d7f" \
     . " #6c757d #8c5a3c #1f8a4d #7b3fb5 #6c757d #6b7a12 #7b3fb5 #1f8a4d" \
     . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #6c757d #7b3fb5 #6c757d #6c757d #1f8a4d" \
-    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #c21e7a #0b7d7f #1f8a4d #7b3fb5 #1f8a4d #7b3fb5"
+    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #c21e7a #1f8a4d #1f8a4d #7b3fb5 #1f8a4d #7b3fb5"
 place_in(list, name) = sum [i = 1:words(list)] (word(list, i) eq name ? i : 0)
 colour(method) = place_in(method_names, method) > 0 ? word(method_colours, place_in(method_names, method)) : plain
 label_of(method) = method eq "default" ? "rotconv, exact" : method eq "fast" ? "rotconv, fast" \

@@ -54,9 +54,10 @@ do for [p = 1:6] {
     unset object
 }
 # Below the panels.
-set label 1 "Every panel runs from a tenth of a radian on its left into the singularity on its right. Grey: right to the" \
+set label 1 "Every panel runs from a tenth of a radian on its left into the singularity on its right." \
     at screen across(58),down(862) left tc rgb ink
-set label 2 "last digits. Above: digits lost, up to a wrong attitude (180°) or none (nan)." at screen across(58),down(880) left tc rgb ink
+set label 2 "Grey: right to the last digits. Above: digits lost, up to a wrong attitude (180°) or none (nan)." \
+    at screen across(58),down(880) left tc rgb ink
 unset border
 unset tics
 plot NaN
