@@ -171,7 +171,9 @@ TEST_CASE("the weaknesses of formulas for exact matrices, without noise") {
         {"dcm", "rotvec", "gtsam", 2, 1e12, 1e13},  {"dcm", "rotvec", "hertzberg", 3, 0, 5},
         {"dcm", "euler", "asin", 4, 1e15, 1e300},   {"dcm", "euler", "slabaugh", 4, 1e7, 1e9},
         {"dcm", "euler", "shoemake", 4, 1e9, 2e10}, {"dcm", "euler", "shuster-markley", 4, 1e7, 1e10},
-        {"dcm", "euler", "eigen", 4, 0, 3},         {"6d", "dcm", "symmetric", 1.5, 0, 1},
+        {"dcm", "euler", "eigen", 4, 0, 3},         {"rotvec", "quat", "half-angle", 1.5, 1e15, inf},
+        {"rotvec", "quat", "taylor", 1.5, 0, 3},    {"rotvec", "quat", "branchless", 1.5, 0, 3},
+        {"6d", "dcm", "symmetric", 1.5, 0, 1},
     };
     for (const Known& expected : exact) {
         const auto from = spec(expected.from);
@@ -277,6 +279,16 @@ TEST_CASE("the angles of the method eigen are those of Eigen") {
     }
 }
 
+// Would catch: one column that is kept at the cost of the other.
+TEST_CASE("symmetric orthogonalisation shares between two columns what Gram-Schmidt takes from one") {
+    const auto from = spec("6d");
+    const auto to = spec("dcm");
+    const auto convert = by(*rotconv::find_method(from.name, to.name, "symmetric"), from, to);
+    const auto matrix = convert(std::vector<double>{2, 0.3, 0, 0.3, 1, 0}); // the identity times a symmetric matrix
+    const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+    CHECK((Eigen::Map<const Eigen::Matrix3d>(matrix.data()) - identity).norm() <= 1e-15);
+}
+
 // Would catch: a published logarithm mended on the way, or a compensated one that is not.
 TEST_CASE("logarithms of a quaternion with w < 0 are longer than pi as published, shorter compensated") {
     const std::vector<double> row{-0.6, 0.0, 0.0, 0.8};
@@ -322,6 +334,10 @@ TEST_CASE("a method's error is reported with its angle") {
     CHECK(unremarkable.deviation == Approx(std::atan2(close * close - 1.0, close * close)).epsilon(1e-6));
     // v/0: one component is infinite, as it is to be, the others are none.
     CHECK(report_of("dcm", "cayley", "quaternion", half_turn).diagnostics.has(rotconv::DiagnosticKind::method_error));
+    // At 0.03 rad from a half-turn about (1, 2, 3), worked out apart.
+    const auto near = oracle::numbers(
+        spec("dcm"), oracle::about(oracle::Vector3(1, 2, 3).normalized(), oracle::pi() - oracle::Real(0.03)));
+    CHECK(report_of("dcm", "rotvec", "gtsam", near).deviation == Approx(0.000383730846).epsilon(1e-6));
     // A row without an attitude stays a error.
     CHECK(report_of("dcm", "quat", "trace", {0, 0, 0, 0, 0, 0, 0, 0, 0}).error == rotconv::Error::not_proper);
 }
