@@ -1,6 +1,7 @@
 #include "formulas.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,22 +15,6 @@ namespace rotconv::formula::dcm_to_quat {
 namespace {
 
 using Quaternion = Eigen::Map<Eigen::Vector4d>;
-
-/// 4 q q': the squares are Baruh's Eqs 5-8 (1999); the others are the entries of R - R' and R + R' off the diagonal.
-Eigen::Matrix4d products(const double* m) noexcept {
-    const double wx = m[7] - m[5];
-    const double wy = m[2] - m[6];
-    const double wz = m[3] - m[1];
-    const double xy = m[3] + m[1];
-    const double xz = m[2] + m[6];
-    const double yz = m[7] + m[5];
-    Eigen::Matrix4d p;
-    p << 1.0 + m[0] + m[4] + m[8], wx, wy, wz, //
-        wx, 1.0 + m[0] - m[4] - m[8], xy, xz,  //
-        wy, xy, 1.0 - m[0] + m[4] - m[8], yz,  //
-        wz, xz, yz, 1.0 - m[0] - m[4] + m[8];
-    return p;
-}
 
 /// The squares less 1: the diagonal of Davenport's K.
 Eigen::Vector4d sums(const double* m) noexcept {
@@ -61,6 +46,21 @@ void set_sizes(const Eigen::Matrix4d& p, const Eigen::Array4d& sizes, double* q)
 }
 
 } // namespace
+
+Eigen::Matrix4d products(const double* m) noexcept {
+    const double wx = m[7] - m[5];
+    const double wy = m[2] - m[6];
+    const double wz = m[3] - m[1];
+    const double xy = m[3] + m[1];
+    const double xz = m[2] + m[6];
+    const double yz = m[7] + m[5];
+    Eigen::Matrix4d p;
+    p << 1.0 + m[0] + m[4] + m[8], wx, wy, wz, //
+        wx, 1.0 + m[0] - m[4] - m[8], xy, xz,  //
+        wy, xy, 1.0 - m[0] + m[4] - m[8], yz,  //
+        wz, xz, yz, 1.0 - m[0] - m[4] + m[8];
+    return p;
+}
 
 /// Baruh 1999, Eqs 1-4: w from the trace, the rest by division by it.
 void trace(const double* m, double* q) noexcept {
@@ -116,6 +116,14 @@ void markley(const double* m, double* q) noexcept {
     Quaternion{q} = p.col(pivot) / norms_of_rows(p)[pivot];
 }
 
+/// One step of Bjorck and Bowie 1971 to the nearest rotation, X <- X (3 I - X'X)/2, then Markley 2008. A defect d
+/// leaves an error of the order of d^2.
+void first_order(const double* m, double* q) noexcept {
+    const Eigen::Map<const RowMajor> x(m);
+    const RowMajor nearer = 0.5 * x * (3.0 * RowMajor::Identity() - x.transpose() * x);
+    markley(nearer.data(), q);
+}
+
 /// Cayley's factorisation, which the survey of Sarabandi and Thomas 2019 recommends: the norms of the four rows of
 /// 4 q q', signs from the differences.
 void cayley(const double* m, double* q) noexcept {
@@ -133,6 +141,31 @@ void sarabandi_thomas(const double* m, double* q) noexcept {
     const Eigen::Array4d sum = sums(m);
     constexpr double eta = 0.0;
     set_sizes(p, 0.5 * (sum > eta).select(1.0 + sum, others / (3.0 - sum)).sqrt(), q);
+}
+
+/// Sarabandi, Shabani, Porta and Thomas 2020, the approximate method, as in the code of the authors: the sum of the
+/// columns of 4 q q', each with the sign of its product with the longest.
+void sarabandi_2020(const double* m, double* q) noexcept {
+    const Eigen::Matrix4d p = products(m);
+    int longest = 0;
+    norms_of_rows(p).maxCoeff(&longest);
+    Quaternion{q} = (p * (p * p.col(longest)).cwiseSign()).normalized();
+}
+
+/// Hanson and Hanson 2022, for a matrix without noise: K, of which a rotation's quaternion is the eigenvector to 3, and
+/// of the adjugate of K - 3 I, which is -64 q q', the longest column.
+void adjugate(const double* m, double* q) noexcept {
+    constexpr std::array<std::array<int, 3>, 4> others{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+    Eigen::Matrix4d k = products(m);
+    k.diagonal() = sums(m).array() - 3.0;
+    Eigen::Matrix4d cofactors;
+    for (unsigned at = 0; at < 16; ++at) {
+        const double minor = k(others[at / 4], others[at % 4]).determinant();
+        cofactors(at / 4, at % 4) = (at / 4 + at) % 2 == 0 ? minor : -minor;
+    }
+    int longest = 0;
+    norms_of_rows(cofactors).maxCoeff(&longest);
+    Quaternion{q} = cofactors.col(longest).normalized();
 }
 
 /// Bar-Itzhack 2000, version 3: the eigenvector of his K3 to its largest eigenvalue. The paper's factor 1/3 changes no

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 #include <rotconv/euler.hpp>
@@ -18,6 +20,8 @@ using Vector = Eigen::Map<Eigen::Vector3d>;
 /// (m32 - m23, m13 - m31, m21 - m12) = 2 sin(theta) n.
 inline Eigen::Vector3d differences(const double* m) noexcept { return {m[7] - m[5], m[2] - m[6], m[3] - m[1]}; }
 
+inline double length(const double* v) noexcept { return std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]); }
+
 /// [v]_x, so that [v]_x u = v x u.
 inline RowMajor cross_matrix(const double* v) noexcept {
     RowMajor cross;
@@ -25,17 +29,31 @@ inline RowMajor cross_matrix(const double* v) noexcept {
     return cross;
 }
 
+/// Euler angles in the order of turns about moving axes.
+struct MovingAngles {
+    double first, middle, third;
+};
+
 // Types of functions: `Formula a, b;` declares two.
 using Formula = void(const double* in, double* out) noexcept;
 using EulerFormula = void(EulerSequence sequence, const double* in, double* out) noexcept;
 
 namespace dcm_to_quat {
-Formula trace, baruh, four_roots, klumpp, shepperd, markley, cayley, sarabandi_thomas, bar_itzhack, svd, polar,
-    compensated;
-}
+Formula trace, baruh, four_roots, klumpp, shepperd, markley, first_order, cayley, sarabandi_thomas, sarabandi_2020,
+    adjugate, bar_itzhack, svd, polar, compensated;
+
+/// 4 q q': the squares are Baruh's Eqs 5-8 (1999); the others are the entries of R - R' and R + R' off the diagonal.
+Eigen::Matrix4d products(const double* m) noexcept;
+} // namespace dcm_to_quat
 namespace dcm_to_rotvec {
-Formula acos, atan2, polynomial, quaternion, compensated;
+Formula acos, atan2, polynomial, nurlanov, gtsam, hertzberg, quaternion, compensated;
 }
+namespace dcm_to_euler {
+EulerFormula asin, slabaugh, shoemake, shuster_markley, eigen;
+
+/// Writes them in the order of the sequence, each in (-pi, pi]; sums of two arguments need no more than one turn.
+void set(EulerSequence sequence, const MovingAngles& moving, double* angles) noexcept;
+} // namespace dcm_to_euler
 namespace dcm_to_cayley {
 Formula lu, polynomial, quaternion;
 }
@@ -48,11 +66,17 @@ Formula acos, atan2, compensated;
 namespace quat_to_euler {
 EulerFormula classic, matrix_threshold, bernardes_arccos, bernardes_atan2;
 }
+namespace rotvec_to_quat {
+Formula half_angle, taylor, branchless;
+}
 namespace rotvec_to_dcm {
 Formula rodrigues, half_angle, quaternion, compensated;
 }
 namespace cayley_to_dcm {
 Formula inverse, closed;
+}
+namespace two_column_to_dcm {
+Formula gram_schmidt, symmetric;
 }
 
 } // namespace rotconv::formula

@@ -158,12 +158,14 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
 }
 
 std::vector<double> MethodConversion::starting_numbers(std::span<const double> in) const {
-    if (turned_) { // no numbers are given of what has been turned
+    const bool is_inverted = from().passive != to().passive;
+    // Of what has been turned no numbers are given, and two columns alone do not tell those of the inverse.
+    if (turned_ || (is_inverted && from().name == RepresentationId::two_column)) {
         return rotconv::run({from(), {.name = from().name, .passive = to().passive}, turns_of(own_.settings())}, in);
     }
     std::vector<double> numbers(in.size());
     to_own_order(from(), in.data(), in.size() / from().size(), numbers.data());
-    if (from().passive != to().passive) {
+    if (is_inverted) {
         for (std::size_t i = 0; i < numbers.size(); i += from().size()) {
             invert(from().name, numbers.data() + i);
         }

@@ -13,8 +13,6 @@ void along_vector_part(const double* q, double length, double angle, double* r) 
     Vector{r} = angle / length * Eigen::Map<const Eigen::Vector3d>(q + 1);
 }
 
-double vector_length(const double* q) noexcept { return std::sqrt((q[1] * q[1] + q[2] * q[2]) + q[3] * q[3]); }
-
 /// Twice the angle of (w, s.hi + s.lo), both positive: the arc tangent of an acute angle up to 45 degrees, where its
 /// rounding is least, and what s.lo adds to it.
 DoubleDouble twice_the_angle(double w, DoubleDouble s) noexcept {
@@ -32,19 +30,19 @@ DoubleDouble twice_the_angle(double w, DoubleDouble s) noexcept {
 
 /// The angle from w = cos(theta/2), common property (in Shuster's survey of 1993 among others): 2 acos(w) v/|v|. The
 /// quaternion is taken as it is: with w < 0 the vector is longer than pi, the same attitude.
-void acos(const double* q, double* r) noexcept { along_vector_part(q, vector_length(q), 2.0 * std::acos(q[0]), r); }
+void acos(const double* q, double* r) noexcept { along_vector_part(q, length(q + 1), 2.0 * std::acos(q[0]), r); }
 
 /// The quaternion's logarithm, as in Sola 2017, logarithmic maps: 2 atan2(|v|, w) v/|v|, and for small angles, which
 /// the library manif begins at |v|^2 = 1e-10, 2 v/w (1 - |v|^2/(3 w^2)). As there, a quaternion with w < 0 is else
 /// taken as it is: the vector is longer than pi, the same attitude.
 void atan2(const double* q, double* r) noexcept {
-    const double length = vector_length(q);
-    const double tangent = length / q[0];
+    const double size = length(q + 1);
+    const double tangent = size / q[0];
     if (std::fabs(tangent) < 1e-5) {
         along_vector_part(q, q[0], 2.0 * (1.0 - tangent * tangent / 3.0), r);
         return;
     }
-    along_vector_part(q, length, 2.0 * std::atan2(length, q[0]), r);
+    along_vector_part(q, size, 2.0 * std::atan2(size, q[0]), r);
 }
 
 /// The same of the quaternion with w >= 0, |v| by Dekker's products of 1971: angle and direction both have it as a

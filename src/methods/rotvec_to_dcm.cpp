@@ -9,8 +9,6 @@
 namespace rotconv::formula::rotvec_to_dcm {
 namespace {
 
-double length(const double* r) noexcept { return std::sqrt((r[0] * r[0] + r[1] * r[1]) + r[2] * r[2]); }
-
 /// I + a [r]_x + b [r]_x^2
 void second_degree(const double* r, double a, double b, double* m) noexcept {
     const double x = r[0];
@@ -38,9 +36,8 @@ void half_angle(const double* r, double* m) noexcept {
 
 /// Euler-Rodrigues parameters (cos t/2, sin t/2 n), then Stuelpnagel 1964, section 5.
 void quaternion(const double* r, double* m) noexcept {
-    const double t = length(r);
-    const double scale = std::sin(0.5 * t) / t;
-    const double q[4] = {std::cos(0.5 * t), scale * r[0], scale * r[1], scale * r[2]};
+    double q[4];
+    rotvec_to_quat::half_angle(r, q);
     quat_to_dcm::unit(q, m);
 }
 

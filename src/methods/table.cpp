@@ -11,7 +11,9 @@ namespace {
 
 using enum RepresentationId;
 
-constexpr std::size_t size_of(RepresentationId name) noexcept { return name == dcm ? 9 : name == quat ? 4 : 3; }
+constexpr std::size_t size_of(RepresentationId name) noexcept {
+    return name == dcm ? 9 : name == two_column ? 6 : name == quat ? 4 : 3;
+}
 
 /// The function of a batch for a formula for one row, which takes the Euler sequence first where it needs it.
 template <std::size_t in_size, std::size_t out_size, auto one_row>
@@ -36,12 +38,15 @@ constexpr Method row(std::string_view name, std::string_view reference, std::str
 
 namespace dq = formula::dcm_to_quat;
 namespace dr = formula::dcm_to_rotvec;
+namespace de = formula::dcm_to_euler;
 namespace dc = formula::dcm_to_cayley;
 namespace qd = formula::quat_to_dcm;
 namespace qr = formula::quat_to_rotvec;
 namespace qe = formula::quat_to_euler;
+namespace rq = formula::rotvec_to_quat;
 namespace rd = formula::rotvec_to_dcm;
 namespace cd = formula::cayley_to_dcm;
+namespace td = formula::two_column_to_dcm;
 
 // The rows of a pair stand together, its default first.
 constexpr std::array table{
@@ -53,9 +58,12 @@ constexpr std::array table{
     row<dcm, quat, dq::klumpp>("klumpp", "Klumpp 1976, after its abstract", "no component near 0"),
     row<dcm, quat, dq::shepperd>("shepperd", "Shepperd 1978", "orthogonal matrices"),
     row<dcm, quat, dq::markley>("markley", "Markley 2008", "orthogonal matrices"),
+    row<dcm, quat, dq::first_order>("first-order", "Bjorck, Bowie 1971, then Markley 2008", "defect to 1e-8"),
     row<dcm, quat, dq::cayley>("cayley", "Cayley, in Sarabandi and Thomas 2019", "theta below 180 deg"),
     row<dcm, quat, dq::sarabandi_thomas>("sarabandi-thomas", "Sarabandi and Thomas 2018, eta = 0",
                                          "theta below 180 deg"),
+    row<dcm, quat, dq::sarabandi_2020>("sarabandi-2020", "Sarabandi et al. 2020, approximate", "orthogonal matrices"),
+    row<dcm, quat, dq::adjugate>("adjugate", "Hanson, Hanson 2022, without noise", "orthogonal matrices"),
     row<dcm, quat, dq::bar_itzhack>("bar-itzhack", "Bar-Itzhack 2000, version 3", "any proper matrix"),
     row<dcm, quat, dq::svd>("svd", "Markley 1988, then Shepperd 1978", "any proper matrix"),
     row<dcm, quat, dq::polar>("polar", "Higham 1986, then Shepperd 1978", "any proper matrix, not near-singular"),
@@ -67,9 +75,21 @@ constexpr std::array table{
     row<dcm, rotvec, dr::atan2>("atan2", "common property, the angle by atan2", "theta above 0, below 180 deg"),
     row<dcm, rotvec, dr::polynomial>("polynomial", "Stuelpnagel 1964, section 6, corrected",
                                      "theta away from 0 and 180 deg"),
+    row<dcm, rotvec, dr::nurlanov>("nurlanov", "Nurlanov 2021, Eqs 8, 9b, 12, 13",
+                                   "theta away from 180 deg, no component near 0"),
+    row<dcm, rotvec, dr::gtsam>("gtsam", "GTSAM 4.2, SO3::Logmap", "theta away from 0 and 180 deg"),
+    row<dcm, rotvec, dr::hertzberg>("hertzberg", "GTSAM 2026; Hertzberg et al. 2013", "orthogonal matrices"),
     row<dcm, rotvec, dr::quaternion>("quaternion", "Shepperd 1978, then Sola 2017", "orthogonal matrices"),
     row<dcm, rotvec, dr::compensated>("compensated", "Davenport 1968, with Dekker 1971",
                                       "near rotations, defect to 1e-8"),
+
+    own(dcm, euler),
+    row<dcm, euler, de::asin>("asin", "Diebel 2006, the twelve sequences", "orthogonal, away from lock"),
+    row<dcm, euler, de::slabaugh>("slabaugh", "Slabaugh 1999, for all sequences", "orthogonal, away from lock"),
+    row<dcm, euler, de::shoemake>("shoemake", "Shoemake 1994, threshold 1.9e-6", "orthogonal, to 4e-6 rad near lock"),
+    row<dcm, euler, de::shuster_markley>("shuster-markley", "Shuster, Markley 2006, limit 1e-7",
+                                         "orthogonal, to 2e-7 rad near lock"),
+    row<dcm, euler, de::eigen>("eigen", "Eigen 3.4, eulerAngles", "orthogonal matrices"),
 
     own(dcm, cayley),
     row<dcm, cayley, dc::lu>("lu", "Stuelpnagel 1964, section 6", "theta below 180 deg"),
@@ -98,6 +118,11 @@ constexpr std::array table{
     row<quat, euler, qe::bernardes_atan2>("bernardes-atan2", "Bernardes, Viollet 2022, by atan2",
                                           "any quaternion but 0"),
 
+    own(rotvec, quat),
+    row<rotvec, quat, rq::half_angle>("half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate"),
+    row<rotvec, quat, rq::taylor>("taylor", "the same, series to 1e-3 as in SciPy", "theta moderate"),
+    row<rotvec, quat, rq::branchless>("branchless", "the same, 2^-1022 added to theta", "theta moderate"),
+
     own(rotvec, dcm),
     row<rotvec, dcm, rd::rodrigues>("rodrigues", "Rodrigues 1840; Stuelpnagel 1964", "theta away from 0, moderate"),
     row<rotvec, dcm, rd::half_angle>("half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate"),
@@ -107,6 +132,10 @@ constexpr std::array table{
     own(cayley, dcm),
     row<cayley, dcm, cd::inverse>("inverse", "Stuelpnagel 1964, section 6", "lengths far below 1e16"),
     row<cayley, dcm, cd::closed>("closed", "Shuster 1993, Rodrigues vector", "lengths below 1e150"),
+
+    own(two_column, dcm),
+    row<two_column, dcm, td::gram_schmidt>("gram-schmidt", "Zhou et al. 2019", "lengths from 1e-150 to 1e150"),
+    row<two_column, dcm, td::symmetric>("symmetric", "Loewdin 1950, of two columns", "columns at right angles"),
 };
 
 constexpr RepresentationId set_of(RepresentationId name) noexcept {

@@ -30,10 +30,12 @@ place_panel(left, top) = sprintf( \
 
 method_names = "default fast typed Eigen trace shepperd klumpp sarabandi-thomas bar-itzhack polar compensated" \
     . " unit two-over-norm homogeneous normalise-first acos atan2 polynomial quaternion" \
-    . " classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed"
+    . " classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed" \
+    . " asin slabaugh shoemake shuster-markley gtsam hertzberg taylor branchless gram-schmidt symmetric"
 method_colours = "#c1121f #c2560a #8f6b00 #1769aa #6c757d #1f8a4d #8c5a3c #c21e7a #7b3fb5 #b0468a #0b7d7f" \
     . " #6c757d #8c5a3c #1f8a4d #7b3fb5 #6c757d #6b7a12 #7b3fb5 #1f8a4d" \
-    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #6c757d #7b3fb5 #6c757d #6c757d #1f8a4d"
+    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #6c757d #7b3fb5 #6c757d #6c757d #1f8a4d" \
+    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #c21e7a #1f8a4d #1f8a4d #7b3fb5 #1f8a4d #7b3fb5"
 place_in(list, name) = sum [i = 1:words(list)] (word(list, i) eq name ? i : 0)
 colour(method) = place_in(method_names, method) > 0 ? word(method_colours, place_in(method_names, method)) : plain
 label_of(method) = method eq "default" ? "rotconv, exact" : method eq "fast" ? "rotconv, fast" \
@@ -45,8 +47,10 @@ is_bold(method) = is_ours(method) || method eq "Eigen"
 shown_methods(pair) = pair eq "dcm-quat" ? "default fast typed Eigen trace shepperd sarabandi-thomas bar-itzhack" \
     : pair eq "dcm-quat-line" ? "default fast Eigen trace shepperd sarabandi-thomas klumpp bar-itzhack" \
     : pair eq "dcm-quat-noise" ? "default fast Eigen trace shepperd compensated polar bar-itzhack" \
+    : pair eq "dcm-rotvec" ? "default fast typed Eigen acos atan2 gtsam hertzberg compensated" \
     : "default fast typed Eigen acos atan2 polynomial quaternion compensated unit two-over-norm homogeneous" \
-        . " normalise-first classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed"
+        . " normalise-first classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed" \
+        . " asin slabaugh shoemake shuster-markley taylor branchless gram-schmidt symmetric"
 
 # --- Errors --------------------------------------------------------------------------------------------------------
 

@@ -13,6 +13,7 @@
 #include <rotconv/euler.hpp>
 #include <rotconv/quaternion.hpp>
 #include <rotconv/rotation_vector.hpp>
+#include <rotconv/two_column.hpp>
 
 namespace bench {
 namespace {
@@ -53,6 +54,7 @@ Run find(const Ways& ways, RepresentationId from, RepresentationId to) {
 namespace by_eigen {
 
 constexpr auto from_dcm = [](const double* m, Sequence) { return Quaternion(matrix(m)); };
+constexpr auto as_it_is = [](const double* m, Sequence) { return matrix(m); };
 /// Eigen's conversions ask for unit quaternions.
 constexpr auto from_unit_quat = [](const double* q, Sequence) { return quaternion(q); };
 constexpr auto from_any_quat = [](const double* q, Sequence) { return quaternion(q).normalized(); };
@@ -63,15 +65,15 @@ constexpr auto from_euler = [](const double* e, Sequence sequence) {
     return sequence.proper() ? Turn(e[0], Vector::UnitZ()) * Turn(e[1], Vector::UnitX()) * Turn(e[2], Vector::UnitZ())
                              : Turn(e[0], Vector::UnitZ()) * Turn(e[1], Vector::UnitY()) * Turn(e[2], Vector::UnitX());
 };
-constexpr auto to_quat = [](const Quaternion& q, Sequence) { return q; };
+constexpr auto to_quat = [](const auto& turn, Sequence) { return Quaternion(turn); };
 constexpr auto to_dcm = [](const auto& turn, Sequence) { return Matrix(turn.toRotationMatrix()); };
 constexpr auto to_rotvec = [](const Quaternion& q, Sequence) {
     const Turn turn(q);
     return Vector(turn.angle() * turn.axis());
 };
 constexpr auto to_cayley = [](const Quaternion& q, Sequence) { return Vector(q.vec() / q.w()); };
-constexpr auto to_euler = [](const Quaternion& q, Sequence sequence) {
-    const Eigen::Matrix3d m = q.toRotationMatrix();
+constexpr auto to_euler = [](const auto& attitude, Sequence sequence) {
+    const Eigen::Matrix3d m(attitude);
     return sequence.proper() ? m.eulerAngles(2, 0, 2) : m.eulerAngles(2, 1, 0);
 };
 
@@ -81,7 +83,8 @@ template <auto from_quat> Ways ways() {
             {{dcm, cayley}, each<9, from_dcm, 3, to_cayley>},   {{quat, dcm}, each<4, from_quat, 9, to_dcm>},
             {{quat, rotvec}, each<4, from_quat, 3, to_rotvec>}, {{quat, euler}, each<4, from_quat, 3, to_euler>},
             {{rotvec, dcm}, each<3, from_rotvec, 9, to_dcm>},   {{cayley, dcm}, each<3, from_cayley, 9, to_dcm>},
-            {{euler, dcm}, each<3, from_euler, 9, to_dcm>}};
+            {{euler, dcm}, each<3, from_euler, 9, to_dcm>},     {{dcm, euler}, each<9, as_it_is, 3, to_euler>},
+            {{rotvec, quat}, each<3, from_rotvec, 4, to_quat>}};
 }
 
 } // namespace by_eigen
@@ -91,6 +94,9 @@ namespace typed {
 namespace set = rotconv;
 
 constexpr auto from_dcm = [](const double* m, Sequence) { return *set::dcm::to_rotation(matrix(m)); };
+constexpr auto from_6d = [](const double* m, Sequence) {
+    return *set::two_column::to_rotation(Eigen::Map<const set::TwoColumns>(m));
+};
 constexpr auto from_quat = [](const double* q, Sequence) { return *set::quaternion::to_rotation(quaternion(q)); };
 constexpr auto from_rotvec = [](const double* v, Sequence) { return *set::rotation_vector::to_rotation({vector(v)}); };
 constexpr auto from_cayley = [](const double* c, Sequence) { return *set::cayley::to_rotation(vector(c)); };
@@ -107,7 +113,8 @@ Ways ways() {
             {{dcm, cayley}, each<9, from_dcm, 3, to_cayley>},   {{quat, dcm}, each<4, from_quat, 9, to_dcm>},
             {{quat, rotvec}, each<4, from_quat, 3, to_rotvec>}, {{quat, euler}, each<4, from_quat, 3, to_euler>},
             {{rotvec, dcm}, each<3, from_rotvec, 9, to_dcm>},   {{cayley, dcm}, each<3, from_cayley, 9, to_dcm>},
-            {{euler, dcm}, each<3, from_euler, 9, to_dcm>}};
+            {{euler, dcm}, each<3, from_euler, 9, to_dcm>},     {{dcm, euler}, each<9, from_dcm, 3, to_euler>},
+            {{rotvec, quat}, each<3, from_rotvec, 4, to_quat>}, {{two_column, dcm}, each<6, from_6d, 9, to_dcm>}};
 }
 
 } // namespace typed

@@ -57,7 +57,8 @@ std::vector<Sweep> kinds_of(RepresentationId from, RepresentationId to) {
     if (from == RepresentationId::dcm && to == RepresentationId::rotvec) {
         return {Sweep::half_turn, Sweep::identity};
     }
-    if (from == RepresentationId::quat && to == RepresentationId::rotvec) {
+    if ((from == RepresentationId::quat && to == RepresentationId::rotvec) ||
+        (from == RepresentationId::rotvec && to == RepresentationId::quat)) {
         return {Sweep::identity};
     }
     return to == RepresentationId::euler ? std::vector{Sweep::lock} : std::vector<Sweep>{};

@@ -3,10 +3,10 @@
 
 load "common.gp"
 
-sweeps = "'dcm-quat/to half-turn' 'dcm-rotvec/to half-turn' 'dcm-rotvec/to identity' 'quat-rotvec/to identity' 'quat-euler/to lock' 'dcm-quat/noise'"
+sweeps = "'dcm-quat/to half-turn' 'dcm-rotvec/to half-turn' 'dcm-rotvec/to identity' 'quat-rotvec/to identity' 'quat-euler/to lock' 'dcm-euler/to lock' 'dcm-quat/noise'"
 headings = "'dcm to quat, into a half-turn' 'dcm to rotvec, into a half-turn' 'dcm to rotvec, into the identity' " \
-    . "'quat to rotvec, into the identity' 'quat to euler:ZYX, into gimbal lock'"
-singularities = "'the half-turn' 'the half-turn' 'the identity' 'the identity' 'gimbal lock'"
+    . "'quat to rotvec, into the identity' 'quat to euler:ZYX, into gimbal lock' 'dcm to euler:ZYX, into gimbal lock'"
+singularities = "'the half-turn' 'the half-turn' 'the identity' 'the identity' 'gimbal lock' 'gimbal lock'"
 pair_of(sweep) = sweep[1:strstrt(sweep, "/") - 1]
 of_sweep(sweep) = stringcolumn("from") . "-" . stringcolumn("to") . "/" . stringcolumn("stratum") eq sweep
 of_method(sweep, method) = of_sweep(sweep) && stringcolumn("method") eq method
@@ -21,7 +21,7 @@ relative_title = "worst error / angle, in 2^{-52}"
 
 weight(method) = method eq "default" ? 3.2 : is_bold(method) ? 2.4 : 1.5
 
-high = 836
+high = 912
 wide = 184.0
 tall = 190.0
 names_left = 0
@@ -37,7 +37,7 @@ set xtics ("0.1" 0.1, "10^{-4}" 1e-4, "10^{-8}" 1e-8, "10^{-12}" 1e-12, "10^{-16
 set multiplot
 set label 1 heading at screen 0.5,down(18) center font sized(16) tc rgb ink
 last = 1e-16
-do for [p = 1:5] {
+do for [p = 1:6] {
     sweep = word(sweeps, p)
     left = 58 + (p - 1) % 2 * 376
     top = 66 + (p - 1) / 2 * 262
@@ -53,21 +53,18 @@ do for [p = 1:5] {
     unset arrow
     unset object
 }
-# In the place of a sixth panel.
-left = 58 + 376
-top = 66 + 2 * 262
-set label 1 "Every panel runs from a tenth of a radian" at screen across(left),down(top + 20) left tc rgb ink
-set label 2 "on its left into the singularity on its right." at screen across(left),down(top + 38) left tc rgb ink
-set label 3 "Grey: right to the last digits." at screen across(left),down(top + 66) left tc rgb ink
-set label 4 "Above: digits lost, up to a wrong" at screen across(left),down(top + 84) left tc rgb ink
-set label 5 "attitude (180°) or none (nan)." at screen across(left),down(top + 102) left tc rgb ink
+# Below the panels.
+set label 1 "Every panel runs from a tenth of a radian on its left into the singularity on its right." \
+    at screen across(58),down(862) left tc rgb ink
+set label 2 "Grey: right to the last digits. Above: digits lost, up to a wrong attitude (180°) or none (nan)." \
+    at screen across(58),down(880) left tc rgb ink
 unset border
 unset tics
 plot NaN
 unset label
 unset multiplot
 unset output
-system described(heading, "Five panels, each the worst error of rotconv, of Eigen and of published methods by the distance to a " \
+system described(heading, "Six panels, each the worst error of rotconv, of Eigen and of published methods by the distance to a " \
     . "singularity. The lines of rotconv stay low to the end; some methods lose all digits on the way. The figures are in methods.csv.")
 
 # --- Noise ---------------------------------------------------------------------------------------------------------

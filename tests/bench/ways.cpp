@@ -75,8 +75,8 @@ std::vector<Pair> pairs() {
         found.back().ways.push_back({std::string(method.name), method.run, method.run});
     }
     // common, and no published method of ours
-    for (const RepresentationId from : {RepresentationId::euler, RepresentationId::dcm, RepresentationId::two_column,
-                                        RepresentationId::five_d, RepresentationId::mrp}) {
+    for (const RepresentationId from :
+         {RepresentationId::euler, RepresentationId::dcm, RepresentationId::five_d, RepresentationId::mrp}) {
         found.push_back(pair_of(from, RepresentationId::dcm));
         found.back().ways.push_back({"default", nullptr, nullptr});
     }

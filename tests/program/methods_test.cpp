@@ -49,7 +49,7 @@ TEST_CASE("list methods takes a pair, as a command line names it") {
     const auto pair = run("list methods dcm quat");
     CHECK(pair.exit_code == 0);
     CHECK(pair.out.starts_with("dcm to quat\n"));
-    CHECK(count_rows(pair.out) == 15);
+    CHECK(count_rows(pair.out) == 18);
     CHECK(run("list methods matrix quat:tum") == pair);
     CHECK(missing(run("list methods quat rpy:deg").out, {"quat to rpy\n", "bernardes-atan2"}) == "");
     const auto from = run("list methods dcm");
@@ -82,7 +82,7 @@ TEST_CASE("each row is written once for every method of the pair") {
     // Catches a method that is left out or stands beside another's answer, and a right answer that is called wrong.
     const std::string half_turn = "-1 0 0 0 1 0 0 0 -1";
     const Words names = methods_of("dcm quat");
-    CHECK(names.size() == 14);
+    CHECK(names.size() == 17);
     std::string expected;
     for (const std::string& name : names) {
         const auto alone = run("-f dcm -t quat --diagnostics off --method " + name, half_turn + "\n");
@@ -164,7 +164,7 @@ TEST_CASE("rows that fail under --method all") {
     CHECK(skipped.exit_code == 1);
     CHECK(run(arguments + "stop", input) == stopped("0 0 0 default 0\n0 0 0 fast 0\n"));
     const auto summary = run("-f dcm -t quat --method all", repeated("-1 0 0 0 1 0 0 0 -1\n1 0 0 0 1 0 0 0 1\n", 50));
-    CHECK(count_rows(summary.out) == 100 * 14);
+    CHECK(count_rows(summary.out) == 100 * 17);
     CHECK(missing(summary.err, {"method-error: 50 rows, first at line 1; "}) == "");
     const auto singular = run("-f dcm -t rotvec --method all", "-1 0 0 0 1 0 0 0 -1\n");
     CHECK(missing(singular.err, {"half-turn: 1 row, first at line 1; "}) == "");
@@ -185,13 +185,13 @@ TEST_CASE("numbers are rounded once, but with --method fast") {
 
 TEST_CASE("methods outside their domain end well") {
     // Catches a crash, a trap, an endless iteration.
-    for (const char* method : {"trace", "baruh", "four-roots", "klumpp", "shepperd", "markley", "cayley",
-                               "sarabandi-thomas", "bar-itzhack", "svd", "polar", "compensated"}) {
-        INFO(method);
-        const auto result = run(std::string("--tolerance inf --on-error nan -f dcm -t quat --method ") + method,
+    for (const std::string target : {"quat", "rotvec", "rpy", "cayley"}) {
+        INFO(target);
+        const auto result = run("--tolerance inf --on-error nan -f dcm --method all -t " + target,
                                 "0 0 0 0 0 0 0 0 0\n1e300 0 0 0 1e300 0 0 0 1e300\nnan 0 0 0 1 0 0 0 inf\n"
                                 "1e-300 0 0 0 1 0 0 0 1\n1 0 0 0 1 0 0 0 -1\n-1 0 0 0 -1 0 0 0 1\n");
-        CHECK(count_rows(result.out) == 6);
+        CHECK(count_rows(result.out) % 6 == 0);
+        CHECK(count_rows(result.out) > 24);
         CHECK(result.exit_code == 1);
     }
 }
