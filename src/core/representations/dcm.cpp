@@ -141,9 +141,16 @@ double defect_of_matrix(const double* matrix) noexcept {
 namespace dcm {
 
 Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
-    std::array<double, 9> numbers;
-    Eigen::Map<RowMajor>{numbers.data()} = matrix;
-    return within(read_row({.name = RepresentationId::dcm}, numbers.data()), tolerance, [&] { return defect(matrix); });
+    // NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay)
+    double numbers[9];
+    double q[4];
+    Eigen::Map<RowMajor>{numbers} = matrix;
+    // Most are clean, and need no table of kernels.
+    if (read_clean(numbers, q) <= clean_square && clean_defect <= tolerance) [[likely]] {
+        return {Rotation::near_unit(q[0], q[1], q[2], q[3]), clean_defect};
+    }
+    return within(read_row({.name = RepresentationId::dcm}, numbers), tolerance, [&] { return defect(matrix); });
+    // NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
 }
 
 double defect(const Dcm& matrix) noexcept { return defect_of_matrix(RowMajor(matrix).data()); }

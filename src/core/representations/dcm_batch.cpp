@@ -1,4 +1,3 @@
-#include "../numerics/davenport.hpp"
 #include "kernel.hpp"
 #include "matrices.hpp"
 
@@ -17,19 +16,6 @@ struct Matrix {
 
 /// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
 constexpr double near_rotation = 0.05;
-
-/// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
-/// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
-ROTCONV_INLINE double squared_distance(const double (&m)[9]) noexcept {
-    const double cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
-    const double cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
-    const double cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
-    const double first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
-    const double second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
-    const double both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
-    return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
-           ((first * first + second * second) + both * both);
-}
 
 /// k0 q0 + k1 q1 + k2 q2 + k3 q3 - mu q: what is small beside the products, with their own error of 2^-104.
 ROTCONV_INLINE double residual(DoubleDouble k0, double q0, DoubleDouble k1, double q1, DoubleDouble k2, double q2,
@@ -147,14 +133,6 @@ void refine(const double* numbers, Careful (&q)[4]) noexcept {
         }
         last = size;
     }
-}
-
-/// One power step; the squared distance of the matrix.
-ROTCONV_INLINE double read_clean(const double (&m)[9], double (&q)[4]) noexcept {
-    const Davenport<double> k(m);
-    k.take_pivot_column(q);
-    k.take_power_step(q);
-    return squared_distance(m);
 }
 
 /// A matrix, after read_clean(), of which one power step is not known to serve. `is_far`: to be refined.

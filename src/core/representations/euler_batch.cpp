@@ -83,14 +83,15 @@ template <class T> void write(const Spec& spec, double lock_margin, const Attitu
     const AngleRanges ranges(axes, spec);
     for (std::size_t i = 0; i < rows; ++i) {
         const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
-        TurnVectors<T> vectors(axes, q);
-        if (ranges.is_other) {
-            vectors.take_other();
-        }
+        const TurnVectors<T> vectors(axes, q);
         first.set(i, {vectors.first.x, vectors.first.y});
         middle.set(i, {vectors.middle.x, vectors.middle.y});
         third.set(i, {vectors.third.x, vectors.third.y});
         lengths.set(i, {vectors.cosine_length, vectors.sine_length});
+    }
+    for (std::size_t i = 0; i < rows && ranges.is_other; ++i) { // a loop of its own, for branches cost the vectors
+        first.set(i, {-first[0][i], -first[1][i]});
+        third.set(i, {-third[0][i], -third[1][i]});
     }
     bool upper[batch_rows];
     for (std::size_t i = 0; i < rows; ++i) {

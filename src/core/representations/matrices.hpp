@@ -2,6 +2,7 @@
 
 #include <rotconv/reading.hpp>
 
+#include "../numerics/davenport.hpp"
 #include "../numerics/power_of_two.hpp"
 
 namespace rotconv {
@@ -26,4 +27,32 @@ ROTCONV_INLINE double distance_from_one(double square_excess, double unit = 1.0)
     return __builtin_fabs(square_excess) / (unit + root(larger_of(0.0, unit * unit + square_excess)));
 }
 
+inline namespace ROTCONV_TARGET {
+
+// NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay): as in davenport.hpp
+
+/// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
+/// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
+ROTCONV_INLINE double squared_distance(const double (&m)[9]) noexcept {
+    const double cross_0 = (m[1] * m[5] - m[2] * m[4]) - m[6];
+    const double cross_1 = (m[2] * m[3] - m[0] * m[5]) - m[7];
+    const double cross_2 = (m[0] * m[4] - m[1] * m[3]) - m[8];
+    const double first = ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]) - 1.0;
+    const double second = ((m[3] * m[3] + m[4] * m[4]) + m[5] * m[5]) - 1.0;
+    const double both = (m[0] * m[3] + m[1] * m[4]) + m[2] * m[5];
+    return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
+           ((first * first + second * second) + both * both);
+}
+
+/// One power step, which serves if the squared distance that it returns is at most clean_square.
+ROTCONV_INLINE double read_clean(const double (&m)[9], double (&q)[4]) noexcept {
+    const Davenport<double> k(m);
+    k.take_pivot_column(q);
+    k.take_power_step(q);
+    return squared_distance(m);
+}
+
+// NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
+
+} // namespace ROTCONV_TARGET
 } // namespace rotconv
