@@ -28,6 +28,8 @@ labelled(tool, version) = (found = 0, text = "", sum [k = 1:words(tool)] (at = v
 
 # Each tool's mark for all rows and, at the same rate, for clean ones; what it is worst at
 n = 0
+# Where the formula is the script's, not the tool's.
+formula(tool) = tool[1:7] eq "rotconv" || strstrt(tool, "SciPy") + strstrt(tool, "Eigen") > 0 ? "" : "formula in "
 array name[20]
 array label[20]
 array mark_x[20]
@@ -35,7 +37,8 @@ array mark_y[20]
 array clean_y[20]
 array trouble[20]
 not_installed = ""
-stats csv using (valid(7) ? (n = n + 1, name[n] = stringcolumn("tool"), label[n] = labelled(name[n], stringcolumn("version")), \
+stats csv using (valid(7) ? (n = n + 1, name[n] = stringcolumn("tool"), \
+    label[n] = formula(name[n]) . labelled(name[n], stringcolumn("version")), \
     mark_x[n] = pixel_x(column("rows_per_second")), \
     clean_y[n] = pixel_y(column("clean")), half_turn = column("half_turn"), lock = column("lock"), noise = column("noise"), \
     worst = column("failed") > 0 ? pi : max(max(column("clean"), half_turn), max(lock, noise)), mark_y[n] = pixel_y(worst), \
