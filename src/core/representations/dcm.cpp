@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -42,7 +43,7 @@ double largest_root(double c) noexcept {
 /// The singular values of a matrix, the largest first, with their vectors: plane rotations of two columns at a time,
 /// until all are orthogonal (Hestenes 1958). The columns are then the left vectors times the values.
 struct SingularValues {
-    explicit SingularValues(const Matrix3d& matrix) noexcept : left(matrix) {
+    explicit SingularValues(Matrix3d matrix) noexcept : left(std::move(matrix)) {
         constexpr int most_sweeps = 60;
         bool orthogonal = false;
         for (int sweep = 0; sweep < most_sweeps && !orthogonal; ++sweep) {

@@ -146,8 +146,10 @@ Error read_unclean(const double (&m)[9], double square, double (&q)[4], double& 
         return read_far_matrix(m, q, defect);
     }
     const Davenport<double> k(m);
-    for (double remaining = bound * bound; remaining > 0x1p-56; remaining *= bound) {
+    double remaining = bound * bound;
+    while (remaining > 0x1p-56) {
         k.take_power_step(q);
+        remaining *= bound;
     }
     const double scale = unit_scale(root(squared_norm(q)));
     for (double& component : q) {
