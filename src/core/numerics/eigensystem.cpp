@@ -1,13 +1,14 @@
 #include "eigensystem.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rotconv {
 
-void diagonalize(double* matrix, int size, double* values, double* vectors) noexcept {
-    const auto entry = [&](int i, int k) -> double& { return matrix[i + size * k]; };
+void diagonalize(double* matrix, std::ptrdiff_t size, double* values, double* vectors) noexcept {
+    const auto entry = [&](std::ptrdiff_t i, std::ptrdiff_t k) -> double& { return matrix[i + size * k]; };
     // Makes an entry 0; false where it is as good as 0.
-    const auto rotate = [&](int i, int k) {
+    const auto rotate = [&](std::ptrdiff_t i, std::ptrdiff_t k) {
         const double a = entry(i, i);
         const double b = entry(k, k);
         const double c = entry(i, k);
@@ -27,16 +28,16 @@ void diagonalize(double* matrix, int size, double* values, double* vectors) noex
     bool diagonal = false;
     for (int sweep = 0; sweep < most_sweeps && !diagonal; ++sweep) {
         diagonal = true;
-        for (int i = 0; i < size - 1; ++i) {
-            for (int k = i + 1; k < size; ++k) {
+        for (std::ptrdiff_t i = 0; i < size - 1; ++i) {
+            for (std::ptrdiff_t k = i + 1; k < size; ++k) {
                 diagonal = !rotate(i, k) && diagonal;
             }
         }
     }
-    for (int i = 0; i < size; ++i) {
+    for (std::ptrdiff_t i = 0; i < size; ++i) {
         values[i] = entry(i, i);
     }
-    for (int i = 0; i < size - 1; ++i) {
+    for (std::ptrdiff_t i = 0; i < size - 1; ++i) {
         const auto least = std::min_element(values + i, values + size) - values;
         std::swap(values[i], values[least]);
         if (least != i) {

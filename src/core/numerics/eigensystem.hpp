@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include <Eigen/Core>
 
@@ -15,8 +16,8 @@ struct PlaneRotation {
     }
 
     /// Turns two lines of so many numbers, each `step` after the one before.
-    void operator()(double* first, double* second, int size, int step = 1) const noexcept {
-        for (int i = 0; i < size; ++i, first += step, second += step) {
+    void operator()(double* first, double* second, std::ptrdiff_t size, std::ptrdiff_t step = 1) const noexcept {
+        for (std::ptrdiff_t i = 0; i < size; ++i, first += step, second += step) {
             const double old = *first;
             *first = cosine * (old - tangent * *second);
             *second = cosine * (*second + tangent * old);
@@ -32,7 +33,7 @@ struct PlaneRotation {
 /// a positive matrix keeps the digits of its small eigenvalues.
 /// @param matrix is overwritten
 /// @param vectors the identity
-void diagonalize(double* matrix, int size, double* values, double* vectors) noexcept;
+void diagonalize(double* matrix, std::ptrdiff_t size, double* values, double* vectors) noexcept;
 
 /// The same for Eigen's matrices. All sizes share one function, since this took seconds to compile for each.
 template <int size> struct Eigensystem {
