@@ -28,10 +28,9 @@ Eigen::Array4d norms_of_rows(const Eigen::Matrix4d& p) noexcept {
 }
 
 /// Shepperd's choice, the component that goes with the largest of the trace and the diagonal.
-int pivot_of(const double* m) noexcept {
-    int entry = 0;
-    const double largest = Eigen::Vector3d(m[0], m[4], m[8]).maxCoeff(&entry);
-    return m[0] + m[4] + m[8] >= largest ? 0 : entry + 1;
+Eigen::Index pivot_of(const double* m) noexcept {
+    const Eigen::Index entry = largest_on_diagonal(m);
+    return m[0] + m[4] + m[8] >= m[4 * entry] ? 0 : entry + 1;
 }
 
 /// Not copysign: equal entries 0 and -0 differ by -0.
@@ -103,7 +102,7 @@ void klumpp(const double* m, double* q) noexcept {
 /// Shepperd 1978: the largest of trace and diagonal picks the square root, the rest by division by it.
 void shepperd(const double* m, double* q) noexcept {
     const Eigen::Matrix4d p = products(m);
-    const int pivot = pivot_of(m);
+    const Eigen::Index pivot = pivot_of(m);
     const double root = std::sqrt(p(pivot, pivot));
     Quaternion{q} = 0.5 / root * p.col(pivot);
     q[pivot] = 0.5 * root;
@@ -112,7 +111,7 @@ void shepperd(const double* m, double* q) noexcept {
 /// Markley 2008: the column of 4 q q' with the largest diagonal element, over its norm.
 void markley(const double* m, double* q) noexcept {
     const Eigen::Matrix4d p = products(m);
-    const int pivot = pivot_of(m);
+    const Eigen::Index pivot = pivot_of(m);
     Quaternion{q} = p.col(pivot) / norms_of_rows(p)[pivot];
 }
 

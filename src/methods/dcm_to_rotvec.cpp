@@ -9,12 +9,6 @@ namespace {
 
 double cosine(const double* m) noexcept { return 0.5 * (m[0] + m[4] + m[8] - 1.0); }
 
-int largest_on_diagonal(const double* m) noexcept {
-    int entry = 0;
-    Eigen::Vector3d(m[0], m[4], m[8]).maxCoeff(&entry);
-    return entry;
-}
-
 } // namespace
 
 /// Euler's axis and angle, common property (in Shuster's survey of 1993 among others): angle = acos((tr - 1)/2), axis =
@@ -69,9 +63,9 @@ void nurlanov(const double* m, double* r) noexcept {
 void gtsam(const double* m, double* r) noexcept {
     const double trace = m[0] + m[4] + m[8];
     if (trace + 1.0 < 1e-3) {
-        const int pivot = largest_on_diagonal(m);
+        const Eigen::Index pivot = largest_on_diagonal(m);
         Eigen::Vector4d column = dcm_to_quat::products(m).col(pivot + 1);
-        column[pivot + 1] = 2.0 + 2.0 * m[static_cast<std::ptrdiff_t>(4) * pivot];
+        column[pivot + 1] = 2.0 + 2.0 * m[4 * pivot];
         const double angle = std::numbers::pi - 2.0 * std::fabs(column[0]) / column.norm();
         const double scale = 0.5 * angle / std::sqrt(column[pivot + 1]);
         Vector{r} = (column[0] < 0.0 ? -scale : scale) * column.tail<3>();
@@ -86,7 +80,7 @@ void gtsam(const double* m, double* r) noexcept {
 /// GTSAM since August 2026, after Hertzberg et al. 2013: the column of 4 q q' of w where tr > 0, else of the largest on
 /// the diagonal, not normalised, with w >= 0; then 2 atan2(|v|, w) v/|v|.
 void hertzberg(const double* m, double* r) noexcept {
-    const int column = m[0] + m[4] + m[8] > 0.0 ? 0 : 1 + largest_on_diagonal(m);
+    const Eigen::Index column = m[0] + m[4] + m[8] > 0.0 ? 0 : 1 + largest_on_diagonal(m);
     Eigen::Vector4d q = dcm_to_quat::products(m).col(column);
     q *= q[0] < 0.0 ? -1.0 : 1.0;
     const double length = q.tail<3>().norm();

@@ -20,6 +20,13 @@ using Vector = Eigen::Map<Eigen::Vector3d>;
 /// (m32 - m23, m13 - m31, m21 - m12) = 2 sin(theta) n.
 inline Eigen::Vector3d differences(const double* m) noexcept { return {m[7] - m[5], m[2] - m[6], m[3] - m[1]}; }
 
+/// 0, 1 or 2.
+inline Eigen::Index largest_on_diagonal(const double* m) noexcept {
+    Eigen::Index entry = 0;
+    Eigen::Vector3d(m[0], m[4], m[8]).maxCoeff(&entry);
+    return entry;
+}
+
 inline double length(const double* v) noexcept { return std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]); }
 
 /// [v]_x, so that [v]_x u = v x u.
