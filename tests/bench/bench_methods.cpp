@@ -23,7 +23,7 @@ using namespace bench;
 std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{:.4g}", value); }
 
 void write(std::ostream& csv, const Pair& pair, const Way& way, const std::string& stratum, bool hostile,
-           double distance, const Score& s, const std::array<double, 4>& times = {none, none, none, none}) {
+           double distance, const Score& s, const std::array<double, 4>& times) {
     csv << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", text_of(pair.from), text_of(pair.to),
                        way.name, stratum, hostile ? 1 : 0, field(distance), s.rows, s.not_finite, field(s.worst),
                        field(s.rms()), field(s.relative), field(s.defect), field(times[0]), field(times[1]),
@@ -52,19 +52,27 @@ void write_pair(std::ostream& csv, const Pair& pair, const Times& times) {
     const auto sweeps = sweeps_of(pair);
     for (const Way& way : pair.ways) {
         std::array<Score, 2> totals;
+        // The times of the way on those rows, also in those of Eigen's.
+        const auto times_on = [&](const std::string& rows) -> std::array<double, 4> {
+            std::array<double, 4> all{};
+            for (const bool million : {false, true}) {
+                const double time = times.of(pair, way.name, rows, million);
+                all.at(million ? 1 : 0) = time;
+                all.at(million ? 3 : 2) = time / times.of(pair, "Eigen", rows, million);
+            }
+            return all;
+        };
         for (const auto& [sample, made] : scores_of(samples, way)) {
-            write(csv, pair, way, sample->stratum, sample->hostile, none, made);
+            write(csv, pair, way, sample->stratum, sample->hostile, none, made,
+                  times_on(sample->hostile ? "" : sample->stratum));
             totals[sample->hostile ? 1 : 0].add(made);
         }
         for (const Sample& sample : sweeps) {
-            write(csv, pair, way, sample.stratum, sample.hostile, sample.distance, score(sample, way));
+            write(csv, pair, way, sample.stratum, sample.hostile, sample.distance, score(sample, way), times_on(""));
         }
         for (const bool hostile : {false, true}) {
-            const double own = times.of(pair, way.name, hostile, false);
-            const double own_million = times.of(pair, way.name, hostile, true);
-            write(csv, pair, way, hostile ? "hostile" : "clean", hostile, none, totals[hostile ? 1 : 0],
-                  {own, own_million, own / times.of(pair, "Eigen", hostile, false),
-                   own_million / times.of(pair, "Eigen", hostile, true)});
+            const std::string rows = hostile ? "hostile" : "clean";
+            write(csv, pair, way, rows, hostile, none, totals[hostile ? 1 : 0], times_on(rows));
         }
     }
 }

@@ -33,12 +33,14 @@ constexpr std::size_t each = 12500; ///< rows of a kind in the block
 constexpr std::size_t blocks = 20;
 constexpr int rounds = 3;
 
+using rotconv::SampleKind;
+
 struct Kind {
-    std::string_view stratum;
+    SampleKind name;
     bool hostile; ///< noise of up to 5e-4 in every number
 };
-constexpr std::array kinds{Kind{"uniform", false}, Kind{"half-turns", false}, Kind{"near lock", false},
-                           Kind{"uniform", true}};
+constexpr std::array kinds{Kind{SampleKind::uniform, false}, Kind{SampleKind::half_turn, false},
+                           Kind{SampleKind::lock, false}, Kind{SampleKind::uniform, true}};
 constexpr std::size_t rows = each * kinds.size() * blocks;
 
 const rotconv::Spec from{.name = rotconv::RepresentationId::dcm};
@@ -51,12 +53,12 @@ struct Block {
 };
 
 Block make_block() {
-    const auto strata = strata::rows_of(from, to, each);
+    const auto strata = strata::strata_of(from, to, each);
     Block block;
     for (std::size_t i = 0; i < each; ++i) {
         for (const Kind& kind : kinds) {
             const auto stratum = std::ranges::find_if(
-                strata, [&](const auto& s) { return s.name == kind.stratum && s.hostile == kind.hostile; });
+                strata, [&](const auto& s) { return s.kind == kind.name && s.hostile == kind.hostile; });
             const auto& row = stratum->rows.at(i);
             block.text += fmt::format("{:.17g}\n", fmt::join(row, ","));
             block.exact.push_back(oracle::attitude(from, row));

@@ -64,26 +64,13 @@ std::vector<Sweep> kinds_of(RepresentationId from, RepresentationId to) {
     return to == RepresentationId::euler ? std::vector{Sweep::lock} : std::vector<Sweep>{};
 }
 
-/// Angles have strata of their own; those of many turns are hostile.
-std::vector<strata::Rows> rows_of_angles(const Spec& from) {
-    auto clean = strata::euler_angles(from, 2000);
-    std::erase_if(
-        clean, [](const auto& row) { return std::ranges::any_of(row, [](double v) { return std::fabs(v) > 100; }); });
-    strata::Rows hostile{"angles", true, clean};
-    strata::Source source(12);
-    for (auto& row : hostile.rows) {
-        strata::make_hostile(from, row, source);
-    }
-    return {{"angles", false, clean}, hostile};
-}
-
 void add_strata(const Spec& from, const Spec& to, std::vector<Sample>& samples) {
-    for (auto& stratum : from.name == RepresentationId::euler ? rows_of_angles(from) : strata::rows_of(from, to, 400)) {
+    for (auto& stratum : strata::strata_of(from, to, 400)) {
         Sample sample{.from = from,
                       .to = to,
-                      .stratum = stratum.name,
+                      .stratum = std::string(name_of(stratum.kind)),
                       .hostile = stratum.hostile,
-                      .relative = stratum.name == "small angles"};
+                      .relative = stratum.kind == rotconv::SampleKind::small};
         for (auto& row : stratum.rows) {
             sample.add(std::move(row));
         }

@@ -21,6 +21,7 @@ using rotconv::Spec;
 namespace {
 
 constexpr std::size_t million = 1'000'000;
+constexpr std::array near_kinds{rotconv::SampleKind::small, rotconv::SampleKind::half_turn, rotconv::SampleKind::lock};
 
 /// A million uniform attitudes.
 std::vector<double> timed_rows(const Spec& spec, bool hostile) {
@@ -43,9 +44,21 @@ std::vector<double> timed_rows(const Spec& spec, bool hostile) {
     return rows;
 }
 
-std::string name_of(const Pair& pair, const std::string& way, bool hostile, bool all) {
-    return fmt::format("{}-{}-{}-{}{}", text_of(pair.from), text_of(pair.to), way, hostile ? "hostile" : "clean",
-                       all ? "/million" : "");
+/// Where formulas take their branches.
+std::vector<double> rows_near(const Pair& pair, rotconv::SampleKind kind) {
+    const Spec spec = pair.source();
+    const auto rows = kind == rotconv::SampleKind::lock && spec.name != RepresentationId::euler
+                          ? strata::near_lock(spec, pair.target().sequence, block)
+                          : strata::sampled(spec, kind, block);
+    std::vector<double> all;
+    for (const auto& row : rows) {
+        all.insert(all.end(), row.begin(), row.end());
+    }
+    return all;
+}
+
+std::string name_of(const Pair& pair, const std::string& way, const std::string& rows, bool million) {
+    return fmt::format("{}-{}-{}-{}{}", text_of(pair.from), text_of(pair.to), way, rows, million ? "/million" : "");
 }
 
 /// Keeps the least time of each benchmark: the processor's, which other processes disturb least.
@@ -111,12 +124,20 @@ Times::Times(const std::vector<Pair>& pairs) {
                 kept.push_back(timed_rows(pair.source(), false));
                 kept.push_back(timed_rows(pair.source(), true));
             }
+            const std::size_t first_near = kept.size();
+            for (const auto kind : near_kinds) {
+                kept.push_back(rows_near(pair, kind));
+            }
             for (const Way& way : pair.ways) {
-                for (const bool hostile : {false, true}) {
-                    const Convert convert = way.between(pair.source(), pair.target(), hostile);
-                    for (const bool all : {false, true}) {
-                        add_benchmark(name_of(pair, way.name, hostile, all), convert, kept[hostile ? 1 : 0], out, all);
-                    }
+                const Convert clean = way.between(pair.source(), pair.target(), false);
+                const Convert hostile = way.between(pair.source(), pair.target(), true);
+                for (const bool all : {false, true}) {
+                    add_benchmark(name_of(pair, way.name, "clean", all), clean, kept[0], out, all);
+                    add_benchmark(name_of(pair, way.name, "hostile", all), hostile, kept[1], out, all);
+                }
+                for (std::size_t i = 0; i < near_kinds.size(); ++i) {
+                    const std::string rows(rotconv::name_of(near_kinds.at(i)));
+                    add_benchmark(name_of(pair, way.name, rows, false), clean, kept[first_near + i], out, false);
                 }
             }
         }
@@ -126,8 +147,8 @@ Times::Times(const std::vector<Pair>& pairs) {
     }
 }
 
-double Times::of(const Pair& pair, const std::string& way, bool hostile, bool all) const {
-    const auto found = times_.find(name_of(pair, way, hostile, all));
+double Times::of(const Pair& pair, const std::string& way, const std::string& rows, bool million) const {
+    const auto found = times_.find(name_of(pair, way, rows, million));
     return found == times_.end() ? none : found->second;
 }
 

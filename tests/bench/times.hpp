@@ -11,11 +11,12 @@ namespace bench {
 /// Nanoseconds a row.
 class Times {
 public:
-    /// Times every way of every pair, on a block that stays in cache and on a million rows, clean and hostile.
+    /// Times every way of every pair on a block that stays in cache: uniform attitudes, clean and hostile, small
+    /// angles, near half-turns and near gimbal lock. The uniform ones also by the million.
     explicit Times(const std::vector<Pair>& pairs);
 
-    /// nan where the pair has no such way.
-    [[nodiscard]] double of(const Pair& pair, const std::string& way, bool hostile, bool all) const;
+    /// On "clean" or "hostile" rows or on those of a kind; nan where it was not timed.
+    [[nodiscard]] double of(const Pair& pair, const std::string& way, const std::string& rows, bool million) const;
 
 private:
     std::map<std::string, double> times_;

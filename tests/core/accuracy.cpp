@@ -144,15 +144,15 @@ Convert own(const Spec& from, const Spec& to) { return conversion_of(from, to, f
 Convert fast(const Spec& from, const Spec& to) { return conversion_of(from, to, true); }
 
 Rows inputs(const Spec& from, const Spec& to, int size) {
-    if (from.name == RepresentationId::euler || from.name == RepresentationId::rpy) {
-        return strata::euler_angles(from, 4 * size);
-    }
     Rows all;
-    for (auto& stratum : strata::rows_of(from, to, size)) {
-        if (stratum.hostile && from.name == RepresentationId::cayley) {
-            continue; // longer by 1e150: beyond what the closed form's squares hold, and measured in the charts
-        }
+    for (auto& stratum : strata::strata_of(from, to, size)) {
         std::ranges::move(stratum.rows, std::back_inserter(all));
+    }
+    if (from.name == RepresentationId::cayley) {
+        // Beyond what the closed form's squares hold; measured in the charts.
+        std::erase_if(all, [](const auto& row) {
+            return std::ranges::any_of(row, [](double v) { return std::fabs(v) > 1e150; });
+        });
     }
     return all;
 }

@@ -192,7 +192,7 @@ TEST_CASE("a hundred thousand pairs lose no digits") {
 // Would catch: a step that stops early, and a maximum that is not the highest.
 TEST_CASE("no other turns leave less than those that are found") {
     Source source(4);
-    for (int run = 0; run < 1000; ++run) {
+    for (int run = 0; run < tried(1000); ++run) {
         const AlignedSide side = sides.at(static_cast<std::size_t>(run) % 4);
         const double noise = std::array{1e-6, 1e-3, 0.1, 0.5}.at(static_cast<std::size_t>(source.integer(0, 3)));
         const auto pairs = source.pairs(source.turns(side), source.integer(5, 12), noise, source.integer(0, 1) * 0.3);

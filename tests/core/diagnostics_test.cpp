@@ -104,8 +104,7 @@ TEST_CASE("an infinite Cayley vector keeps its signs") {
 TEST_CASE("locked angles have a zero third and a middle at its limit") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
         const std::string text = "euler:" + sequence.text();
-        for (const auto& attitude : strata::near_lock(sequence, 60).attitudes) {
-            const auto row = oracle::numbers(spec("quat"), attitude);
+        for (const auto& row : strata::near_lock(spec("quat"), sequence, 60)) {
             const auto [angles, report] = accuracy::converted(spec("quat"), spec(text), row, {.lock_margin = 1e-3});
             const double margin = report_of("quat", text, row, with_figures).sensitivity.margin;
             INFO(text << " margin " << margin);

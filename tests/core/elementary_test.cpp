@@ -119,10 +119,7 @@ private:
     std::mt19937_64 engine_{14};
 };
 
-#ifndef ROTCONV_ELEMENTARY_POINTS
-#define ROTCONV_ELEMENTARY_POINTS 100000
-#endif
-constexpr int points = ROTCONV_ELEMENTARY_POINTS;
+constexpr int points = tried(50'000);
 
 /// Doubles near multiples of pi/2, above all those that come nearest.
 std::vector<exact::DoubleDouble> near_quarter_turns() {

@@ -42,7 +42,7 @@ void check_rows(const std::string& from, const std::string& to, const std::vecto
 TEST_CASE("every number of every pair is the double nearest to the exact function of the numbers read") {
     for (const auto& from : accuracy::compared_specs()) {
         for (const auto& to : accuracy::compared_specs()) {
-            check(from, to, 40);
+            check(from, to, tried(40));
         }
     }
 }
@@ -51,17 +51,17 @@ TEST_CASE("every number of every pair is the double nearest to the exact functio
 TEST_CASE("every sequence and every modifier is rounded once") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
         const std::string text = "euler:" + sequence.text();
-        check("quat", text + ":deg", 8);
-        check(text, "dcm", 100);
-        check(text + ":deg", text, 50);
+        check("quat", text + ":deg", 4);
+        check(text, "dcm", tried(40));
+        check(text + ":deg", text, tried(20));
     }
     for (const std::string& sequence : accuracy::signed_sequences()) {
         check("quat", "euler:" + sequence + ":deg:positive", 4);
-        check("euler:" + sequence, "quat", 8);
+        check("euler:" + sequence, "quat", 4);
     }
     for (const auto& text : accuracy::all_specs()) {
         check("quat", text, 4);
-        check(text, "quat", 8);
+        check(text, "quat", 4);
     }
 }
 

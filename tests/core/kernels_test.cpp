@@ -30,10 +30,7 @@ using rotconv::batch_rows;
 using rotconv::KernelTable;
 using rotconv::Spec;
 
-#ifndef ROTCONV_KERNEL_ROWS
-#define ROTCONV_KERNEL_ROWS 10'000'000
-#endif
-constexpr std::size_t all_rows = ROTCONV_KERNEL_ROWS;
+constexpr std::size_t all_rows = tried(10'000'000);
 
 bool has_fma() { return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0; }
 

@@ -1,6 +1,8 @@
 // Rates of every set, both ways, against differences of the oracle in 36 digits.
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -93,24 +95,17 @@ std::vector<double> run(const Rates& way, const std::vector<double>& in, RowRepo
 
 std::vector<std::vector<double>> rows_of(const Spec& s, int size) {
     std::vector<std::vector<double>> rows;
-    if (s.name == RepresentationId::euler) {
-        rows = strata::euler_angles(s, size);
-        // Of larger angles the differences have too few digits.
-        std::erase_if(rows, [](const auto& row) { return Eigen::Map<const Eigen::Vector3d>(row.data()).norm() > 1e7; });
-        return rows;
-    }
-    for (const auto& stratum : strata::attitudes(size)) {
-        for (const auto& attitude : stratum.attitudes) {
-            auto row = oracle::numbers(s, attitude);
-            bool usable = true;
-            for (const double v : row) {
-                usable = usable && std::isfinite(v) && std::fabs(v) < 1e12; // past that cayley is at a half-turn
-            }
-            if (usable) {
-                rows.push_back(std::move(row));
-            }
+    const bool angles = s.name == RepresentationId::euler;
+    for (auto& stratum : strata::strata_of(s, s, size)) {
+        if (!stratum.hostile || angles) {
+            std::ranges::move(stratum.rows, std::back_inserter(rows));
         }
     }
+    // Of larger angles the differences have too few digits, and past 1e12 cayley is at a half-turn.
+    const double most = angles ? 1e7 : 1e12;
+    std::erase_if(rows, [most](const auto& row) {
+        return std::ranges::any_of(row, [most](double v) { return std::fabs(v) > most; });
+    });
     return rows;
 }
 

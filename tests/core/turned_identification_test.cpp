@@ -26,11 +26,7 @@ using oracle::Real;
 using oracle::Vector3;
 
 constexpr double degree = std::numbers::pi / 180.0;
-#ifdef ROTCONV_SANITIZED
-constexpr int runs = 40; // of each case
-#else
-constexpr int runs = 1000;
-#endif
+constexpr int runs = is_sanitized ? 40 : 1000; // of each case
 
 /// A convention against another: rows of an attitude written in the one, and turned and written in the other.
 struct Case {

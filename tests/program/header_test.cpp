@@ -113,7 +113,7 @@ TEST_CASE("comments and blank rows before the first row keep their order and use
     for (const std::string list : {"1-4", "qw,qx,qy,qz"}) { // what waits has an end
         Process process(words_of(reorder + "--columns " + list));
         process.write("#qw,qx,qy,qz\n");
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < 300; ++i) {
             process.write(std::string(100'000, '\n'));
         }
         process.wait_until_read();
@@ -123,7 +123,7 @@ TEST_CASE("comments and blank rows before the first row keep their order and use
         process.write("1,0,0,0\n");
         const auto result = process.finish();
         CHECK(result.exit_code == 0);
-        CHECK(result.out.size() == 13 + 100'000'000 + 8);
+        CHECK(result.out.size() == 13 + 30'000'000 + 8);
     }
     // a line that is too long loses none of those before it
     CHECK(run(reorder, "# note\n" + std::string(5'000'000, '1')) == stopped("# note\n"));

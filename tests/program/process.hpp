@@ -14,12 +14,6 @@
 /// Runs the program as a user does: a real process with real pipes.
 namespace program {
 
-#ifdef ROTCONV_SANITIZED
-inline constexpr bool is_sanitized = true; // with memory of its own
-#else
-inline constexpr bool is_sanitized = false;
-#endif
-
 using Words = std::vector<std::string>;
 
 /// How the program ended and what it said.

@@ -341,7 +341,9 @@ template <class Rough, class Fine> bool round_all(const Spec& to, const std::vec
     for (std::size_t i = 0; i < fine.size(); ++i) {
         out[i].value = rounded(to, i, fine[i]);
         out[i].rest = static_cast<double>(Fine(fine[i] - Fine(out[i].value)));
-        if (isfinite(fine[i]) && fine[i] != Fine(rough[i])) {
+        if (!isfinite(fine[i])) {
+            out[i].certain = false; // more digits may tell the attitude from a half-turn
+        } else if (fine[i] != Fine(rough[i])) {
             const Fine doubt = 100 * abs(Fine(fine[i] - Fine(rough[i])));
             out[i].certain = rounded(to, i, Fine(fine[i] - doubt)) == out[i].value &&
                              rounded(to, i, Fine(fine[i] + doubt)) == out[i].value;
@@ -395,6 +397,7 @@ std::vector<Rounded> converted(const Spec& from, const Spec& to, std::span<const
     if (to.name == RepresentationId::cayley &&
         std::any_of(result.begin(), result.end(), [](const Rounded& r) { return std::isinf(r.value); })) {
         for (Rounded& r : result) {
+            r.certain = r.certain || std::isinf(r.value);
             r.value = r.value == 0.0 ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), r.value);
         }
     }

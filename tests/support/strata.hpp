@@ -1,21 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <random>
 #include <span>
-#include <string>
 #include <vector>
+
+#include <rotconv/sampling.hpp>
 
 #include "oracle.hpp"
 
-/// The kinds of attitude on which conversions are tried, each of a fixed seed.
+/// Rows on which conversions are tried. Their kinds are those with which the program lets others be tried.
 namespace strata {
-
-struct Stratum {
-    std::string name;
-    std::vector<oracle::Quaternion> attitudes;
-};
 
 /// Random attitudes and axes from one seed.
 class Source {
@@ -32,29 +27,27 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// Uniform; angles 10^-k to 1e-300; pi - 10^-k; equal and vanishing quaternion components; the 24 cube rotations;
-/// half-turns. About `size` attitudes in each.
-std::vector<Stratum> attitudes(int size);
+using rotconv::SampleKind;
+using Numbers = std::vector<std::vector<double>>;
+
+/// The first rows that the program's `sample` writes of a kind.
+Numbers sampled(const rotconv::Spec& spec, SampleKind kind, int size);
+/// Of its rows near gimbal lock, and on it, those of a sequence. `spec` is no Euler angles, whose rows are all their
+/// own.
+Numbers near_lock(const rotconv::Spec& spec, rotconv::EulerSequence sequence, int size);
 
 /// The same attitude in other numbers, or numbers that are harder to read: scaled, noisy by up to 5e-4, long, by more
 /// than a turn. False where the representation has no such numbers; then the row stays.
 bool make_hostile(const rotconv::Spec& spec, std::span<double> row, Source& source);
 
-/// Rows of numbers on one stratum.
-struct Rows {
-    std::string name;
+struct Stratum {
+    SampleKind kind{};
     bool hostile = false;
-    std::vector<std::vector<double>> rows;
+    Numbers rows;
 };
 
-/// The input of a conversion: every stratum, with lock where `to` has one, then each of them made hostile. Rows that
-/// have no finite form in `from` are left out. `from` is neither euler nor rpy, whose angles are chosen.
-std::vector<Rows> rows_of(const rotconv::Spec& from, const rotconv::Spec& to, int size);
-
-/// Angles of a sequence, radians or degrees: uniform, at 10^-k from lock, at lock, multiples of 90 degrees, many turns.
-std::vector<std::vector<double>> euler_angles(const rotconv::Spec& spec, int size);
-
-/// Attitudes at 10^-k from gimbal lock of a sequence, and on it.
-Stratum near_lock(rotconv::EulerSequence sequence, int size);
+/// The input of a conversion: the kinds of rows that every representation has, near lock where `from` or `to` has one,
+/// then each of them made hostile. Rows that have no finite form are left out.
+std::vector<Stratum> strata_of(const rotconv::Spec& from, const rotconv::Spec& to, int size);
 
 } // namespace strata
