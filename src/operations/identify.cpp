@@ -1,8 +1,4 @@
-#include <memory>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "../stream/fmt.hpp"
 #include "operations.hpp"

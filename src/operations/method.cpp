@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <memory>
-#include <span>
-#include <vector>
 
 #include <rotconv/continuous.hpp>
 

@@ -1,9 +1,5 @@
-#include <array>
 #include <limits>
-#include <memory>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include <rotconv/continuous.hpp>
 #include <rotconv/quaternion.hpp>
@@ -39,9 +35,6 @@ public:
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Propagate>(*this); }
 
-    void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        run_ahead(rows, true, out, reports);
-    }
     std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
                           std::vector<RowReport>& reports) override {
         answered_ = 0;
