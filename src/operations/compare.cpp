@@ -254,9 +254,10 @@ public:
             between_->run(rows.numbers, compared, reports);
             attitudes = has_attitudes ? with_quaternions(rows) : attitudes;
         } else {
-            attitudes = rows_.by_key
-                            ? without_keys_(rows.numbers, comparison_.from().size(), comparison_.reference().size())
-                            : rows.numbers;
+            if (rows_.by_key) {
+                attitudes_ = without_keys(rows.numbers, comparison_.from().size(), comparison_.reference().size());
+                attitudes = attitudes_;
+            }
             comparison_.run(attitudes, compared, reports);
         }
         if (turns_) {
@@ -291,7 +292,6 @@ private:
     std::shared_ptr<PairWatch> watch_;
     std::optional<ComparisonBetween> between_; ///< where the reference is interpolated
     std::optional<ComparisonOfTurns> turns_;   ///< where there is a delta
-    KeyRemover without_keys_;
     std::vector<double> compared_;
     std::vector<double> attitudes_;
 };

@@ -1,32 +1,20 @@
-#include <rotconv/continuous.hpp>
-
 #include "operations.hpp"
 
 namespace rotconv::operations {
 namespace {
 
-class Convert final : public stream::RowOperation {
+class Convert final : public AttitudeOperation {
 public:
     Convert(const Conversion& conversion, bool continuous)
-        : conversion_(conversion), numbers_(std::make_shared<ContinuousNumbers>(conversion.to())) {
-        names = names_of(conversion.to());
-        attitude = conversion.to();
-        is_continuous = continuous && numbers_->have_choice();
-    }
+        : AttitudeOperation(conversion.to(), continuous), conversion_(conversion) {}
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Convert>(*this); }
 
     void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        rest_.resize(is_continuous ? out.size() : 0);
-        conversion_.run(rows.numbers, out, reports, rest_);
-    }
-    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
-        numbers_->run(results, reports, rest_);
+        conversion_.run(rows.numbers, out, reports, rest_of(out));
     }
 
 private:
     Conversion conversion_;
-    std::shared_ptr<ContinuousNumbers> numbers_; ///< of all threads
-    std::vector<double> rest_;                   ///< what the exact numbers have beside the results
 };
 
 } // namespace
@@ -50,15 +38,17 @@ std::vector<std::string> joined(std::vector<std::string> names, const std::vecto
     return names;
 }
 
-std::span<const double> KeyRemover::operator()(std::span<const double> rows, std::size_t n, std::size_t m) {
-    room_.clear();
+std::vector<double> without_keys(std::span<const double> rows, std::size_t n, std::size_t m) {
+    std::vector<double> numbers;
+    numbers.reserve(rows.size());
     for (auto at = rows.begin(); at != rows.end();) {
         for (const std::size_t size : {n, m}) {
-            room_.insert(room_.end(), at + 1, at + 1 + static_cast<std::ptrdiff_t>(size));
-            at += 1 + static_cast<std::ptrdiff_t>(size);
+            const auto end = at + 1 + static_cast<std::ptrdiff_t>(size);
+            numbers.insert(numbers.end(), at + 1, end);
+            at = end;
         }
     }
-    return room_;
+    return numbers;
 }
 
 stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key) {
