@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 /// The Gibbs vector, Rodrigues parameters: tan(theta/2) n, with R = (I + [c]_x)(I - [c]_x)^-1 (Stuelpnagel 1964,

@@ -8,7 +8,6 @@
 
 #include <rotconv/angle.hpp>
 #include <rotconv/conversion.hpp>
-#include <rotconv/frame.hpp>
 
 namespace rotconv {
 

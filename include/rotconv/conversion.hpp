@@ -84,9 +84,6 @@ private:
     Spec from_;
     Spec to_;
     ConversionSettings settings_;
-    // The settings' own, or, if the inverses of the attitudes are written, the other's inverse.
-    std::optional<FixedRotation> left_;
-    std::optional<FixedRotation> right_;
     const Codec* out_codec_;
     /// Within the inner limits of these numbers of the result its condition is at most few_digits_condition, within the
     /// outer ones at most 1e5.

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 // Products that are not fused with sums, whatever flags the caller is compiled with: fused, the differences that are 0

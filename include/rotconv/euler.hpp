@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include <rotconv/angle.hpp>
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 /// Modified Rodrigues parameters, tan(theta/4) n: the stereographic projection of the quaternion (Wiener 1962; Schaub

@@ -74,7 +74,6 @@ private:
 
     /// Integrates from the sample `from` to the next.
     void advance(std::size_t from) noexcept;
-    [[nodiscard]] Propagated answer() const noexcept;
 
     PropagationSettings settings_;
     Stepper stepper_;

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 /// Euler-Rodrigues parameters, the unit quaternion (Stuelpnagel 1964, section 5; Baruh 1999). Two-to-one (q and -q are

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 

@@ -12,7 +12,6 @@
 #include <rotconv/conversion.hpp>
 #include <rotconv/dcm.hpp>
 #include <rotconv/euler.hpp>
-#include <rotconv/frame.hpp>
 #include <rotconv/identification.hpp>
 #include <rotconv/integration.hpp>
 #include <rotconv/mrp.hpp>

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 
 #include <rotconv/dcm.hpp>
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 
 namespace rotconv {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
@@ -73,6 +72,13 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     const std::size_t width = outputs();
     for (std::size_t i = 0; i < rows; ++i) {
         out[i * width] = unit * angle_of(relative.at(i));
+        if (settings_.attitudes) {
+            const Rotation own = input.attitudes.at(i);
+            const Rotation other = reference.attitudes.at(i);
+            std::ranges::copy(
+                std::array{own.w(), own.x(), own.y(), own.z(), other.w(), other.x(), other.y(), other.z()},
+                out + (i + 1) * width - 8);
+        }
     }
     std::array<DiagnosticSet, batch_rows> diagnostics{};
     if (settings_.relative) {
@@ -85,12 +91,6 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
         for (std::size_t i = 0; i < rows; ++i) {
             std::copy_n(written.data() + i * to.size(), to.size(), out + i * width + 1);
         }
-    }
-    for (std::size_t i = 0; settings_.attitudes && i < rows; ++i) {
-        const Rotation own = input.attitudes.at(i);
-        const Rotation other = reference.attitudes.at(i);
-        std::ranges::copy(std::array{own.w(), own.x(), own.y(), own.z(), other.w(), other.x(), other.y(), other.z()},
-                          out + (i + 1) * width - 8);
     }
     for (std::size_t i = 0; i < rows; ++i) {
         RowReport found = report_of(input, reference, i, settings_.reading);

@@ -1,7 +1,6 @@
 #include <rotconv/continuous.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 

@@ -1,7 +1,6 @@
 #include <rotconv/conversion.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -113,10 +112,8 @@ double attitude_error(const Spec& spec, std::span<const double> numbers, double 
     }
 }
 
-// Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
-    : from_(from), to_(to), settings_(settings), left_(to.passive ? inverse_of(settings.right) : settings.left),
-      right_(to.passive ? inverse_of(settings.left) : settings.right), out_codec_(&codec_of(to.name)) {
+    : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {
     if (!settings.few_digits || (!settings.left && !settings.right && passes_numbers(from, to))) {
         return;
     }
@@ -136,7 +133,9 @@ Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSetting
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
     reports.clear();
-    const Turns turns = turns_of(left_, right_);
+    // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
+    const Turns turns = to_.passive ? turns_of(inverse_of(settings_.right), inverse_of(settings_.left))
+                                    : turns_of(settings_.left, settings_.right);
     const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
     const std::size_t rows = in.size() / from_.size();
     for (std::size_t first = 0; first < rows; first += batch_rows) {

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include <rotconv/frame.hpp>
 #include <rotconv/spec.hpp>
 
 #include "representations/attitude_batch.hpp"

@@ -1,6 +1,5 @@
 #include "formulas.hpp"
 
-#include <cmath>
 #include <limits>
 #include <numbers>
 

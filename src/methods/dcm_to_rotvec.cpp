@@ -1,7 +1,6 @@
 #include "formulas.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace rotconv::formula::dcm_to_rotvec {

@@ -16,7 +16,6 @@ namespace rotconv {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The numbers of the inverse rotation, of a representation that methods start from.
 void invert(RepresentationId name, double* numbers) noexcept {
@@ -36,11 +35,9 @@ void make_sign_canonical(double* q) noexcept {
     }
 }
 
-bool has_turns(const Conversion& conversion) { return conversion.settings().left || conversion.settings().right; }
-
 /// The same turns, with any defect: what to refuse is for the conversion itself.
 ConversionSettings turns_of(const ConversionSettings& settings) {
-    return {.tolerance = infinity, .left = settings.left, .right = settings.right};
+    return {.tolerance = any_defect, .left = settings.left, .right = settings.right};
 }
 
 std::vector<double> run(const Conversion& conversion, std::span<const double> in) {
@@ -68,11 +65,10 @@ void put_in_range(const Spec& to, double* angles) noexcept {
 } // namespace
 
 MethodConversion::MethodConversion(const Conversion& own)
-    : own_(own), comparison_(has_turns(own) ? Spec{} : own.from(), own.to(), {.reading = {.tolerance = infinity}}) {
-    if (has_turns(own)) {
-        turned_.emplace(own.from(), Spec{}, turns_of(own.settings()));
-    }
-}
+    : own_(own), turned_(own.settings().left || own.settings().right
+                             ? std::optional(Conversion(own.from(), Spec{}, turns_of(own.settings())))
+                             : std::nullopt),
+      comparison_(turned_ ? Spec{} : own.from(), own.to(), {.reading = {.tolerance = any_defect}}) {}
 
 MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
     if (!method.serves(from().name, to().name) || method.run == nullptr) {
@@ -112,18 +108,14 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
 
     std::vector<std::vector<double>> answers;
     if (fast_) {
-        answers.push_back(own_numbers);
-        answers.push_back(rotconv::run(*fast_, in));
+        answers = {own_numbers, rotconv::run(*fast_, in)};
     }
-    if (!published_.empty()) {
-        const auto numbers = starting_numbers(in);
-        for (const Method* method : published_) {
-            answers.push_back(answers_of(*method, numbers));
-        }
+    const auto numbers = published_.empty() ? std::vector<double>() : starting_numbers(in);
+    for (const Method* method : published_) {
+        answers.push_back(answers_of(*method, numbers));
     }
     const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
     std::vector<std::vector<double>> found; // the angle of each answer
-    found.reserve(answers.size());
     for (const auto& answer : answers) {
         found.push_back(angles_of(turned_ ? std::span<const double>(turned) : in, answer));
     }
@@ -183,11 +175,10 @@ std::vector<double> MethodConversion::answers_of(const Method& method, std::span
     if (to().unit == AngleUnit::degrees) {
         std::ranges::for_each(own, [](double& v) { v *= degrees_per_radian; });
     }
-    for (std::size_t i = 0; i < own.size() && (to().sequence.has_signs() || to().positive); i += to().size()) {
-        put_in_range(to(), own.data() + i);
-    }
-    if (to().name == RepresentationId::quat) {
-        for (std::size_t i = 0; i < own.size(); i += to().size()) {
+    for (std::size_t i = 0; i < own.size(); i += to().size()) {
+        if (to().sequence.has_signs() || to().positive) {
+            put_in_range(to(), own.data() + i);
+        } else if (to().name == RepresentationId::quat) {
             make_sign_canonical(own.data() + i);
         }
     }

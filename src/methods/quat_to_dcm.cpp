@@ -1,7 +1,5 @@
 #include "formulas.hpp"
 
-#include <cmath>
-
 namespace rotconv::formula::quat_to_dcm {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "formulas.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "../core/representations/euler_formulas.hpp"

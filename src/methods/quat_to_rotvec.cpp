@@ -1,6 +1,5 @@
 #include "formulas.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "../core/numerics/power_of_two.hpp"

@@ -1,7 +1,5 @@
 #include "formulas.hpp"
 
-#include <cmath>
-
 #include "../core/numerics/elementary.hpp"
 #include "../core/numerics/power_of_two.hpp"
 #include "../core/numerics/quaternion_algebra.hpp"

@@ -1,6 +1,5 @@
 #include "formulas.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace rotconv::formula::rotvec_to_quat {

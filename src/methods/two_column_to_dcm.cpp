@@ -1,7 +1,5 @@
 #include "formulas.hpp"
 
-#include <cmath>
-
 #include <Eigen/Geometry>
 
 namespace rotconv::formula::two_column_to_dcm {

@@ -12,11 +12,7 @@ namespace rotconv::operations {
 /// The times of rows that are accepted.
 class Clock {
 public:
-    explicit Clock(int power) : power_(power) {
-        for (int i = power; i < 0; ++i) {
-            per_second_ *= 10.0;
-        }
-    }
+    explicit Clock(int power) : power_(power), per_second_(stream::Decimal::parse("1")->rounded(-power)) {}
 
     /// Seconds since the last accepted time, rounded once if times are texts; nan for a time that is not finite.
     double seconds_to(double time, const std::string_view* text) {
@@ -37,7 +33,7 @@ public:
 
 private:
     int power_;
-    double per_second_ = 1.0;
+    double per_second_;
     stream::Decimal last_text_;
     stream::Decimal next_text_;
     double last_ = 0.0;

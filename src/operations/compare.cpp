@@ -1,21 +1,219 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
+#include <rotconv/quaternion.hpp>
+
+#include "../core/interpolation.hpp"
 #include "../stream/fmt.hpp"
-#include "comparison_between.hpp"
-#include "comparison_of_turns.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
 namespace {
+
+constexpr double no_angle = std::numeric_limits<double>::quiet_NaN();
+
+void append(std::vector<double>& to, std::span<const double> numbers) {
+    to.insert(to.end(), numbers.begin(), numbers.end());
+}
+
+Rotation rotation_at(const double* q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
+
+std::array<double, 4> components_of(const Rotation& q) noexcept { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// The comparison of some of the rows at hand.
+struct SomeRows {
+    explicit SomeRows(const Comparison& comparison_) : comparison(comparison_) {}
+
+    void clear() noexcept {
+        rows.clear();
+        numbers.clear();
+    }
+    /// Compares them, and puts the results in their places among rows of `width` numbers.
+    void run(std::span<double> to, std::size_t width) {
+        const std::size_t size = comparison.outputs();
+        out.resize(rows.size() * size);
+        comparison.run(numbers, out, reports);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            std::copy_n(out.data() + i * size, size, to.data() + rows[i] * width);
+        }
+        std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
+    }
+
+    Comparison comparison;
+    std::vector<std::size_t> rows; ///< their indices among all
+    std::vector<double> numbers;
+    std::vector<double> out;
+    std::vector<RowReport> reports; ///< by the indices among all
+};
+
+/// Compares attitudes with a reference that lies between two rows.
+class ComparisonBetween {
+public:
+    explicit ComparisonBetween(const Comparison& comparison)
+        : at_(comparison), between_(Comparison(comparison.from(), Spec{}, comparison.settings())),
+          reading_(comparison.reference(), Spec{},
+                   {.tolerance = comparison.settings().reading.tolerance,
+                    .sensitivity = comparison.settings().reading.sensitivity}) {}
+
+    /// Like Comparison::run(), of rows as stream::Pairing has them. A row between attitudes that are half a turn apart
+    /// has the error past_half_turn.
+    void run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports) {
+        const std::size_t n = at_.comparison.from().size();
+        const std::size_t m = at_.comparison.reference().size();
+        const std::size_t width = 1 + n + 1 + m + m + 1;
+        const std::size_t count = rows.size() / width;
+        for (Neighbour* neighbour : {&earlier_, &later_}) {
+            numbers_.clear();
+            for (std::size_t i = 0; i < count; ++i) {
+                append(numbers_, rows.subspan(i * width + 2 + n + (neighbour == &later_ ? m : 0), m));
+            }
+            neighbour->attitudes.resize(4 * count);
+            reading_.run(numbers_, neighbour->attitudes, neighbour->reports);
+        }
+        at_.clear();
+        between_.clear();
+        found_.assign(count, {});
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto row = rows.subspan(i * width, width);
+            SomeRows& some = row.back() > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
+            found_[i].row = i;
+            some.rows.push_back(i);
+            append(some.numbers, row.subspan(1, n));
+            if (row.back() > 0.0) {
+                append(some.numbers, attitude_between(i, row.back()));
+            } else {
+                append(some.numbers, row.subspan(2 + n, m));
+            }
+        }
+        const std::size_t size = at_.comparison.outputs();
+        for (SomeRows* some : {&at_, &between_}) {
+            some->run(out, size);
+            for (const RowReport& report : some->reports) { // its own error counts before those of the neighbours
+                RowReport& found = found_[report.row];
+                found = found.error != Error::none && report.error == Error::none ? found : report;
+            }
+        }
+        for (const Neighbour* neighbour : {&earlier_, &later_}) {
+            for (const RowReport& report : neighbour->reports) {
+                RowReport& found = found_[report.row];
+                const bool is_between = rows[(report.row + 1) * width - 1] > 0.0;
+                if (!is_between || found.error != Error::none) {
+                    continue;
+                }
+                if (report.error != Error::none) {
+                    found = {.row = report.row,
+                             .error = report.error,
+                             .of_reference = true,
+                             .of_later = neighbour == &later_,
+                             .defect = report.defect};
+                } else if (neighbour == &earlier_) { // the row after it tells of the later
+                    found.reference_defect = report.defect;
+                    found.diagnostics |= report.diagnostics;
+                }
+            }
+        }
+        reports.clear();
+        for (const RowReport& found : found_) {
+            if (found.error != Error::none) {
+                std::fill_n(out.data() + found.row * size, size, no_angle);
+            }
+            if (found.error != Error::none || !found.diagnostics.empty() || reading_.settings().sensitivity) {
+                reports.push_back(found);
+            }
+        }
+    }
+
+private:
+    struct Neighbour {
+        std::vector<double> attitudes; ///< quaternions
+        std::vector<RowReport> reports;
+    };
+
+    /// The quaternion at the fraction; the identity where there is none.
+    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction) {
+        const Rotation earlier = rotation_at(earlier_.attitudes.data() + 4 * row);
+        const Rotation later = rotation_at(later_.attitudes.data() + 4 * row);
+        if (std::isnan(earlier.w()) || std::isnan(later.w())) {
+            return {1.0}; // which is reported of them
+        }
+        const auto found = interpolated(earlier, later, fraction);
+        if (!found) {
+            found_[row].error = Error::past_half_turn;
+            found_[row].of_reference = true;
+        }
+        return components_of(found.value_or(Rotation()));
+    }
+
+    SomeRows at_;
+    SomeRows between_;   ///< with the quaternion between the neighbours
+    Conversion reading_; ///< of the neighbours
+    std::vector<double> numbers_;
+    Neighbour earlier_;
+    Neighbour later_;
+    std::vector<RowReport> found_; ///< of each row
+};
+
+/// Compares the turns from pairs of attitudes to the N-th pair after them. Remembers N pairs.
+class ComparisonOfTurns {
+public:
+    ComparisonOfTurns(std::size_t delta, ComparisonSettings settings)
+        : delta_(delta), turns_([&] {
+              settings.reading.left.reset(); // the attitudes are turned
+              settings.reading.right.reset();
+              settings.reading.tolerance = any_defect;
+              settings.attitudes = false;
+              return Comparison({}, {}, settings);
+          }()) {}
+
+    /// @param compared an angle, nan where there is none, and both attitudes: of each row the last of
+    /// `compared_width` numbers
+    void compare(std::span<const double> compared, std::size_t compared_width, std::span<double> out,
+                 std::size_t out_width, std::vector<RowReport>& reports) {
+        const std::size_t rows = compared.size() / compared_width;
+        std::ranges::fill(out.first(rows * out_width), no_angle);
+        turns_.clear();
+        for (std::size_t row = 0; row < rows; ++row) {
+            const double* end = compared.data() + (row + 1) * compared_width;
+            if (std::isnan(compared[row * compared_width])) {
+                continue;
+            }
+            Pair& place = kept_.size() < delta_ ? kept_.emplace_back() : kept_[next_++ % delta_];
+            const Pair pair{rotation_at(end - 8), rotation_at(end - 4)};
+            if (next_ > 0) {
+                for (const std::size_t side : {0U, 1U}) {
+                    const Eigen::Quaterniond turn = quaternion::from_rotation(place[side].inverse() * pair[side]);
+                    append(turns_.numbers, std::array{turn.w(), turn.x(), turn.y(), turn.z()});
+                }
+                turns_.rows.push_back(row);
+            }
+            place = pair;
+        }
+        turns_.run(out, out_width);
+        for (RowReport& report : turns_.reports) {
+            const auto place = std::ranges::lower_bound(reports, report.row, {}, &RowReport::row);
+            if (place == reports.end() || place->row != report.row) {
+                reports.insert(place, report);
+            } else { // what was said of its attitudes
+                report.diagnostics |= place->diagnostics;
+                report.defect = place->defect;
+                report.reference_defect = place->reference_defect;
+                *place = report;
+            }
+        }
+    }
+
+private:
+    using Pair = std::array<Rotation, 2>;
+
+    std::size_t delta_;
+    SomeRows turns_;
+    std::vector<Pair> kept_;
+    std::size_t next_ = 0; ///< of those that are kept, the oldest; 0 before all are there
+};
 
 class Compare final : public stream::RowOperation {
 public:
@@ -56,9 +254,10 @@ public:
             between_->run(rows.numbers, compared, reports);
             attitudes = has_attitudes ? with_quaternions(rows) : attitudes;
         } else {
-            attitudes = rows_.by_key
-                            ? without_keys_(rows.numbers, comparison_.from().size(), comparison_.reference().size())
-                            : rows.numbers;
+            if (rows_.by_key) {
+                attitudes_ = without_keys(rows.numbers, comparison_.from().size(), comparison_.reference().size());
+                attitudes = attitudes_;
+            }
             comparison_.run(attitudes, compared, reports);
         }
         if (turns_) {
@@ -82,8 +281,8 @@ private:
             const auto row = rows.numbers.subspan(i * (rows.numbers.size() / rows.lines.size()) + 1);
             const auto own = row.first(comparison_.from().size());
             const auto q = std::span(compared_).subspan((i + 1) * comparison_.outputs() - 4, 4);
-            attitudes_.insert(attitudes_.end(), own.begin(), own.end());
-            attitudes_.insert(attitudes_.end(), q.begin(), q.end());
+            append(attitudes_, own);
+            append(attitudes_, q);
         }
         return attitudes_;
     }
@@ -93,7 +292,6 @@ private:
     std::shared_ptr<PairWatch> watch_;
     std::optional<ComparisonBetween> between_; ///< where the reference is interpolated
     std::optional<ComparisonOfTurns> turns_;   ///< where there is a delta
-    KeyRemover without_keys_;
     std::vector<double> compared_;
     std::vector<double> attitudes_;
 };

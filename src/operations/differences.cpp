@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -37,9 +35,6 @@ public:
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Differences>(*this); }
 
-    void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        run_ahead(rows, true, out, reports);
-    }
     std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
                           std::vector<RowReport>& reports) override {
         reports.clear();

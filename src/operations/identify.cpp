@@ -1,8 +1,4 @@
-#include <memory>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "../stream/fmt.hpp"
 #include "operations.hpp"
@@ -22,9 +18,12 @@ public:
 
     void run(const stream::NumberRows& rows, std::span<double> /*out*/, std::vector<RowReport>& reports) override {
         Identification& identification = identification_();
-        const auto numbers =
-            rows_.by_key ? without_keys_(rows.numbers, identification.count(), rows_.known.size()) : rows.numbers;
-        identification.add(numbers, rows.lines, reports);
+        if (rows_.by_key) {
+            identification.add(without_keys(rows.numbers, identification.count(), rows_.known.size()), rows.lines,
+                               reports);
+        } else {
+            identification.add(rows.numbers, rows.lines, reports);
+        }
     }
     void take_positions(const std::vector<std::size_t>& positions) override {
         positions_->assign(positions.begin() + (rows_.by_key ? 1 : 0), positions.end());
@@ -34,7 +33,6 @@ private:
     IdentificationRows rows_;
     std::function<Identification&()> identification_;
     std::vector<std::size_t>* positions_;
-    KeyRemover without_keys_;
 };
 
 } // namespace

@@ -1,22 +1,14 @@
 #include <algorithm>
-#include <memory>
-#include <span>
-#include <vector>
-
-#include <rotconv/continuous.hpp>
 
 #include "operations.hpp"
 
 namespace rotconv::operations {
 namespace {
 
-class Methods final : public stream::RowOperation {
+class Methods final : public AttitudeOperation {
 public:
     Methods(const MethodConversion& conversion, bool all, bool continuous)
-        : conversion_(conversion), continuous_(std::make_shared<ContinuousNumbers>(conversion.to())) {
-        names = names_of(conversion.to());
-        attitude = conversion.to();
-        is_continuous = continuous && continuous_->have_choice();
+        : AttitudeOperation(conversion.to(), continuous), conversion_(conversion) {
         if (all) {
             const auto methods = conversion.names();
             answers.assign(methods.begin(), methods.end());
@@ -39,13 +31,9 @@ public:
             out[i * (size + 1) + size] = angles_[i];
         }
     }
-    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
-        continuous_->run(results, reports);
-    }
 
 private:
     MethodConversion conversion_;
-    std::shared_ptr<ContinuousNumbers> continuous_; ///< of all threads
     std::vector<double> angles_;
     std::vector<double> numbers_;
 };

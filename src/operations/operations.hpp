@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <rotconv/comparison.hpp>
+#include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
 #include <rotconv/identification.hpp>
 #include <rotconv/propagation.hpp>
@@ -33,19 +34,38 @@ using Operation = std::shared_ptr<stream::RowOperation>;
 [[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
 [[nodiscard]] std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others);
 
-/// Removes the keys from rows of a key, n numbers, another key and m numbers. The result holds until the next call.
-class KeyRemover {
+/// Rows of a key, n numbers, another key and m numbers, without the keys.
+[[nodiscard]] std::vector<double> without_keys(std::span<const double> rows, std::size_t n, std::size_t m);
+
+/// An operation whose results are attitudes; `continuous`, here and below: each follows the motion, see
+/// ContinuousNumbers.
+class AttitudeOperation : public stream::RowOperation {
 public:
-    std::span<const double> operator()(std::span<const double> rows, std::size_t n, std::size_t m);
+    AttitudeOperation(const Spec& to, bool continuous) : numbers_(std::make_shared<ContinuousNumbers>(to)) {
+        names = names_of(to);
+        attitude = to;
+        is_continuous = continuous && numbers_->have_choice();
+    }
+    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
+        numbers_->run(results, reports, rest_);
+    }
+
+protected:
+    /// Room for what the exact numbers have beside the results; none where that is not needed.
+    [[nodiscard]] std::span<double> rest_of(std::span<const double> results) {
+        rest_.resize(is_continuous ? results.size() : 0);
+        return rest_;
+    }
 
 private:
-    std::vector<double> room_;
+    std::shared_ptr<ContinuousNumbers> numbers_; ///< of all threads
+    std::vector<double> rest_;
 };
 
 /// The numbers of an attitude, perhaps after a key that passes through unchanged.
 [[nodiscard]] stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key = false);
 
-/// The conversion of attitudes; `continuous`, here and below: each result follows the motion, see ContinuousNumbers.
+/// The conversion of attitudes.
 [[nodiscard]] Operation convert(const Conversion& conversion, bool continuous);
 
 /// The answers of a published method; `all`: of all methods of the pair, each with its angle to the attitude.

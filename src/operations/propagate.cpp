@@ -1,11 +1,5 @@
-#include <array>
-#include <limits>
-#include <memory>
 #include <optional>
-#include <span>
-#include <vector>
 
-#include <rotconv/continuous.hpp>
 #include <rotconv/quaternion.hpp>
 
 #include "clock.hpp"
@@ -20,32 +14,25 @@ constexpr std::size_t time_and_velocity = 4;
 
 /// A conversion from the unit quaternion, which is never refused.
 Conversion conversion_to(const Spec& to, ConversionSettings settings) {
-    settings.tolerance = std::numeric_limits<double>::infinity();
+    settings.tolerance = any_defect;
     return {Spec{}, to, settings};
 }
 
-class Propagate final : public stream::RowOperation {
+class Propagate final : public AttitudeOperation {
 public:
     explicit Propagate(const PropagationRows& rows)
-        : clock_(rows.time_power), velocity_unit_(rows.degrees ? radians_per_degree : 1.0), settings_(rows.conversion),
+        : AttitudeOperation(rows.to, rows.continuous), clock_(rows.time_power),
+          velocity_unit_(rows.degrees ? radians_per_degree : 1.0), settings_(rows.conversion),
           stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
-          conversion_(conversion_to(rows.to, rows.conversion)),
-          continuous_(std::make_shared<ContinuousNumbers>(rows.to)) {
-        names = names_of(rows.to);
-        attitude = rows.to;
+          conversion_(conversion_to(rows.to, rows.conversion)) {
         in_order = true;
         looks_ahead = rows.settings.interpolation == Interpolation::cubic;
-        is_continuous = rows.continuous && continuous_->have_choice();
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Propagate>(*this); }
 
-    void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        run_ahead(rows, true, out, reports);
-    }
     std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
                           std::vector<RowReport>& reports) override {
         answered_ = 0;
-        rest_.resize(is_continuous ? out.size() : 0);
         reports.clear();
         while (pushed_.size() < rows.lines.size()) {
             const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
@@ -68,9 +55,6 @@ public:
         pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
         return answered_;
     }
-    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
-        continuous_->run(results, reports, rest_);
-    }
 
 private:
     /// The answer belongs to the first row that was not refused and has no answer yet.
@@ -78,7 +62,7 @@ private:
         report_refused(reports);
         if (answer) {
             const std::size_t size = conversion_.to().size();
-            const auto rest = std::span(rest_).subspan(is_continuous ? answered_ * size : 0, is_continuous ? size : 0);
+            const auto rest = rest_of(out).subspan(is_continuous ? answered_ * size : 0, is_continuous ? size : 0);
             write(*answer, out.subspan(answered_ * size, size), rest, reports);
             ++answered_;
             report_refused(reports);
@@ -123,8 +107,6 @@ private:
     bool ended_ = false; ///< an answer has failed: the attitude is lost
     Propagator propagator_;
     Conversion conversion_;
-    std::shared_ptr<ContinuousNumbers> continuous_;
-    std::vector<double> rest_;         ///< what the exact numbers have beside the results
     std::vector<RowReport> converted_; ///< of one row
     std::vector<Error> pushed_;        ///< why each row that is pushed and not answered was refused
     std::size_t answered_ = 0;         ///< of the rows at hand

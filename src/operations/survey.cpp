@@ -1,7 +1,3 @@
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "operations.hpp"
 
 namespace rotconv::operations {

@@ -1,6 +1,5 @@
 #include "decimal.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>

@@ -21,12 +21,6 @@ std::size_t count_newlines(std::string_view text) noexcept {
     return count;
 }
 
-Buffer copy_of(const Buffer& bytes) {
-    Buffer copy;
-    append(copy, {bytes.data(), bytes.size()});
-    return copy;
-}
-
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 } // namespace
@@ -40,7 +34,9 @@ bool IoBlockReader::read(IoBlock& block) {
     Buffer& bytes = block.bytes;
     const std::size_t held = bytes.size();
     if (held < block_size_ && bytes.capacity() > 2 * block_size_) { // a long line is over
-        bytes = copy_of(bytes);
+        Buffer copy;
+        append(copy, {bytes.data(), held});
+        bytes = std::move(copy);
     }
     bytes.resize(held < block_size_ ? block_size_ : std::min(2 * held, longest_line + block_size_));
     const auto count = source_->read(std::span(bytes.data(), bytes.size()).subspan(held));

@@ -1,6 +1,5 @@
 #include "pair_reader.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace rotconv::stream {

@@ -431,13 +431,13 @@ void Preamble::hear(const Said& said, std::size_t line) {
 }
 
 void Preamble::hear_names(const HeaderLine& header, std::size_t line) {
-    Said said{.names = header.names()};
-    if (!layout_.positions.empty()) {
-        std::vector<std::string> all = std::exchange(said.names, {});
-        for (const std::size_t position : layout_.positions) {
-            if (position < all.size()) {
-                said.names.push_back(all[position]);
-            }
+    Said said;
+    if (layout_.positions.empty()) {
+        said.names = header.names();
+    }
+    for (const std::size_t position : layout_.positions) {
+        if (position < header.fields.size()) {
+            said.names.push_back(header.name(position));
         }
     }
     if (said.names.size() == layout_.count) {

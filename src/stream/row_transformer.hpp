@@ -56,7 +56,6 @@ private:
     void clear() noexcept;
     /// Reads the numbers of a row, and of its partner.
     void read(Row& row);
-    /// Reads those of a row of the reference.
     [[nodiscard]] bool read_reference(std::string_view text, std::size_t line);
     /// Answers the rows that have numbers, or only the first of them, see RowOperation::run_ahead().
     std::size_t answer(bool flush = false);

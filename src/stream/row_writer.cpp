@@ -1,10 +1,8 @@
 #include "row_writer.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <condition_variable>
 #include <deque>
@@ -52,28 +51,203 @@ public:
         : reader_(&reader), sink_(&sink), options_(&options), report_(&report), large_(block_size(options) / 2),
           most_(thread_limit(options)) {}
 
-    RunResult operator()();
+    RunResult operator()() {
+        Transformer transformer;
+        work(transformer, true);
+        std::ranges::for_each(helpers_, &std::thread::join);
+        if (exception_) {
+            std::rethrow_exception(exception_);
+        }
+        if (!over_) {
+            Output output;
+            if (transformer) {
+                transformer->finish(output);
+            } else {
+                reader_->finish(output, !reader_->error());
+            }
+            if (!reader_->error()) {
+                tell_notes(output, true);
+            }
+            if (hand_on(output)) {
+                ending_.error = reader_->error();
+            }
+        }
+        return ending_;
+    }
 
 private:
     using Lock = std::unique_lock<std::mutex>;
     using Transformer = std::optional<RowTransformer>; ///< nothing before a thread's first data row
 
     /// What each thread does, until the end of the stream or of the run; what is thrown ends the run.
-    void work(Transformer& transformer, bool is_first);
-    void add_thread();
+    void work(Transformer& transformer, bool is_first) try {
+        Lock lock(mutex_);
+        while (!over_ && !(all_read_ && jobs_.empty())) {
+            if (can_write()) {
+                write_oldest(lock);
+            } else if (can_read()) {
+                read_and_convert(lock, transformer, is_first);
+            } else {
+                changed_.wait(lock);
+            }
+        }
+        changed_.notify_all();
+    } catch (...) {
+        const Lock lock(mutex_);
+        exception_ = std::current_exception();
+        over_ = true;
+        changed_.notify_all();
+        turn_changed_.notify_all();
+    }
+
+    void add_thread() {
+        if (helpers_.size() + 1 < most_) {
+            try {
+                helpers_.emplace_back([this] {
+                    Transformer transformer;
+                    work(transformer, false);
+                });
+            } catch (const std::system_error&) { // the system gives no more
+                most_ = helpers_.size() + 1;
+            }
+        }
+    }
+
     [[nodiscard]] bool can_write() const { return !writing_ && !jobs_.empty() && jobs_.front()->done; }
-    [[nodiscard]] bool can_read() const;
-    void write_oldest(Lock& lock);
-    void read_and_convert(Lock& lock, Transformer& transformer, bool is_first);
-    void convert(Job& job, Transformer& transformer);
+    [[nodiscard]] bool can_read() const {
+        return !reading_ && !all_read_ && jobs_.size() < most_ + spare_jobs && under_way_ < too_long &&
+               (jobs_.empty() || reader_->is_ready());
+    }
+
+    void write_oldest(Lock& lock) {
+        writing_ = true;
+        const Job& job = *jobs_.front();
+        lock.unlock();
+        const bool goes_on = hand_on(job.output);
+        lock.lock();
+        writing_ = false;
+        over_ = over_ || !goes_on;
+        if (over_) {
+            turn_changed_.notify_all();
+        }
+        under_way_ -= job.size();
+        idle_.push_back(std::move(jobs_.front()));
+        jobs_.pop_front();
+        changed_.notify_one();
+    }
+
+    void read_and_convert(Lock& lock, Transformer& transformer, bool is_first) {
+        reading_ = true;
+        auto made = idle_job();
+        Job& job = *made;
+        lock.unlock();
+        const bool goes_on = reader_->read(job);
+        tell_notes(job.output, false);
+        lock.lock();
+        all_read_ = !goes_on;
+        if (job.size() == 0 && job.output.bytes.size() == 0 && job.output.events.empty()) {
+            idle_.push_back(std::move(made));
+            reading_ = false;
+            return;
+        }
+        job.had_its_turn = job.rest.empty();
+        jobs_.push_back(std::move(made));
+        under_way_ += job.size();
+        const bool shared = job.size() >= large_;
+        if (shared) {
+            reading_ = false;
+            if (is_first) {
+                add_thread();
+            }
+            changed_.notify_one();
+        }
+        lock.unlock();
+        convert(job, transformer);
+        lock.lock();
+        job.done = true;
+        if (!shared) {
+            reading_ = false; // kept until now: a small block was not worth waking another thread to read on
+        }
+    }
+
+    void convert(Job& job, Transformer& transformer) {
+        if (job.rest.empty() && job.pairs.rows.empty()) {
+            return;
+        }
+        if (!transformer) {
+            transformer.emplace(*options_, reader_->layout(), reader_->reference_layout());
+        }
+        if (job.pairs.rows.empty()) {
+            transformer->transform(job.rest, job.line, job.output,
+                                   [this, &job](const std::function<void()>& what) { return in_turn(job, what); });
+        } else {
+            transformer->transform(job.pairs, job.output);
+        }
+    }
+
     /// See InTurn: jobs are read in their order and converted by the threads that have read them, so that the one whose
     /// turn it is never waits for another.
-    bool in_turn(Job& job, const std::function<void()>& what);
-    [[nodiscard]] std::unique_ptr<Job> idle_job();
+    bool in_turn(Job& job, const std::function<void()>& what) {
+        Lock lock(mutex_);
+        turn_changed_.wait(lock, [this, &job] {
+            const auto first = std::ranges::find(jobs_, false, [](const auto& each) { return each->had_its_turn; });
+            return over_ || (first != jobs_.end() && first->get() == &job);
+        });
+        if (over_) {
+            return false;
+        }
+        lock.unlock();
+        what();
+        lock.lock();
+        job.had_its_turn = true;
+        turn_changed_.notify_all();
+        return true;
+    }
+
+    [[nodiscard]] std::unique_ptr<Job> idle_job() {
+        if (idle_.empty()) {
+            return std::make_unique<Job>();
+        }
+        auto job = std::move(idle_.back());
+        idle_.pop_back();
+        job->block.text = {};
+        job->pairs.clear();
+        job->output.clear();
+        job->done = false;
+        return job;
+    }
+
     /// Adds the notes of each stream, once, when it has a row or is at its end.
-    void tell_notes(Output& output, bool at_end);
+    void tell_notes(Output& output, bool at_end) {
+        for (const bool of_reference : {false, true}) {
+            const Layout* const layout = of_reference ? reader_->reference_layout() : &reader_->layout();
+            bool& told = told_.at(of_reference ? 1 : 0);
+            if (layout == nullptr || told || (layout->field_count == 0 && !at_end)) {
+                continue;
+            }
+            told = true;
+            for (Note note : layout->notes) {
+                note.of_reference = of_reference;
+                output.events.emplace_back(std::move(note));
+            }
+        }
+    }
+
     /// Writes the bytes and then reports the events; false where the run is over.
-    bool hand_on(const Output& output);
+    bool hand_on(const Output& output) {
+        if (const int error = sink_->write({output.bytes.data(), output.bytes.size()}); error != 0) {
+            ending_.reader_left = error == EPIPE;
+            if (!ending_.reader_left) {
+                ending_.error = StreamError{StreamError::What::write, 0, error, {}};
+            }
+            return false;
+        }
+        std::ranges::for_each(output.events, *report_);
+        ending_.answered += output.answered;
+        ending_.unpaired[0].add(output.unpaired);
+        ending_.stopped = output.stopped;
+        return !output.stopped;
+    }
 
     JobReader* reader_; ///< of the thread that reads
     Sink* sink_;
@@ -97,194 +271,6 @@ private:
     bool over_ = false; ///< nothing more is to be written
     std::exception_ptr exception_;
 };
-
-RunResult Run::operator()() {
-    Transformer transformer;
-    work(transformer, true);
-    std::ranges::for_each(helpers_, &std::thread::join);
-    if (exception_) {
-        std::rethrow_exception(exception_);
-    }
-    if (!over_) {
-        Output output;
-        if (transformer) {
-            transformer->finish(output);
-        } else {
-            reader_->finish(output, !reader_->error());
-        }
-        if (!reader_->error()) {
-            tell_notes(output, true);
-        }
-        if (hand_on(output)) {
-            ending_.error = reader_->error();
-        }
-    }
-    return ending_;
-}
-
-void Run::work(Transformer& transformer, bool is_first) try {
-    Lock lock(mutex_);
-    while (!over_ && !(all_read_ && jobs_.empty())) {
-        if (can_write()) {
-            write_oldest(lock);
-        } else if (can_read()) {
-            read_and_convert(lock, transformer, is_first);
-        } else {
-            changed_.wait(lock);
-        }
-    }
-    changed_.notify_all();
-} catch (...) {
-    const Lock lock(mutex_);
-    exception_ = std::current_exception();
-    over_ = true;
-    changed_.notify_all();
-    turn_changed_.notify_all();
-}
-
-void Run::add_thread() {
-    if (helpers_.size() + 1 < most_) {
-        try {
-            helpers_.emplace_back([this] {
-                Transformer transformer;
-                work(transformer, false);
-            });
-        } catch (const std::system_error&) { // the system gives no more
-            most_ = helpers_.size() + 1;
-        }
-    }
-}
-
-bool Run::can_read() const {
-    return !reading_ && !all_read_ && jobs_.size() < most_ + spare_jobs && under_way_ < too_long &&
-           (jobs_.empty() || reader_->is_ready());
-}
-
-void Run::write_oldest(Lock& lock) {
-    writing_ = true;
-    const Job& job = *jobs_.front();
-    lock.unlock();
-    const bool goes_on = hand_on(job.output);
-    lock.lock();
-    writing_ = false;
-    over_ = over_ || !goes_on;
-    if (over_) {
-        turn_changed_.notify_all();
-    }
-    under_way_ -= job.size();
-    idle_.push_back(std::move(jobs_.front()));
-    jobs_.pop_front();
-    changed_.notify_one();
-}
-
-void Run::read_and_convert(Lock& lock, Transformer& transformer, bool is_first) {
-    reading_ = true;
-    auto made = idle_job();
-    Job& job = *made;
-    lock.unlock();
-    const bool goes_on = reader_->read(job);
-    tell_notes(job.output, false);
-    lock.lock();
-    all_read_ = !goes_on;
-    if (job.size() == 0 && job.output.bytes.size() == 0 && job.output.events.empty()) {
-        idle_.push_back(std::move(made));
-        reading_ = false;
-        return;
-    }
-    job.had_its_turn = job.rest.empty();
-    jobs_.push_back(std::move(made));
-    under_way_ += job.size();
-    const bool shared = job.size() >= large_;
-    if (shared) {
-        reading_ = false;
-        if (is_first) {
-            add_thread();
-        }
-        changed_.notify_one();
-    }
-    lock.unlock();
-    convert(job, transformer);
-    lock.lock();
-    job.done = true;
-    if (!shared) {
-        reading_ = false; // kept until now: a small block was not worth waking another thread to read on
-    }
-}
-
-void Run::convert(Job& job, Transformer& transformer) {
-    if (job.rest.empty() && job.pairs.rows.empty()) {
-        return;
-    }
-    if (!transformer) {
-        transformer.emplace(*options_, reader_->layout(), reader_->reference_layout());
-    }
-    if (job.pairs.rows.empty()) {
-        transformer->transform(job.rest, job.line, job.output,
-                               [this, &job](const std::function<void()>& what) { return in_turn(job, what); });
-    } else {
-        transformer->transform(job.pairs, job.output);
-    }
-}
-
-bool Run::in_turn(Job& job, const std::function<void()>& what) {
-    Lock lock(mutex_);
-    turn_changed_.wait(lock, [this, &job] {
-        const auto first = std::ranges::find(jobs_, false, [](const auto& each) { return each->had_its_turn; });
-        return over_ || (first != jobs_.end() && first->get() == &job);
-    });
-    if (over_) {
-        return false;
-    }
-    lock.unlock();
-    what();
-    lock.lock();
-    job.had_its_turn = true;
-    turn_changed_.notify_all();
-    return true;
-}
-
-std::unique_ptr<Job> Run::idle_job() {
-    if (idle_.empty()) {
-        return std::make_unique<Job>();
-    }
-    auto job = std::move(idle_.back());
-    idle_.pop_back();
-    job->block.text = {};
-    job->pairs.clear();
-    job->output.clear();
-    job->done = false;
-    return job;
-}
-
-void Run::tell_notes(Output& output, bool at_end) {
-    for (const bool of_reference : {false, true}) {
-        const Layout* const layout = of_reference ? reader_->reference_layout() : &reader_->layout();
-        bool& told = told_.at(of_reference ? 1 : 0);
-        if (layout == nullptr || told || (layout->field_count == 0 && !at_end)) {
-            continue;
-        }
-        told = true;
-        for (Note note : layout->notes) {
-            note.of_reference = of_reference;
-            output.events.emplace_back(std::move(note));
-        }
-    }
-}
-
-bool Run::hand_on(const Output& output) {
-    if (const int error = sink_->write({output.bytes.data(), output.bytes.size()}); error != 0) {
-        ending_.reader_left = error == EPIPE;
-        if (!ending_.reader_left) {
-            ending_.error = StreamError{StreamError::What::write, 0, error, {}};
-        }
-        return false;
-    }
-    std::ranges::for_each(output.events, *report_);
-    ending_.answered += output.answered;
-    ending_.unpaired[0].add(output.unpaired);
-    ending_.stopped = output.stopped;
-    return !output.stopped;
-}
 
 } // namespace
 

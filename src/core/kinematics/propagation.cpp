@@ -83,7 +83,7 @@ PushResult Propagator::push(double interval, const Vector3d& omega) noexcept {
         if (answered > 0) {
             advance(answered - 1);
         }
-        answer = this->answer();
+        answer = {stepper_.attitude(), step_error_};
     }
     if (count_ == 2 * (late + 1)) {
         std::shift_left(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(count_--), 1);
@@ -99,7 +99,7 @@ std::optional<Propagated> Propagator::flush() noexcept {
     if (count_ > 1) {
         advance(count_ - 2);
     }
-    return answer();
+    return Propagated{stepper_.attitude(), step_error_};
 }
 
 void Propagator::advance(std::size_t from) noexcept {
@@ -128,7 +128,5 @@ void Propagator::advance(std::size_t from) noexcept {
         }
     }
 }
-
-Propagated Propagator::answer() const noexcept { return {.attitude = stepper_.attitude(), .step_error = step_error_}; }
 
 } // namespace rotconv

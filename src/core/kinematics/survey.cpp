@@ -1,7 +1,6 @@
 #include <rotconv/survey.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 #include <rotconv/quaternion.hpp>
 

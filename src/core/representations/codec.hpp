@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <rotconv/frame.hpp>
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
