@@ -105,51 +105,41 @@ struct UsageError {
 
 using Command = std::variant<RowsCommand, PrintCommand, UsageError>;
 
-/// The words of the command line that are not options.
-struct Operands {
+/// What a command line gives to its command.
+struct Given {
+    OptionSet options{};
     std::vector<std::string> values{};
     std::vector<std::string> files{};
+
+    [[nodiscard]] const std::string& text(std::string_view option) const { return options.text(option); }
+    [[nodiscard]] bool has(std::string_view option) const { return options.has(option); }
 };
 
-/// A command's options, and what they ask for. Reading writes into the object, so that it must stay in its place.
-class CommandOptions {
-public:
-    CommandOptions() = default;
-    CommandOptions(const CommandOptions&) = delete;
-    CommandOptions& operator=(const CommandOptions&) = delete;
-    virtual ~CommandOptions() = default;
-
-    [[nodiscard]] virtual Command command(const Operands& operands) const = 0;
-
-    OptionSet set{};
-    std::string input{}; ///< the argument of --input; empty if it is not given
-    bool wants_help = false;
-    bool wants_version = false;
+/// The conversion, whose name is empty, or another command. Its texts are literals.
+struct CommandEntry {
+    std::string_view name;
+    std::string_view about;
+    std::string_view usage;
+    OptionSet options;
+    Command (*read)(const Given& given);
+    std::size_t most_files = 1;
 };
 
 /// Each command stands in a source of its name.
-[[nodiscard]] std::unique_ptr<CommandOptions> convert_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> rates_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> propagate_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> survey_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> compare_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> identify_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> sample_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> list_options();
+[[nodiscard]] CommandEntry convert_command();
+[[nodiscard]] CommandEntry list_command();
+[[nodiscard]] CommandEntry rates_command();
+[[nodiscard]] CommandEntry propagate_command();
+[[nodiscard]] CommandEntry survey_command();
+[[nodiscard]] CommandEntry compare_command();
+[[nodiscard]] CommandEntry identify_command();
+[[nodiscard]] CommandEntry sample_command();
+/// All of them, the conversion first.
+[[nodiscard]] std::vector<CommandEntry> command_table();
 
 /// What follows the options in the help: the words of SPECs, the exit status and examples.
 [[nodiscard]] std::string help_footer();
 
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
-
-/// The conversion, whose name is empty, or a command.
-struct CommandText {
-    std::string name;
-    std::string about;
-    std::unique_ptr<CommandOptions> options;
-};
-
-/// All of them, for completion.
-[[nodiscard]] std::vector<CommandText> command_table();
 
 } // namespace rotconv::cli

@@ -267,92 +267,87 @@ private:
     stream::NullSink nowhere_;
 };
 
-class IdentifyOptions final : public RowOptions {
-public:
-    IdentifyOptions() {
-        format = "pretty";
-        set.begin_group("What");
-        set.add("-t,--to", to_, "KNOWN", "The representation of the known attitudes: NAME[:MODIFIER]...");
-        set.add("-f,--from", from_, "NAME", "Try only this representation for the unknown numbers");
-        set.add("--within", within_, "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)");
-        pairing_.add_to(set);
-        add_reading();
-        set.begin_group("Output");
-        set.add("--format", format, "FORMAT", "pretty (default), a table, or json");
+/// How many unknown numbers a row has, if the command line tells it; otherwise 0.
+std::size_t given_count(const Given& given, const std::string& list, const operations::IdentificationRows& rows) {
+    std::size_t all = 0;
+    if (!list.empty()) {
+        const auto parsed = stream::ColumnList::parse(list, 0);
+        const auto* error = std::get_if<stream::ColumnError>(&parsed);
+        if (error == nullptr || error->what != stream::ColumnError::What::wrong_count) {
+            return 0; // a list that is refused
+        }
+        all = error->count;
+    } else if (given.values.empty() && given.text("--input-format") == "f64") {
+        if (!given.has("--width")) {
+            throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
+        }
+        all = static_cast<std::size_t>(count_of(given, "--width", widest_row));
+    } else {
+        return 0;
     }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        IdentificationConclusion::Settings settings{
-            .name = name_of(from_),
-            .identification = {.tolerance = tolerance()},
-            .degrees = degrees,
-            .json = one_of<bool>("format of identify", format, {{"pretty", false}, {"json", true}})};
-        if (!within_.empty()) {
-            settings.identification.within =
-                amount_of("--within", within_, 0.0, false) * (degrees ? radians_per_degree : 1.0);
-        }
-        operations::IdentificationRows& rows = settings.rows;
-        rows.known = spec_of("--to", to_, degrees);
-        rows.paired = PairingOptions::is_paired(operands);
-        rows.by_key = pairing_.by_key(operands);
-        const SelectedColumns selected = columns_of_file(pairing_, operands);
-        rows.count = settings.name ? representation(*settings.name).size : given_count(selected.list, operands, rows);
-        const auto subject = std::make_shared<messages::Subject>();
-        const auto conclusion = std::make_shared<IdentificationConclusion>(settings, subject);
-        const auto identification = [self = conclusion.get()]() -> Identification& { return self->identification(); };
-        RowsCommand command =
-            rows_command(selected, operations::identification_numbers(rows),
-                         operations::identify(rows, identification, conclusion->positions()), *subject, operands);
-        command.subject = subject;
-        if (rows.count == 0) {
-            command.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
-                return self->take_count(fields);
-            };
-        }
-        command.options.format = stream::Format::result;
-        command.conclusion = conclusion;
-        if (rows.paired) {
-            pair(command, pairing_, operations::attitude_numbers(rows.known, rows.by_key),
-                 messages::subject_of(rows.known, settings.identification.tolerance), operands);
-        }
-        return command;
+    const auto count = unknown_of(all, rows);
+    if (const auto* wrong = std::get_if<std::string>(&count)) {
+        throw Usage(*wrong);
     }
+    return std::get<std::size_t>(count);
+}
 
-private:
-    /// How many unknown numbers a row has, if the command line tells it; otherwise 0.
-    [[nodiscard]] std::size_t given_count(const std::string& list, const Operands& operands,
-                                          const operations::IdentificationRows& rows) const {
-        std::size_t all = 0;
-        if (!list.empty()) {
-            const auto parsed = stream::ColumnList::parse(list, 0);
-            const auto* error = std::get_if<stream::ColumnError>(&parsed);
-            if (error == nullptr || error->what != stream::ColumnError::What::wrong_count) {
-                return 0; // a list that is refused
-            }
-            all = error->count;
-        } else if (operands.values.empty() && input_format == "f64") {
-            if (width.empty()) {
-                throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
-            }
-            all = static_cast<std::size_t>(count_of("--width", width, widest_row));
-        } else {
-            return 0;
-        }
-        const auto count = unknown_of(all, rows);
-        if (const auto* wrong = std::get_if<std::string>(&count)) {
-            throw Usage(*wrong);
-        }
-        return std::get<std::size_t>(count);
+Command identify(const Given& given) {
+    const bool degrees = given.has("--degrees");
+    IdentificationConclusion::Settings settings{
+        .name = name_of(given.text("--from")),
+        .identification = {.tolerance = tolerance_of(given)},
+        .degrees = degrees,
+        .json = one_of<bool>(given, "--format", "format of identify", {{"pretty", false}, {"json", true}})};
+    if (given.has("--within")) {
+        settings.identification.within =
+            amount_of(given, "--within", 0.0, false) * (degrees ? radians_per_degree : 1.0);
     }
-
-    std::string to_;
-    std::string from_;
-    std::string within_;
-    PairingOptions pairing_;
-};
+    operations::IdentificationRows& rows = settings.rows;
+    rows.known = spec_of(given, "--to");
+    rows.paired = is_paired(given);
+    rows.by_key = is_by_key(given);
+    const SelectedColumns selected = columns_of_file(given);
+    rows.count = settings.name ? representation(*settings.name).size : given_count(given, selected.list, rows);
+    const auto subject = std::make_shared<messages::Subject>();
+    const auto conclusion = std::make_shared<IdentificationConclusion>(settings, subject);
+    const auto identification = [self = conclusion.get()]() -> Identification& { return self->identification(); };
+    RowsCommand command = rows_command(given, selected, operations::identification_numbers(rows),
+                                       operations::identify(rows, identification, conclusion->positions()), *subject);
+    command.subject = subject;
+    if (rows.count == 0) {
+        command.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
+            return self->take_count(fields);
+        };
+    }
+    command.options.format = stream::Format::result;
+    command.conclusion = conclusion;
+    if (rows.paired) {
+        pair(given, command, operations::attitude_numbers(rows.known, rows.by_key),
+             messages::subject_of(rows.known, settings.identification.tolerance));
+    }
+    return command;
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> identify_options() { return std::make_unique<IdentifyOptions>(); }
+CommandEntry identify_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-t,--to", "KNOWN", "The representation of the known attitudes: NAME[:MODIFIER]...");
+    set.add("-f,--from", "NAME", "Try only this representation for the unknown numbers");
+    set.add("--within", "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)");
+    add_pairing(set);
+    add_reading(set);
+    set.begin_group("Output");
+    set.add("--format", "FORMAT", "pretty (default), a table, or json");
+    return {"identify",
+            "Find the convention of numbers, from the same attitudes in a known one",
+            "Usage: rotconv identify -t KNOWN [-f NAME] [OPTION]... FILE [REFERENCE]\n"
+            "       rotconv identify -t KNOWN [-f NAME] [OPTION]... VALUE...\n",
+            std::move(set),
+            identify,
+            2};
+}
 
 } // namespace rotconv::cli

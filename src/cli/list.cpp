@@ -142,7 +142,7 @@ std::string list_methods(const std::vector<std::string>& pair) {
     return text + list_pair(from ? representation(*from).text : "any", text.empty() ? "any" : "any other", {});
 }
 
-std::string list(const std::vector<std::string>& words) {
+std::string list_of(const std::vector<std::string>& words) {
     const std::string first = words.empty() ? "" : words.front();
     const std::size_t most = first == "methods" ? 3 : 1;
     if (words.size() > most) {
@@ -172,17 +172,16 @@ std::string list(const std::vector<std::string>& words) {
                                                  : fmt::format("{}: {}\n\n{}", spec.text(), columns_of(spec), about);
 }
 
-class ListOptions final : public CommandOptions {
-public:
-    ListOptions() { set.take_names("A representation, preset or project, presets, or methods [FROM [TO]]"); }
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        return PrintCommand{list(operands.files)};
-    }
-};
+Command list(const Given& given) { return PrintCommand{list_of(given.files)}; }
 
 } // namespace
 
-std::unique_ptr<CommandOptions> list_options() { return std::make_unique<ListOptions>(); }
+CommandEntry list_command() {
+    OptionSet set;
+    set.take_names("A representation, preset or project, presets, or methods [FROM [TO]]");
+    return {"list", "List the representations, methods or presets, or explain one",
+            "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", std::move(set), list};
+}
 
 std::string help_footer() {
     const auto names = mapped(all_representations, [](RepresentationId id) { return name_of(representation(id)); });

@@ -215,12 +215,12 @@ void add_notes(stream::InputOptions& input, const ReadAs& reading) {
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
 
-std::optional<stream::Note> note_on(std::string_view option, const std::string& text, bool degrees) {
-    if (text.empty()) {
+std::optional<stream::Note> note_on(const Given& given, std::string_view option) {
+    if (!given.has(option)) {
         return std::nullopt;
     }
-    const GivenNumbers given = numbers_of(option, text, degrees);
-    const std::string large = large_angle(given.spec, given.numbers, full_turn);
+    const GivenNumbers read = numbers_of(given, option);
+    const std::string large = large_angle(read.spec, read.numbers, full_turn);
     return large.empty() ? std::nullopt
                          : std::optional(stream::Note{Kind::angle, fmt::format("{}: {}", option, large)});
 }

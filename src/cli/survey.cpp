@@ -66,39 +66,33 @@ private:
     stream::NullSink nowhere_;
 };
 
-class SurveyOptions final : public RowOptions {
-public:
-    SurveyOptions() {
-        format = "pretty";
-        set.begin_group("What");
-        set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
-        set.add("--condition", condition_, "LIMIT", "The greatest condition that serves (default 1e3)");
-        set.begin_group("Output");
-        set.add("--format", format, "FORMAT", "pretty (default), a table, or json");
-        add_reading();
-    }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        refuse_values(operands, "survey");
-        const Spec from = spec_of("--from", from_, degrees);
-        const auto conclusion = std::make_shared<SurveyConclusion>(
-            amount_of("--condition", condition_, default_condition, true),
-            one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}}));
-        RowsCommand command = rows_command({.list = columns}, operations::attitude_numbers(from),
-                                           operations::survey(from, tolerance(), conclusion->survey()),
-                                           messages::subject_of(from, tolerance()), operands);
-        command.options.format = stream::Format::result;
-        command.conclusion = conclusion;
-        return command;
-    }
-
-private:
-    std::string from_;
-    std::string condition_;
-};
+Command survey(const Given& given) {
+    refuse_values(given, "survey");
+    const Spec from = spec_of(given, "--from");
+    const double tolerance = tolerance_of(given);
+    const auto conclusion = std::make_shared<SurveyConclusion>(
+        amount_of(given, "--condition", default_condition, true),
+        one_of<bool>(given, "--format", "format of survey", {{"pretty", false}, {"json", true}}));
+    RowsCommand command =
+        rows_command(given, {.list = given.text("--columns")}, operations::attitude_numbers(from),
+                     operations::survey(from, tolerance, conclusion->survey()), messages::subject_of(from, tolerance));
+    command.options.format = stream::Format::result;
+    command.conclusion = conclusion;
+    return command;
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> survey_options() { return std::make_unique<SurveyOptions>(); }
+CommandEntry survey_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
+    set.add("--condition", "LIMIT", "The greatest condition that serves (default 1e3)");
+    set.begin_group("Output");
+    set.add("--format", "FORMAT", "pretty (default), a table, or json");
+    add_reading(set);
+    return {"survey", "Find the representations that serve a motion, and the smallest",
+            "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n", std::move(set), survey};
+}
 
 } // namespace rotconv::cli
