@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,7 +37,7 @@ struct RowsResult {
     stream::KeysMet keys{};                     ///< by which rows were paired
 };
 
-/// What a command makes of its rows as a whole.
+/// What a command makes of its rows as a whole; this one nothing.
 class Conclusion {
 public:
     Conclusion() = default;
@@ -44,31 +46,28 @@ public:
     virtual ~Conclusion() = default;
 
     /// Where the rows go; null: to the output.
-    [[nodiscard]] virtual stream::Sink* rows() { return nullptr; }
+    [[nodiscard]] virtual stream::Sink* rows() { return &nowhere_; }
 
     struct Answer {
         std::string text;   ///< printed at the end
         bool holds = false; ///< what was to be found or checked
     };
     /// Called at the end of a run that was not stopped.
-    [[nodiscard]] virtual Answer answer(const RowsResult& result) = 0;
+    [[nodiscard]] virtual Answer answer(const RowsResult& /*result*/) { return {}; }
     /// The run goes on, without output, where nobody reads that any more: its exit status counts.
     [[nodiscard]] virtual bool is_check() const { return false; }
+
+private:
+    stream::NullSink nowhere_;
 };
 
 /// A run over the same rows that must come before that of a command. It tells nothing.
-class FirstPass {
-public:
-    FirstPass() = default;
-    FirstPass(const FirstPass&) = delete;
-    FirstPass& operator=(const FirstPass&) = delete;
-    virtual ~FirstPass() = default;
-
-    /// What is done with the rows, and where their results go, as stream::Format::result.
-    [[nodiscard]] virtual std::shared_ptr<stream::RowOperation> operation() const = 0;
-    [[nodiscard]] virtual stream::Sink& rows() = 0;
-    /// What the command is to do with them, or why nothing, in words.
-    [[nodiscard]] virtual std::variant<std::shared_ptr<stream::RowOperation>, std::string> conclude() = 0;
+struct FirstPass {
+    using Operation = std::shared_ptr<stream::RowOperation>;
+    Operation operation;
+    std::shared_ptr<stream::Sink> rows; ///< where the results go, as stream::Format::result
+    /// What the command is to do with the rows, or why nothing, in words.
+    std::function<std::variant<Operation, std::string>()> conclude;
 };
 
 /// A command that makes something of each row, checked.
@@ -87,7 +86,7 @@ struct RowsCommand {
     messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::vector<stream::Note> notes{};        ///< of the command line
     std::shared_ptr<Conclusion> conclusion{}; ///< null: the rows are all there is
-    std::shared_ptr<FirstPass> first_pass{};  ///< null: there is none
+    std::optional<FirstPass> first_pass{};
 };
 
 /// Runs the rows, and prints on stderr what there is to report.

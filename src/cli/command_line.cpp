@@ -26,11 +26,6 @@ std::string help(const CommandEntry& entry, std::span<const CommandEntry> comman
     return text;
 }
 
-/// A word that is not an option of the command, with the nearest option.
-std::string unexpected(const OptionSet& options, const std::string& word) {
-    return messages::no_such_option(word.substr(0, word.find('=')), mapped(options.all(), &Option::name));
-}
-
 /// Refuses operands that cannot be combined, and FILEs that cannot be read.
 void check(const Arguments& operands, bool has_input, std::size_t most_files, std::span<const CommandEntry> commands) {
     for (const std::string& file : operands.files) {
@@ -54,30 +49,23 @@ void check(const Arguments& operands, bool has_input, std::size_t most_files, st
     }
 }
 
-/// The command that prints a file whose name says that it is compressed; empty for other files.
-std::string unpacked(const std::string& file) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unpackers{
-        {{".gz", "zcat"}, {".zst", "zstdcat"}, {".xz", "xzcat"}}};
-    for (const auto& [ending, program] : unpackers) {
-        if (file.ends_with(ending)) {
-            return fmt::format("{} {}", program, file_in_shell(file));
-        }
-    }
-    return {};
-}
-
 /// Refuses files whose names say that they are compressed; the message has the command line that unpacks them.
 void refuse_compressed(const std::vector<std::string>& words, const std::vector<FileWord>& files) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unpackers{
+        {{".gz", "zcat"}, {".zst", "zstdcat"}, {".xz", "xzcat"}}};
     std::vector<std::string> command = mapped(words, in_shell);
     std::string first;
     std::string unpack;
     for (const FileWord& file : files) {
         const std::string name = words[file.word].substr(file.begin);
-        if (const std::string by = unpacked(name); !by.empty()) {
-            command[file.word] =
-                words[file.word].substr(0, file.begin) + (first.empty() ? "-" : fmt::format("<({})", by));
-            unpack = first.empty() ? by : unpack;
-            first = first.empty() ? name : first;
+        for (const auto& [ending, program] : unpackers) {
+            if (name.ends_with(ending)) {
+                const std::string by = fmt::format("{} {}", program, file_in_shell(name));
+                command[file.word] =
+                    words[file.word].substr(0, file.begin) + (first.empty() ? "-" : fmt::format("<({})", by));
+                unpack = first.empty() ? by : unpack;
+                first = first.empty() ? name : first;
+            }
         }
     }
     if (!first.empty()) {
@@ -118,7 +106,7 @@ Command read(std::vector<std::string> words) {
     const bool wants_version = entry->options.has("--version");
     if (arguments.end < words.size()) {
         if (!arguments.unknown.empty()) {
-            throw Usage(unexpected(entry->options, arguments.unknown));
+            throw Usage(messages::no_such_option(arguments.unknown, mapped(entry->options.all(), &Option::name)));
         }
         const std::string error = arguments.error;
         misplaced = arguments.first_option;
@@ -145,7 +133,7 @@ Command read(std::vector<std::string> words) {
         return PrintCommand{"rotconv " ROTCONV_VERSION "\n"};
     }
     if (!arguments.unknown.empty()) {
-        throw Usage(unexpected(options, arguments.unknown));
+        throw Usage(messages::no_such_option(arguments.unknown, mapped(options.all(), &Option::name)));
     }
     if (!misplaced.empty()) {
         throw Usage(fmt::format("{} stands before {}; options come after the command", misplaced, entry->name));

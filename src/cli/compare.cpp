@@ -402,37 +402,6 @@ private:
     MeanTurn right_;
 };
 
-/// Finds the turns of --align.
-class AlignmentPass final : public FirstPass {
-public:
-    using Make = std::function<operations::Operation(const TurnOptions&)>;
-    /// @param make the command's operation
-    AlignmentPass(AlignedSide side, const ConversionSettings& given, operations::Operation all_pairs,
-                  std::shared_ptr<TurnOptions> found, Make make)
-        : alignment_(side), given_(given), all_pairs_(std::move(all_pairs)), found_(std::move(found)),
-          make_(std::move(make)) {}
-
-    [[nodiscard]] operations::Operation operation() const override { return all_pairs_; }
-    [[nodiscard]] stream::Sink& rows() override { return sink_; }
-    [[nodiscard]] std::variant<operations::Operation, std::string> conclude() override {
-        const auto turns = alignment_.turns();
-        if (!turns) {
-            return std::string("the pairs do not determine the turn of --align");
-        }
-        *found_ = TurnOptions(*turns, given_);
-        return make_(*found_);
-    }
-
-private:
-    Alignment alignment_;
-    ConversionSettings given_;
-    operations::Operation all_pairs_;
-    std::shared_ptr<TurnOptions> found_;
-    Make make_;
-    PairSink sink_{
-        [this](double /*angle*/, const Rotation& attitude, const Rotation& known) { alignment_.add(attitude, known); }};
-};
-
 /// An angle, perhaps with its unit, as a limit in the unit of the output.
 Limit limit_of(const Given& given, std::string_view option) {
     const std::string& text = given.text(option);
@@ -491,19 +460,26 @@ std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, con
     if (command.has_values || command.input == "-" || command.reference == "-") {
         throw Usage("--align reads its input twice: give FILEs, not VALUEs or stdin");
     }
-    const ComparisonSettings settings = comparison.settings();
-    const auto make = [=](const TurnOptions& turns) {
-        ComparisonSettings turned = settings;
-        turned.reading = turns.replaced_in(settings.reading);
-        return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
-    };
     operations::ComparisonRows as_they_are = rows;
     as_they_are.as_numbers = true;
     as_they_are.delta = 0;
-    auto all_pairs =
-        operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle));
-    auto found = std::make_shared<TurnOptions>();
-    command.first_pass = std::make_shared<AlignmentPass>(side, settings.reading, std::move(all_pairs), found, make);
+    const auto alignment = std::make_shared<Alignment>(side);
+    const auto found = std::make_shared<TurnOptions>();
+    command.first_pass = {
+        operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle)),
+        std::make_shared<PairSink>([alignment](double /*angle*/, const Rotation& attitude, const Rotation& known) {
+            alignment->add(attitude, known);
+        }),
+        [=]() -> std::variant<operations::Operation, std::string> {
+            const auto turns = alignment->turns();
+            if (!turns) {
+                return "the pairs do not determine the turn of --align";
+            }
+            ComparisonSettings turned = comparison.settings();
+            *found = TurnOptions(*turns, turned.reading);
+            turned.reading = found->replaced_in(turned.reading);
+            return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
+        }};
     return found;
 }
 

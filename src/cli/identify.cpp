@@ -128,7 +128,6 @@ public:
 
     [[nodiscard]] Identification& identification() noexcept { return *identification_; }
     [[nodiscard]] std::vector<std::size_t>& positions() noexcept { return positions_; }
-    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
 
     [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
         if (identification_->rows() == 0) {
@@ -143,6 +142,9 @@ public:
         const bool is_ambiguous = verdict.fitting > 1;
         const std::string limit = is_ambiguous ? smaller_limit(candidates) : "";
         candidates.resize(std::min(candidates.size(), listed));
+        const auto line_of = [](const auto&... cells) {
+            return fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", cells...);
+        };
         std::string text = settings_.json ? "" : line_of("SPEC", "columns", "worst angle", "at line", "rows", "fits");
         for (const Candidate& each : candidates) {
             const bool is_read = std::isfinite(each.angle);
@@ -164,7 +166,7 @@ public:
             } else {
                 text +=
                     line_of(each.spec.text(), columns_of(each), is_read ? fmt::format("{:.6g}", angle) : "no attitude",
-                            std::to_string(each.angle_row), std::to_string(each.rows), (fits ? "yes" : "no") + turns);
+                            each.angle_row, each.rows, (fits ? "yes" : "no") + turns);
             }
         }
         std::string best = is_ambiguous ? "ambiguous" : "none";
@@ -198,11 +200,6 @@ private:
         settings_.rows.count = count;
         identification_.emplace(count, settings_.rows.known, settings_.name, settings_.identification);
         *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
-    }
-
-    static std::string line_of(std::string_view spec, std::string_view columns, std::string_view angle,
-                               std::string_view line, std::string_view rows, std::string_view fits) {
-        return fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", spec, columns, angle, line, rows, fits);
     }
 
     /// Where one of those that fit is a million times nearer than all others.
@@ -264,7 +261,6 @@ private:
     std::shared_ptr<messages::Subject> subject_; ///< of the rows
     std::optional<Identification> identification_;
     std::vector<std::size_t> positions_;
-    stream::NullSink nowhere_;
 };
 
 /// How many unknown numbers a row has, if the command line tells it; otherwise 0.

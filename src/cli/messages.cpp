@@ -95,6 +95,58 @@ std::string opened(const stream::Diagnostic& diagnostic) {
                                               : fmt::format("by {:.{}f} deg", degrees, degrees < 10.0 ? 1 : 0));
 }
 
+std::string why(const stream::RowError& error, const Subject& subject) {
+    const Representation& entry = representation(subject.representation);
+    switch (error.what) {
+    case stream::RowError::What::not_a_number: return "not a number";
+    case stream::RowError::What::too_large: return "too large for a double";
+    case stream::RowError::What::wrong_count:
+        return fmt::format("{} where {} has {}{}", counted(error.found, "field"), subject.text, error.expected,
+                           error.found > error.expected ? " (--columns selects)" : "");
+    case stream::RowError::What::missing_column:
+        return fmt::format("no column {}, the row has {}", error.expected, error.found);
+    case stream::RowError::What::key_order: return "the key does not increase";
+    case stream::RowError::What::open_quote: return "a quote is left open";
+    case stream::RowError::What::time: return "not a time that is read";
+    case stream::RowError::What::attitude: break;
+    }
+    switch (error.error) {
+    case Error::none: break;
+    case Error::not_finite: return "not finite";
+    case Error::overflow: return "the result is too large for a double";
+    case Error::zero_quaternion: return "a zero quaternion has no attitude";
+    case Error::zero_axis: return "a zero axis with an angle that is not 0";
+    case Error::not_proper: return "no rotation is nearest to a matrix with det <= 0";
+    case Error::rank_deficient:
+        return subject.representation == RepresentationId::dcm ? "the matrix is nearly of rank one"
+                                                               : "the two columns do not span a plane";
+    case Error::singular:
+        return fmt::format("{} has no rates at {}{}", entry.text, entry.singular_attitude,
+                           subject.has_steps ? ", and a step came too near to it (--substeps)" : "");
+    case Error::past_half_turn: return "the body may have turned by half a turn or more since the row before (a gap?)";
+    case Error::ended: return "no attitude, because an earlier row failed";
+    case Error::coarse_step:
+        return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit)",
+                           entry.text);
+    case Error::time_order: return "time does not increase";
+    case Error::defect:
+        return fmt::format("defect {} is above the tolerance {} (--tolerance){}", error.defect, subject.tolerance,
+                           error.norm > 0.0 ? fmt::format(", its norm is {:.12g}", error.norm) : "");
+    }
+    return {};
+}
+
+/// What to do about it.
+std::string after_text(const stream::RowError& error) {
+    using What = stream::RowError::What;
+    if (error.what == What::time && error.of_reference && error.time == stream::TimeError::has_unit) {
+        return "; such times are in seconds: --reference-time-unit s";
+    }
+    const bool has_blank = error.what == What::wrong_count && has_blank_in_time(error.text);
+    const auto time = has_blank ? stream::TimeError::blank : error.time;
+    return error.what == What::time || has_blank ? fmt::format("; {}", mend(time)) : "";
+}
+
 } // namespace
 
 Subject subject_of(const Spec& spec, double tolerance) {
@@ -141,7 +193,8 @@ std::string no_such_word(std::string_view what, std::string_view text, const std
 }
 
 std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
-    return unknown("option", text, legal, guess_option(text, legal));
+    const std::string_view name = text.substr(0, text.find('='));
+    return unknown("option", name, legal, guess_option(name, legal));
 }
 
 std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
@@ -204,54 +257,7 @@ std::string explain(const AxesError& error) {
 }
 
 std::string explain(const stream::RowError& error, const Subject& subject) {
-    using What = stream::RowError::What;
-    const std::string text = quoted(error.text);
-    switch (error.what) {
-    case What::not_a_number: return fmt::format("not a number: {}", text);
-    case What::too_large: return fmt::format("too large for a double: {}", text);
-    case What::wrong_count:
-        return fmt::format("{} where {} has {}{}: {}{}", counted(error.found, "field"), subject.text, error.expected,
-                           error.found > error.expected ? " (--columns selects)" : "", text,
-                           has_blank_in_time(error.text) ? fmt::format("; {}", mend(stream::TimeError::blank)) : "");
-    case What::missing_column:
-        return fmt::format("no column {}, the row has {}: {}", error.expected, error.found, text);
-    case What::key_order: return fmt::format("the key does not increase: {}", text);
-    case What::open_quote: return fmt::format("a quote is left open: {}", text);
-    case What::time:
-        return fmt::format("not a time that is read: {}; {}", text,
-                           error.of_reference && error.time == stream::TimeError::has_unit
-                               ? "such times are in seconds: --reference-time-unit s"
-                               : mend(error.time));
-    case What::attitude: break;
-    }
-    switch (error.error) {
-    case Error::none: break;
-    case Error::not_finite: return fmt::format("not finite: {}", text);
-    case Error::overflow: return fmt::format("the result is too large for a double: {}", text);
-    case Error::zero_quaternion: return fmt::format("a zero quaternion has no attitude: {}", text);
-    case Error::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
-    case Error::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
-    case Error::rank_deficient:
-        return fmt::format("{}: {}",
-                           subject.representation == RepresentationId::dcm ? "the matrix is nearly of rank one"
-                                                                           : "the two columns do not span a plane",
-                           text);
-    case Error::singular:
-        return fmt::format("{} has no rates at {}{}: {}", representation(subject.representation).text,
-                           representation(subject.representation).singular_attitude,
-                           subject.has_steps ? ", and a step came too near to it (--substeps)" : "", text);
-    case Error::past_half_turn:
-        return fmt::format("the body may have turned by half a turn or more since the row before (a gap?): {}", text);
-    case Error::ended: return fmt::format("no attitude, because an earlier row failed: {}", text);
-    case Error::coarse_step:
-        return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",
-                           representation(subject.representation).text, text);
-    case Error::time_order: return fmt::format("time does not increase: {}", text);
-    case Error::defect:
-        return fmt::format("defect {} is above the tolerance {} (--tolerance){}: {}", error.defect, subject.tolerance,
-                           error.norm > 0.0 ? fmt::format(", its norm is {:.12g}", error.norm) : "", text);
-    }
-    return {};
+    return fmt::format("{}: {}{}", why(error, subject), quoted(error.text), after_text(error));
 }
 
 std::string explain(const stream::StreamError& error, const Subject& subject) {

@@ -72,7 +72,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
                                        const std::vector<std::string_view>& legal);
 
-/// The same for an option.
+/// The same for an option, perhaps with its argument.
 [[nodiscard]] std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal);
 
 /// Why a word does not name a method of the pair, with the methods of the pair and the input for which they hold.

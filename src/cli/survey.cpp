@@ -14,7 +14,6 @@ public:
     SurveyConclusion(double condition, bool json) : condition_(condition), json_(json) {}
 
     [[nodiscard]] Survey& survey() noexcept { return survey_; }
-    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
 
     [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
         const bool is_empty = survey_.rows() == 0;
@@ -63,7 +62,6 @@ private:
     Survey survey_;
     double condition_; ///< the greatest that serves
     bool json_;
-    stream::NullSink nowhere_;
 };
 
 Command survey(const Given& given) {
