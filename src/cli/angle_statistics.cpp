@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 
 namespace rotconv::cli {
 namespace {
 
-constexpr unsigned mantissa_bits = 52;
+constexpr unsigned dropped_bits = 43; // of 52: angles between two powers of two are told apart by 9
 constexpr std::size_t most_kept = 4096;
 
 } // namespace
@@ -33,11 +34,7 @@ void AngleStatistics::add(double angle) {
         spread_ += (before / greatest_) * ((angle - mean_) / greatest_);
     }
     const auto bits = std::bit_cast<std::uint64_t>(angle);
-    auto& octave = octaves_.at(bits >> mantissa_bits);
-    if (!octave) {
-        octave = std::make_unique<Octave>();
-    }
-    ++octave->at(bits >> (mantissa_bits - digits) & (steps - 1));
+    ++counts_[bits >> dropped_bits];
 }
 
 double AngleStatistics::root_mean_square() const noexcept {
@@ -61,14 +58,11 @@ double AngleStatistics::percentile(double percent) const noexcept {
         return *found;
     }
     double passed = 0.0;
-    for (std::uint64_t exponent = 0; exponent < octaves_.size(); ++exponent) {
-        for (std::uint64_t i = 0; octaves_.at(exponent) && i < steps; ++i) {
-            passed += static_cast<double>(octaves_.at(exponent)->at(i));
-            if (passed >= rank) {
-                const auto low = (exponent << digits | i) << (mantissa_bits - digits);
-                const auto middle = low | std::uint64_t{1} << (mantissa_bits - digits - 1);
-                return low == 0 ? 0.0 : std::clamp(std::bit_cast<double>(middle), least_, greatest_);
-            }
+    for (const auto& [bits, count] : std::map(counts_.begin(), counts_.end())) {
+        passed += static_cast<double>(count);
+        if (passed >= rank) {
+            const std::uint64_t middle = (bits << dropped_bits) | (std::uint64_t{1} << (dropped_bits - 1));
+            return bits == 0 ? 0.0 : std::clamp(std::bit_cast<double>(middle), least_, greatest_);
         }
     }
     return greatest_;

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace rotconv::cli {
@@ -25,12 +24,7 @@ public:
     [[nodiscard]] double percentile(double percent) const noexcept;
 
 private:
-    /// Angles between two powers of two, by their first digits in base 2.
-    static constexpr unsigned digits = 9;
-    static constexpr std::uint64_t steps = 1U << digits;
-    using Octave = std::array<std::uint64_t, steps>;
-
-    std::vector<double> first_; ///< as many as that
+    std::vector<double> first_; ///< those of which percentiles are exact
     std::size_t count_ = 0;
     double least_ = 0.0;
     double greatest_ = 0.0;
@@ -39,7 +33,7 @@ private:
     double mean_ = 0.0;    ///< so far, by Welford's method
     double squares_ = 0.0; ///< of the angles over the greatest so far, as squares of small ones would underflow...
     double spread_ = 0.0;  ///< ...and of their differences from the mean
-    std::array<std::unique_ptr<Octave>, 2048> octaves_; ///< by the exponent
+    std::unordered_map<std::uint64_t, std::uint64_t> counts_; ///< by the first bits
 };
 
 } // namespace rotconv::cli

@@ -503,7 +503,7 @@ Command compare(const Given& given) {
                 .within_p95 = limit_of(given, "--within-p95"),
                 .allow_failed = given.has("--allow-failed"),
                 .percentiles = percentiles_of(given.text("--percentiles")),
-                .worst = static_cast<std::size_t>(count_of(given, "--worst", 1'000'000)),
+                .worst = count_of(given, "--worst", 1'000'000),
                 .degrees = given.has("--degrees"),
                 .turns = given.has("--delta"),
                 .by_key = is_by_key(given),
@@ -534,7 +534,7 @@ Command compare(const Given& given) {
                                     .by_key = check.by_key,
                                     .as_numbers = !as_rows,
                                     .interpolates = given.has("--interpolate") && is_paired(given),
-                                    .delta = static_cast<std::size_t>(count_of(given, "--delta", 1'000'000))};
+                                    .delta = count_of(given, "--delta", 1'000'000)};
     messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
     if (!rows.paired) {
         subject.text += given.has("--to") ? fmt::format(" with {}", representation(reference.name).text) : " twice";

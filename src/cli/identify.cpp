@@ -277,7 +277,7 @@ std::size_t given_count(const Given& given, const std::string& list, const opera
         if (!given.has("--width")) {
             throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
         }
-        all = static_cast<std::size_t>(count_of(given, "--width", widest_row));
+        all = count_of(given, "--width", widest_row);
     } else {
         return 0;
     }

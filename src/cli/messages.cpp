@@ -3,44 +3,12 @@
 #include <algorithm>
 #include <system_error>
 
-#include "../methods/method.hpp"
 #include "../stream/decimal.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
-
-/// "; did you mean X?", and what the word is elsewhere.
-std::string suggestion(std::string_view word, const std::optional<Guess>& guess) {
-    if (!guess) {
-        return {};
-    }
-    if (!guess->note.empty()) {
-        return fmt::format("; {}", guess->note);
-    }
-    if (guess->text.empty()) {
-        return fmt::format("; {} needs no modifier: leave it out", quoted(word));
-    }
-    return fmt::format(";{} did you mean {}?", guess->elsewhere, guess->text);
-}
-
-/// A word that is not one of the legal ones.
-std::string unknown(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal,
-                    const std::optional<Guess>& guess) {
-    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
-                       suggestion(text, guess));
-}
-
-std::vector<std::string_view> list_of(const ModifierSet& modifiers) {
-    std::vector<std::string_view> words;
-    for (const Modifier modifier : all_modifiers) {
-        if (modifiers.has(modifier)) {
-            words.push_back(name_of(modifier));
-        }
-    }
-    return words;
-}
 
 /// What to write instead of a text that is not read as a time.
 std::string_view mend(stream::TimeError error) {
@@ -171,76 +139,14 @@ std::vector<std::string_view> all_presets() { return mapped(presets(), &Preset::
 
 std::vector<std::string> all_sequences() { return mapped(EulerSequence::all(), &EulerSequence::text); }
 
-std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
-    return fmt::format("{}", fmt::join(list_of(modifiers), separator));
-}
-
-std::string other_order(std::string_view list, const Spec& from, const std::vector<std::string_view>& order,
-                        const std::optional<Spec>& right) {
-    return fmt::format("{} is not the order of {}, which is {}{}", quoted(list), from.text(), fmt::join(order, ","),
-                       right ? fmt::format("; it is the order of {}", right->text()) : "");
-}
-
-std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
-    const std::string mended = mend(word);
-    return fmt::format("argument: {} is not a number, and cannot be read as a FILE: {}{}", quoted(word),
-                       std::generic_category().message(error),
-                       mended.empty() ? suggestion(word, guess_operand(word, commands)) : mended);
-}
-
-std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
-    return unknown(what, text, legal, guess_by_spelling(text, legal));
-}
-
-std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
-    const std::string_view name = text.substr(0, text.find('='));
-    return unknown("option", name, legal, guess_option(name, legal));
-}
-
-std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
-    const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
-    const auto rows = methods_of(from, to);
-    if (rows.empty()) {
-        return fmt::format("{}: from {} only default, fast and all are known", quoted(text), pair);
+std::vector<std::string_view> words_of(const ModifierSet& modifiers) {
+    std::vector<std::string_view> words;
+    for (const Modifier modifier : all_modifiers) {
+        if (modifiers.has(modifier)) {
+            words.push_back(name_of(modifier));
+        }
     }
-    auto legal = mapped(rows, &Method::name);
-    legal.insert(legal.end(), {fast_method, all_methods});
-    std::string message = fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair,
-                                      suggestion(text, guess_by_spelling(text, legal)));
-    for (const Method& method : rows) {
-        message += fmt::format("\n  {:<18} {}", method.name, method.domain);
-    }
-    message +=
-        fmt::format("\n  {:<18} {}\n  {:<18} each of these, one line for each", fast_method, every_input, all_methods);
-    return message;
-}
-
-std::string explain(const SpecError& error) {
-    using What = SpecError::What;
-    switch (error.what) {
-    case What::unknown_name: {
-        const auto legal = all_names();
-        return unknown("representation", error.text, legal, guess_spec(error, legal));
-    }
-    case What::no_sequence:
-        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
-    case What::unknown_sequence: {
-        const auto list = all_sequences();
-        const std::vector<std::string_view> legal(list.begin(), list.end());
-        return unknown("Euler sequence", error.text, legal, guess_spec(error, legal));
-    }
-    case What::unknown_modifier: {
-        auto legal = list_of(error.in->modifiers);
-        std::ranges::copy(all_presets(), std::back_inserter(legal));
-        return unknown(fmt::format("modifier of {}", error.in->text), error.text, legal, guess_spec(error, legal));
-    }
-    case What::meaningless_modifier:
-        return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
-                           error.in->text, words_of(error.in->modifiers, " "), fmt::join(all_presets(), " "));
-    case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
-    case What::two_orders: return fmt::format("{} has the scalar first and last", quoted(error.text));
-    }
-    return {};
+    return words;
 }
 
 std::string explain(const AxesError& error) {

@@ -43,9 +43,7 @@ Command propagate(const Given& given) {
         one_of<Interpolation>(given, "--interpolation", "interpolation",
                               {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
     settings.renormalise = given.has("--renormalise");
-    if (given.has("--substeps")) {
-        settings.substeps = static_cast<std::size_t>(count_of(given, "--substeps", 1'000'000));
-    }
+    settings.substeps = count_of(given, "--substeps", 1'000'000, 1, settings.substeps);
     if (given.has("--initial")) {
         settings.initial = attitude_of(given, "--initial").rotation;
     }

@@ -18,9 +18,6 @@
 namespace rotconv::cli {
 namespace {
 
-/// Whether roll is about x and pitch about y: not in Metashape's -ZXY of yaw, pitch and roll, for example.
-bool has_usual_axes(const EulerSequence& sequence) { return !sequence.has_signs() || sequence.axis(1) == 1; }
-
 /// The canonical names of quat, dcm, or roll, pitch and yaw, in the SPEC's order; none for other SPECs.
 std::vector<std::string_view> name_order(const Spec& spec) {
     if (spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
@@ -28,8 +25,10 @@ std::vector<std::string_view> name_order(const Spec& spec) {
         return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
     }
     std::vector<std::string_view> order;
+    // Roll is about x and pitch about y: not in Metashape's -ZXY of yaw, pitch and roll, for example.
+    const bool has_usual_axes = !spec.sequence.has_signs() || spec.sequence.axis(1) == 1;
     if (spec.name == RepresentationId::rpy ||
-        (spec.name == RepresentationId::euler && !spec.sequence.proper() && has_usual_axes(spec.sequence))) {
+        (spec.name == RepresentationId::euler && !spec.sequence.proper() && has_usual_axes)) {
         for (std::size_t i = 0; i < spec.size(); ++i) {
             order.push_back(
                 representation(RepresentationId::rpy).columns.at(static_cast<std::size_t>(spec.sequence.axis(i))));
@@ -137,12 +136,12 @@ stream::Digits digits_of(const Given& given) {
         throw Usage("--precision cannot be combined with --decimals");
     }
     return {.significant = static_cast<int>(count_of(given, "--precision", most)),
-            .decimals = static_cast<int>(count_of(given, "--decimals", most, 0, -1))};
+            .decimals = given.has("--decimals") ? static_cast<int>(count_of(given, "--decimals", most, 0)) : -1};
 }
 
 /// Doubles of a binary row; 0 if the input is text.
 std::size_t width_of(const Given& given, const stream::InputOptions& in) {
-    const auto width = static_cast<std::size_t>(count_of(given, "--width", widest_row));
+    const auto width = count_of(given, "--width", widest_row);
     if (!one_of<bool>(given, "--input-format", "input format", {{"csv", false}, {"f64", true}})) {
         return 0;
     }
@@ -162,7 +161,7 @@ std::size_t width_of(const Given& given, const stream::InputOptions& in) {
 
 /// How one stream is read, or the VALUEs.
 stream::InputOptions input_of(const Given& given, const SelectedColumns& selected, stream::RowNumbers numbers,
-                              const messages::Subject& subject, bool has_values, bool refuses) {
+                              const messages::Subject& subject, bool refuses) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
     in.header = one_of<HeaderMode>(
@@ -181,21 +180,20 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
         const std::size_t count = in.numbers.names.size();
         const std::size_t keys = selected.key.empty() ? 0 : 1;
         static_cast<void>(parse(selected.list, count - keys, selected.option, subject)); // for its message
-        in.columns = parse(selected.all(), count, selected.option, subject);
+        in.columns = parse(selected.key.empty() ? selected.list : selected.key + "," + selected.list, count,
+                           selected.option, subject);
         if (refuses) {
             refuse_other_order(selected, in);
         }
     }
+    const bool has_values = !given.values.empty();
     const bool headless = in.header == HeaderMode::no || in.header == HeaderMode::add;
     if (in.columns.has_names() && (headless || has_values)) {
         throw Usage("--columns selects by name, but there is no header with names; use indices");
     }
     in.width = has_values ? 0 : width_of(given, in);
     in.comment = has_values || given.text("--comment") == "none" ? "" : or_else(given.text("--comment"), in.comment);
-    add_notes(in, {.degrees = given.has("--degrees"),
-                   .time_unit = or_else(given.text(selected.time_option), given.text("--time-unit")),
-                   .time_option = selected.time_option,
-                   .refuses = refuses});
+    add_notes(given, selected.time_option, refuses, in);
     return in;
 }
 
@@ -203,9 +201,12 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
 
 std::string wrong_order(const Spec& spec, const std::vector<std::string_view>& names, std::string_view list) {
     const auto order = name_order(spec);
-    return names != order && std::ranges::is_permutation(names, order)
-               ? messages::other_order(list, spec, order, spec_in_order(spec, names))
-               : std::string();
+    if (names == order || !std::ranges::is_permutation(names, order)) {
+        return {};
+    }
+    const auto right = spec_in_order(spec, names);
+    return fmt::format("{} is not the order of {}, which is {}{}", quoted(list), spec.text(), fmt::join(order, ","),
+                       right ? fmt::format("; it is the order of {}", right->text()) : "");
 }
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
@@ -281,15 +282,15 @@ double amount_of(const Given& given, std::string_view option, double default_val
     return value;
 }
 
-std::int64_t count_of(const Given& given, std::string_view option, std::int64_t most, std::int64_t least,
-                      std::int64_t default_value) {
+std::size_t count_of(const Given& given, std::string_view option, std::size_t most, std::size_t least,
+                     std::size_t default_value) {
     const std::string& text = given.text(option);
     auto value = static_cast<double>(default_value);
     if (!text.empty() && (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) ||
                           value < static_cast<double>(least) || value > static_cast<double>(most))) {
         throw Usage(fmt::format("{} {} must be a whole number from {} to {}", option, quoted(text), least, most));
     }
-    return static_cast<std::int64_t>(value);
+    return static_cast<std::size_t>(value);
 }
 
 Frame frame_of(const Given& given) {
@@ -442,9 +443,8 @@ RowsCommand rows_command(const Given& given, const SelectedColumns& selected, co
     command.strict = given.has("--strict");
     command.input = or_else(given.files.empty() ? given.text("--input") : given.files[0], command.input);
     command.output = or_else(given.text("--output"), command.output);
-    const auto threads = static_cast<std::size_t>(count_of(given, "--threads", 1 << 20U));
     command.options = {
-        .input = input_of(given, selected, numbers, subject, command.has_values, numbers.attitude.has_value()),
+        .input = input_of(given, selected, numbers, subject, numbers.attitude.has_value()),
         .operation = std::move(operation),
         .format = one_of<Format>(
             given, "--format", "format",
@@ -454,7 +454,7 @@ RowsCommand rows_command(const Given& given, const SelectedColumns& selected, co
         .append = given.has("--append"),
         .diagnostic_columns = command.diagnostics == ShowDiagnostics::columns,
         .show_diagnostics = command.diagnostics != ShowDiagnostics::off,
-        .threads = threads > 0 ? threads : stream::processors(),
+        .threads = count_of(given, "--threads", std::size_t{1} << 20U, 1, stream::processors()),
         .describe = messages::describe,
     };
     for (const char* option : {"--left", "--right", "--initial"}) {
@@ -485,7 +485,7 @@ void pair(const Given& given, RowsCommand& command, stream::RowNumbers numbers, 
     stream::InputOptions& in = command.options.input;
     stream::Pairing& pairs = command.options.pairing.emplace();
     const bool refuses = in.numbers.attitude.has_value(); // identify does not
-    pairs.reference = input_of(given, selected, std::move(numbers), subject, false, refuses);
+    pairs.reference = input_of(given, selected, std::move(numbers), subject, refuses);
     pairs.by_key = given.has("--key");
     pairs.interpolates = given.has("--interpolate");
     if (given.has("--key-within")) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,8 +55,8 @@ struct GivenNumbers {
 /// A number that is not negative.
 [[nodiscard]] double amount_of(const Given& given, std::string_view option, double default_value, bool infinite);
 /// A whole number from `least` to `most`.
-[[nodiscard]] std::int64_t count_of(const Given& given, std::string_view option, std::int64_t most,
-                                    std::int64_t least = 1, std::int64_t default_value = 0);
+[[nodiscard]] std::size_t count_of(const Given& given, std::string_view option, std::size_t most, std::size_t least = 1,
+                                   std::size_t default_value = 0);
 [[nodiscard]] Frame frame_of(const Given& given);
 /// The power of ten of the seconds in a unit of time.
 [[nodiscard]] int time_power_of(const std::string& text);
@@ -70,18 +70,12 @@ struct GivenNumbers {
 // What the input says of its numbers against how they are read: names and units in a header, large angles; in
 // notes.cpp.
 
-/// How a command takes numbers, beside their SPEC.
-struct ReadAs {
-    bool degrees = false;    ///< -d: angular velocities too
-    std::string time_unit{}; ///< empty: seconds; keys have none then
-    std::string time_option = "--time-unit";
-    bool refuses = true; ///< names in another order end the run, unless --columns selects
-};
-void add_notes(stream::InputOptions& input, const ReadAs& reading);
+/// @param refuses names in another order end the run, unless --columns selects
+void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input);
 /// The same for an option's "SPEC: NUMBERS"; nothing if it is not given.
 [[nodiscard]] std::optional<stream::Note> note_on(const Given& given, std::string_view option);
 
-inline constexpr int widest_row = 100'000; ///< doubles
+inline constexpr std::size_t widest_row = 100'000; ///< doubles
 
 // Options that several commands have: where rows come from, how they are read and written, and where the answer goes.
 
@@ -108,8 +102,6 @@ struct SelectedColumns {
     std::string option = "--columns";
     std::string key{}; ///< a column before them
     std::string time_option = "--time-unit";
-
-    [[nodiscard]] std::string all() const { return key.empty() ? list : key + "," + list; }
 };
 /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
 /// @throw Usage if an option about keys is given without a key

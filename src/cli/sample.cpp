@@ -17,14 +17,14 @@
 namespace rotconv::cli {
 namespace {
 
-constexpr std::int64_t largest_count = 1'000'000'000'000'000;
+constexpr std::size_t largest_count = 1'000'000'000'000'000;
 constexpr double most_noise = 0.5;
 
 /// The indices of rows: as doubles or, where kinds are given, as text after the kind of each row.
 class RowIndices final : public stream::Source {
 public:
-    RowIndices(std::int64_t rows, std::vector<SampleKind> kinds, std::string_view header)
-        : rows_(static_cast<std::uint64_t>(rows)), kinds_(std::move(kinds)) {
+    RowIndices(std::size_t rows, std::vector<SampleKind> kinds, std::string_view header)
+        : rows_(rows), kinds_(std::move(kinds)) {
         stream::append(made_, header);
     }
 
@@ -45,8 +45,8 @@ public:
     }
 
 private:
-    std::uint64_t rows_;
-    std::uint64_t next_ = 0;
+    std::size_t rows_;
+    std::size_t next_ = 0;
     std::vector<SampleKind> kinds_;
     stream::Buffer made_; ///< and not yet read
 };
@@ -82,9 +82,8 @@ Command sample(const Given& given) {
         throw Usage(fmt::format("sample reads no VALUEs: {}", quoted(given.values[0])));
     }
     const Spec to = spec_of(given, "--to");
-    const std::int64_t rows = count_of(given, "--rows", largest_count, 1, 1000);
-    const SampleSettings settings{kinds_of(given.text("--kind"), to.name),
-                                  static_cast<std::uint64_t>(count_of(given, "--seed", largest_count, 0)),
+    const std::size_t rows = count_of(given, "--rows", largest_count, 1, 1000);
+    const SampleSettings settings{kinds_of(given.text("--kind"), to.name), count_of(given, "--seed", largest_count, 0),
                                   noise_of(given.text("--noise"))};
     const bool has_header = one_of<bool>(given, "--header", "mode of --header", {{"no", false}, {"add", true}});
     const stream::RowNumbers numbers{.names = {"index"}};

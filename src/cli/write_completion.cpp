@@ -27,7 +27,7 @@ std::string modifiers() {
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
         text += fmt::format("    {}) modifiers={}{} ;;\n", fmt::join(messages::names_of(entry), " | "),
-                            in_shell(messages::words_of(entry.modifiers, " ")),
+                            as_word(messages::words_of(entry.modifiers)),
                             entry.takes_sequence ? " sequences=" + as_word(messages::all_sequences()) : "");
     }
     return text + "    esac\n";
