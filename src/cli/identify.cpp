@@ -80,22 +80,6 @@ std::string turn_options(const Candidate& candidate) {
            (candidate.right ? turn_option("--right", "--body-axes", *candidate.right, true) : "");
 }
 
-/// Indices from 1 as --columns takes them: three or more in a row as a range.
-std::string list_of(const std::vector<std::size_t>& columns) {
-    std::string text;
-    for (std::size_t i = 0; i < columns.size();) {
-        std::size_t end = i + 1;
-        while (end < columns.size() && columns[end] == columns[end - 1] + 1) {
-            ++end;
-        }
-        const bool is_range = end - i > 2;
-        text += fmt::format("{}{}{}", text.empty() ? "" : ",", columns[i],
-                            is_range ? fmt::format("-{}", columns[end - 1]) : "");
-        i = is_range ? end : i + 1;
-    }
-    return text;
-}
-
 std::string in_brackets(const Eigen::Vector3d& v) {
     return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
 }
@@ -247,12 +231,22 @@ private:
         return (positions_.empty() ? number : positions_.at(number)) + 1;
     }
 
+    /// Indices from 1 as --columns takes them: three or more in a row as a range.
     [[nodiscard]] std::string columns_of(const Candidate& candidate) const {
-        std::vector<std::size_t> columns;
-        for (std::size_t i = 0; i < candidate.spec.size(); ++i) {
-            columns.push_back(column(candidate.columns.at(i)));
+        const std::size_t size = candidate.spec.size();
+        const auto index = [&](std::size_t i) { return column(candidate.columns.at(i)); };
+        std::string text;
+        for (std::size_t i = 0; i < size;) {
+            std::size_t end = i + 1;
+            while (end < size && index(end) == index(end - 1) + 1) {
+                ++end;
+            }
+            const bool is_range = end - i > 2;
+            text += fmt::format("{}{}{}", text.empty() ? "" : ",", index(i),
+                                is_range ? fmt::format("-{}", index(end - 1)) : "");
+            i = is_range ? end : i + 1;
         }
-        return list_of(columns);
+        return text;
     }
 
     Settings settings_;

@@ -16,47 +16,41 @@ public:
     [[nodiscard]] Survey& survey() noexcept { return survey_; }
 
     [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
-        const bool is_empty = survey_.rows() == 0;
-        if (is_empty) {
+        if (survey_.rows() == 0) {
             print_error(messages::nothing_read);
         }
-        const RepresentationSurvey* best = is_empty ? nullptr : survey_.smallest(condition_);
+        const RepresentationSurvey* best = survey_.rows() == 0 ? nullptr : survey_.smallest(condition_);
         const std::string smallest = best != nullptr ? best->spec.text() : "none";
-        const std::string text = is_empty ? "" : json_ ? in_json() : in_table();
         const std::string end = json_ ? json_line({{"rows", survey_.rows()}, {"smallest", smallest}}) : smallest + "\n";
-        return {text + end, best != nullptr};
+        return {(survey_.rows() == 0 ? "" : table()) + end, best != nullptr};
     }
 
 private:
-    [[nodiscard]] std::string in_table() const {
-        std::string text;
-        const auto line = [&text](const auto&... cells) {
-            text += fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", cells...);
+    [[nodiscard]] std::string table() const {
+        const auto line = [](const auto&... cells) {
+            return fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", cells...);
         };
-        line("SET", "n", "least margin", "at line", "greatest condition", "at line", "jumps", "first at", "serves");
+        std::string text = json_ ? ""
+                                 : line("SET", "n", "least margin", "at line", "greatest condition", "at line", "jumps",
+                                        "first at", "serves");
         for (const RepresentationSurvey& each : survey_.representations()) {
-            line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin), each.margin_row,
-                 fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
-                 each.jumps == 0 ? "-" : std::to_string(each.jump_row), each.serves(condition_) ? "yes" : "no");
+            text += json_ ? json_line({{"set", each.spec.text()},
+                                       {"parameters", each.spec.size()},
+                                       {"margin", each.least_margin},
+                                       {"margin_line", each.margin_row},
+                                       {"condition", each.greatest_condition},
+                                       {"condition_line", each.condition_row},
+                                       {"jumps", each.jumps},
+                                       {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
+                                       {"serves", each.serves(condition_)}})
+                          : line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin),
+                                 each.margin_row, fmt::format("{:.6g}", each.greatest_condition), each.condition_row,
+                                 each.jumps, each.jumps == 0 ? "-" : std::to_string(each.jump_row),
+                                 each.serves(condition_) ? "yes" : "no");
         }
-        return text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
-                                  counted(survey_.rows(), "attitude"), condition_);
-    }
-
-    [[nodiscard]] std::string in_json() const {
-        std::string text;
-        for (const RepresentationSurvey& each : survey_.representations()) {
-            text += json_line({{"set", each.spec.text()},
-                               {"parameters", each.spec.size()},
-                               {"margin", each.least_margin},
-                               {"margin_line", each.margin_row},
-                               {"condition", each.greatest_condition},
-                               {"condition_line", each.condition_row},
-                               {"jumps", each.jumps},
-                               {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
-                               {"serves", each.serves(condition_)}});
-        }
-        return text;
+        return json_ ? text
+                     : text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
+                                          counted(survey_.rows(), "attitude"), condition_);
     }
 
     Survey survey_;
