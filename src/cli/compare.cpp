@@ -464,7 +464,7 @@ std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, con
     as_they_are.as_numbers = true;
     as_they_are.delta = 0;
     const auto alignment = std::make_shared<Alignment>(side);
-    const auto found = std::make_shared<TurnOptions>();
+    auto found = std::make_shared<TurnOptions>();
     command.first_pass = {
         operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle)),
         std::make_shared<PairSink>([alignment](double /*angle*/, const Rotation& attitude, const Rotation& known) {
