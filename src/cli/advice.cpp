@@ -42,17 +42,6 @@ std::vector<stream::Line> lines_of(std::string_view text) {
     return lines;
 }
 
-/// The lines, each as `edit` returns it; a line is left out if that is nothing.
-template <class Edit> std::string edited(const std::vector<stream::Line>& lines, const Edit& edit) {
-    std::string text;
-    for (const stream::Line& line : lines) {
-        if (const std::optional<std::string_view> kept = edit(line.text)) {
-            text.append(*kept).append(line.end);
-        }
-    }
-    return text;
-}
-
 /// Reads the rows' numbers, for reads().
 class Nothing final : public stream::RowOperation {
 public:
@@ -169,7 +158,15 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
             found = command + " | rotconv ...";
         }
     };
-    const auto offer_lines = [&](const auto& edit, const std::string& command) { offer(edited(lines, edit), command); };
+    const auto offer_lines = [&](const auto& edit, const std::string& command) { // a line is left out by nothing
+        std::string edited;
+        for (const stream::Line& each : lines) {
+            if (const std::optional<std::string_view> kept = edit(each.text)) {
+                edited.append(*kept).append(each.end);
+            }
+        }
+        offer(edited, command);
+    };
     const std::string_view text = lines[at].text;
     const std::string name = file == "-" ? "" : " " + file_in_shell(file);
     for (const std::string_view mark : {"//", "%", "COMMENT"}) {

@@ -1,9 +1,12 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace rotconv::cli {
@@ -12,25 +15,69 @@ namespace rotconv::cli {
 /// rounding.
 class AngleStatistics {
 public:
-    void add(double angle);
+    void add(double angle) {
+        least_ = count_ == 0 ? angle : std::min(least_, angle);
+        if (angle > greatest_) {
+            const double factor = greatest_ / angle;
+            squares_ *= factor * factor;
+            spread_ *= factor * factor;
+            greatest_ = angle;
+        }
+        if (count_++ < most_kept) {
+            first_.push_back(angle);
+        }
+        const double sum = sum_ + angle; // Kahan and Neumaier: what each addition loses is kept
+        lost_ += sum_ >= angle ? (sum_ - sum) + angle : (angle - sum) + sum_;
+        sum_ = sum;
+        if (greatest_ > 0.0) {
+            const double before = angle - mean_;
+            mean_ += before / static_cast<double>(count_);
+            squares_ += (angle / greatest_) * (angle / greatest_);
+            spread_ += (before / greatest_) * ((angle - mean_) / greatest_);
+        }
+        const auto bits = std::bit_cast<std::uint64_t>(angle);
+        ++counts_[bits >> dropped_bits];
+    }
 
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
     [[nodiscard]] double mean() const noexcept { return (sum_ + lost_) / static_cast<double>(count_); }
-    [[nodiscard]] double root_mean_square() const noexcept;
+    [[nodiscard]] double root_mean_square() const noexcept {
+        return greatest_ * std::sqrt(squares_ / static_cast<double>(count_));
+    }
     /// Dividing by the count.
-    [[nodiscard]] double standard_deviation() const noexcept;
+    [[nodiscard]] double standard_deviation() const noexcept {
+        return greatest_ * std::sqrt(spread_ / static_cast<double>(count_));
+    }
     /// By nearest rank: the least angle that at least `percent` in 100 do not exceed. Exact of up to 4,096 angles and
     /// where all are equal, else to 1 part in 1024.
     /// @param percent above 0, to 100
-    [[nodiscard]] double percentile(double percent) const noexcept;
+    [[nodiscard]] double percentile(double percent) const {
+        if (count_ == 0) {
+            return 0.0;
+        }
+        // The product may be rounded up from a whole number.
+        const double rank = std::ceil(percent / 100.0 * static_cast<double>(count_) * (1.0 - 0x1p-50));
+        if (count_ <= most_kept) {
+            std::vector<double> angles = first_;
+            const auto found = angles.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
+            std::ranges::nth_element(angles, found);
+            return *found;
+        }
+        double passed = 0.0;
+        for (const auto& [bits, count] : std::map(counts_.begin(), counts_.end())) {
+            passed += static_cast<double>(count);
+            if (passed >= rank) {
+                const std::uint64_t middle = (bits << dropped_bits) | (std::uint64_t{1} << (dropped_bits - 1));
+                return bits == 0 ? 0.0 : std::clamp(std::bit_cast<double>(middle), least_, greatest_);
+            }
+        }
+        return greatest_;
+    }
 
 private:
-    /// Angles between two powers of two, by their first digits in base 2.
-    static constexpr unsigned digits = 9;
-    static constexpr std::uint64_t steps = 1U << digits;
-    using Octave = std::array<std::uint64_t, steps>;
-
-    std::vector<double> first_; ///< as many as that
+    static constexpr unsigned dropped_bits = 43; // of 52: angles between two powers of two are told apart by 9
+    static constexpr std::size_t most_kept = 4096;
+    std::vector<double> first_; ///< those of which percentiles are exact
     std::size_t count_ = 0;
     double least_ = 0.0;
     double greatest_ = 0.0;
@@ -39,7 +86,7 @@ private:
     double mean_ = 0.0;    ///< so far, by Welford's method
     double squares_ = 0.0; ///< of the angles over the greatest so far, as squares of small ones would underflow...
     double spread_ = 0.0;  ///< ...and of their differences from the mean
-    std::array<std::unique_ptr<Octave>, 2048> octaves_; ///< by the exponent
+    std::unordered_map<std::uint64_t, std::uint64_t> counts_; ///< by the first bits
 };
 
 } // namespace rotconv::cli

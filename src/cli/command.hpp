@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,7 +37,7 @@ struct RowsResult {
     stream::KeysMet keys{};                     ///< by which rows were paired
 };
 
-/// What a command makes of its rows as a whole.
+/// What a command makes of its rows as a whole; this one nothing.
 class Conclusion {
 public:
     Conclusion() = default;
@@ -44,31 +46,28 @@ public:
     virtual ~Conclusion() = default;
 
     /// Where the rows go; null: to the output.
-    [[nodiscard]] virtual stream::Sink* rows() { return nullptr; }
+    [[nodiscard]] virtual stream::Sink* rows() { return &nowhere_; }
 
     struct Answer {
         std::string text;   ///< printed at the end
         bool holds = false; ///< what was to be found or checked
     };
     /// Called at the end of a run that was not stopped.
-    [[nodiscard]] virtual Answer answer(const RowsResult& result) = 0;
+    [[nodiscard]] virtual Answer answer(const RowsResult& /*result*/) { return {}; }
     /// The run goes on, without output, where nobody reads that any more: its exit status counts.
     [[nodiscard]] virtual bool is_check() const { return false; }
+
+private:
+    stream::NullSink nowhere_;
 };
 
 /// A run over the same rows that must come before that of a command. It tells nothing.
-class FirstPass {
-public:
-    FirstPass() = default;
-    FirstPass(const FirstPass&) = delete;
-    FirstPass& operator=(const FirstPass&) = delete;
-    virtual ~FirstPass() = default;
-
-    /// What is done with the rows, and where their results go, as stream::Format::result.
-    [[nodiscard]] virtual std::shared_ptr<stream::RowOperation> operation() const = 0;
-    [[nodiscard]] virtual stream::Sink& rows() = 0;
-    /// What the command is to do with them, or why nothing, in words.
-    [[nodiscard]] virtual std::variant<std::shared_ptr<stream::RowOperation>, std::string> conclude() = 0;
+struct FirstPass {
+    using Operation = std::shared_ptr<stream::RowOperation>;
+    Operation operation;
+    std::shared_ptr<stream::Sink> rows; ///< where the results go, as stream::Format::result
+    /// What the command is to do with the rows, or why nothing, in words.
+    std::function<std::variant<Operation, std::string>()> conclude;
 };
 
 /// A command that makes something of each row, checked.
@@ -87,7 +86,7 @@ struct RowsCommand {
     messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::vector<stream::Note> notes{};        ///< of the command line
     std::shared_ptr<Conclusion> conclusion{}; ///< null: the rows are all there is
-    std::shared_ptr<FirstPass> first_pass{};  ///< null: there is none
+    std::optional<FirstPass> first_pass{};
 };
 
 /// Runs the rows, and prints on stderr what there is to report.
@@ -105,51 +104,41 @@ struct UsageError {
 
 using Command = std::variant<RowsCommand, PrintCommand, UsageError>;
 
-/// The words of the command line that are not options.
-struct Operands {
+/// What a command line gives to its command.
+struct Given {
+    OptionSet options{};
     std::vector<std::string> values{};
     std::vector<std::string> files{};
+
+    [[nodiscard]] const std::string& text(std::string_view option) const { return options.text(option); }
+    [[nodiscard]] bool has(std::string_view option) const { return options.has(option); }
 };
 
-/// A command's options, and what they ask for. Reading writes into the object, so that it must stay in its place.
-class CommandOptions {
-public:
-    CommandOptions() = default;
-    CommandOptions(const CommandOptions&) = delete;
-    CommandOptions& operator=(const CommandOptions&) = delete;
-    virtual ~CommandOptions() = default;
-
-    [[nodiscard]] virtual Command command(const Operands& operands) const = 0;
-
-    OptionSet set{};
-    std::string input{}; ///< the argument of --input; empty if it is not given
-    bool wants_help = false;
-    bool wants_version = false;
+/// The conversion, whose name is empty, or another command. Its texts are literals.
+struct CommandEntry {
+    std::string_view name;
+    std::string_view about;
+    std::string_view usage;
+    OptionSet options;
+    Command (*read)(const Given& given);
+    std::size_t most_files = 1;
 };
 
 /// Each command stands in a source of its name.
-[[nodiscard]] std::unique_ptr<CommandOptions> convert_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> rates_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> propagate_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> survey_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> compare_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> identify_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> sample_options();
-[[nodiscard]] std::unique_ptr<CommandOptions> list_options();
+[[nodiscard]] CommandEntry convert_command();
+[[nodiscard]] CommandEntry list_command();
+[[nodiscard]] CommandEntry rates_command();
+[[nodiscard]] CommandEntry propagate_command();
+[[nodiscard]] CommandEntry survey_command();
+[[nodiscard]] CommandEntry compare_command();
+[[nodiscard]] CommandEntry identify_command();
+[[nodiscard]] CommandEntry sample_command();
+/// All of them, the conversion first.
+[[nodiscard]] std::vector<CommandEntry> command_table();
 
 /// What follows the options in the help: the words of SPECs, the exit status and examples.
 [[nodiscard]] std::string help_footer();
 
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
-
-/// The conversion, whose name is empty, or a command.
-struct CommandText {
-    std::string name;
-    std::string about;
-    std::unique_ptr<CommandOptions> options;
-};
-
-/// All of them, for completion.
-[[nodiscard]] std::vector<CommandText> command_table();
 
 } // namespace rotconv::cli

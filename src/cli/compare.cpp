@@ -402,39 +402,10 @@ private:
     MeanTurn right_;
 };
 
-/// Finds the turns of --align.
-class AlignmentPass final : public FirstPass {
-public:
-    using Make = std::function<operations::Operation(const TurnOptions&)>;
-    /// @param make the command's operation
-    AlignmentPass(AlignedSide side, const ConversionSettings& given, operations::Operation all_pairs,
-                  std::shared_ptr<TurnOptions> found, Make make)
-        : alignment_(side), given_(given), all_pairs_(std::move(all_pairs)), found_(std::move(found)),
-          make_(std::move(make)) {}
-
-    [[nodiscard]] operations::Operation operation() const override { return all_pairs_; }
-    [[nodiscard]] stream::Sink& rows() override { return sink_; }
-    [[nodiscard]] std::variant<operations::Operation, std::string> conclude() override {
-        const auto turns = alignment_.turns();
-        if (!turns) {
-            return std::string("the pairs do not determine the turn of --align");
-        }
-        *found_ = TurnOptions(*turns, given_);
-        return make_(*found_);
-    }
-
-private:
-    Alignment alignment_;
-    ConversionSettings given_;
-    operations::Operation all_pairs_;
-    std::shared_ptr<TurnOptions> found_;
-    Make make_;
-    PairSink sink_{
-        [this](double /*angle*/, const Rotation& attitude, const Rotation& known) { alignment_.add(attitude, known); }};
-};
-
 /// An angle, perhaps with its unit, as a limit in the unit of the output.
-Limit limit_of(std::string_view option, const std::string& text, bool degrees) {
+Limit limit_of(const Given& given, std::string_view option) {
+    const std::string& text = given.text(option);
+    const bool degrees = given.has("--degrees");
     if (text.empty()) {
         return {};
     }
@@ -448,12 +419,12 @@ Limit limit_of(std::string_view option, const std::string& text, bool degrees) {
         throw Usage(fmt::format("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option,
                                 quoted(text)));
     }
-    const std::string_view given = has_unit ? *unit : degrees ? "deg" : "rad";
-    value = given == "mrad" ? value / 1000.0 : value;
-    const bool is_degrees = given == "deg";
-    return {.text = fmt::format("{} {}", number, given),
+    const std::string_view unit_name = has_unit ? *unit : degrees ? "deg" : "rad";
+    value = unit_name == "mrad" ? value / 1000.0 : value;
+    const bool is_degrees = unit_name == "deg";
+    return {.text = fmt::format("{} {}", number, unit_name),
             .angle = is_degrees == degrees ? value : value * (degrees ? degrees_per_radian : radians_per_degree),
-            .unit = given};
+            .unit = unit_name};
 }
 
 /// "50,95.5" with names such as "p95.5".
@@ -462,185 +433,174 @@ std::vector<std::pair<std::string, double>> percentiles_of(const std::string& li
         return {{"median", 50.0}, {"p95", 95.0}};
     }
     std::vector<std::pair<std::string, double>> percentiles;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        const std::string text = list.substr(begin, end - begin);
+    for (const std::string_view text : items_of(list)) {
         double value = 0.0;
-        const bool is_read = stream::read_number(text, value) == stream::NumberError::none;
-        if (!is_read || !(value > 0.0 && value <= 100.0)) {
+        if (stream::read_number(text, value) != stream::NumberError::none || !(value > 0.0 && value <= 100.0)) {
             throw Usage(fmt::format("--percentiles {}: {} is not above 0 and at most 100", quoted(list), quoted(text)));
         }
-        if (std::ranges::find(percentiles, value, &std::pair<std::string, double>::second) != percentiles.end()) {
+        if (std::ranges::count(percentiles, value, &std::pair<std::string, double>::second) > 0) {
             throw Usage(fmt::format("--percentiles {} has {} twice", quoted(list), quoted(text)));
         }
         percentiles.emplace_back(fmt::format("p{}", value), value);
-        begin = end + 1;
     }
     return percentiles;
 }
 
-class CompareOptions final : public RowOptions {
-public:
-    CompareOptions() {
-        set.begin_group("What");
-        set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
-        set.add("-t,--to", to_, "SPEC", "The representation of the reference (default: that of --from)");
-        set.add("--as", relative_, "SPEC", "With --format csv: print the relative attitude too, in SPEC");
-        set.add("--frame", frame_, "FRAME", "Axes of the relative attitude: body (default) or reference");
-        set.add("--align", align_, "SIDE", "Turn FILE by the best constant: reference, body, both, yaw, or first");
-        set.add("--delta", delta_, "N", "Compare the turns from each pair to the N-th after it");
-        attitudes_.add_to(set, false);
-        set.begin_group("Check");
-        set.add("--within", within_, "ANGLE", "The largest angle that passes, such as 0.3deg, 5mrad or 0.1rad");
-        set.add("--within-p95", within_p95_, "ANGLE", "The angle that 95 in 100 pairs must not exceed");
-        set.add("--allow-unpaired", allow_unpaired_, "WHOSE", "Rows without a partner pass: file, reference or both");
-        set.add("--allow-failed", allow_failed_, "Rows without an attitude pass, with --on-error skip or nan");
-        pairing_.add_to(set, true);
-        add_reading();
-        add_writing();
-        set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu");
-        set.describe("--body-axes", "Other body axes of FILE's attitudes, such as frd:flu, by their names");
-        set.describe("--left", "Turn the attitudes R of FILE: compare L R; L as \"SPEC: NUMBERS\"");
-        set.describe("--right", "Turn the attitudes R of FILE: compare R S; S as \"SPEC: NUMBERS\"");
-        set.describe("--format", "pretty (default), json, or csv: every pair with its angle");
-        set.begin_group("Output");
-        set.add("--worst", worst_, "N", "Show the N pairs that differ most");
-        set.add("--percentiles", percentiles_, "LIST", "Of the angles (default: the median and 95)");
-        attitudes_.add_lock_margin_to(set);
+/// Has the command find the turns of --align first.
+/// @return where they will be
+std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, const Comparison& comparison,
+                                   const operations::ComparisonRows& rows,
+                                   const std::shared_ptr<operations::PairWatch>& watch) {
+    const auto side = one_of<AlignedSide>("side of --align", given.text("--align"),
+                                          {{"reference", AlignedSide::reference},
+                                           {"body", AlignedSide::body},
+                                           {"both", AlignedSide::both},
+                                           {"yaw", AlignedSide::yaw},
+                                           {"first", AlignedSide::first}});
+    if (command.has_values || command.input == "-" || command.reference == "-") {
+        throw Usage("--align reads its input twice: give FILEs, not VALUEs or stdin");
     }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        const Spec from = spec_of("--from", from_, degrees);
-        const Spec reference = to_.empty() ? from : spec_of("--to", to_, degrees);
-        Check check{.format =
-                        one_of<Format>("format of compare", format.empty() ? "pretty" : format,
-                                       {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}}),
-                    .within = limit_of("--within", within_, degrees),
-                    .within_p95 = limit_of("--within-p95", within_p95_, degrees),
-                    .allow_failed = allow_failed_,
-                    .percentiles = percentiles_of(percentiles_),
-                    .worst = static_cast<std::size_t>(count_of("--worst", worst_, 1'000'000)),
-                    .degrees = degrees,
-                    .turns = !delta_.empty(),
-                    .by_key = pairing_.by_key(operands),
-                    .own_size = from.size(),
-                    .reading = attitudes_.added_to(settings(), degrees)};
-        if (!allow_unpaired_.empty()) {
-            check.allow_unpaired = one_of<std::array<bool, 2>>(
-                "kind of rows for --allow-unpaired", allow_unpaired_,
-                {{"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}});
-        }
-        const bool as_rows = check.format == Format::csv;
-        if (!as_rows && !relative_.empty()) {
-            throw Usage("--as needs --format csv");
-        }
-        if (relative_.empty() && !frame_.empty()) {
-            throw Usage("--frame is about the relative attitude, and needs --as SPEC");
-        }
-        ComparisonSettings comparing{.reading = check.reading,
-                                     .within = check.within.angle,
-                                     .unit = degrees ? AngleUnit::degrees : AngleUnit::radians,
-                                     .frame = frame_.empty() ? Frame::body : frame_of(frame_)};
-        if (!relative_.empty()) {
-            comparing.relative = spec_of("--as", relative_, degrees);
-        }
-        const Comparison comparison(from, reference, comparing);
-
-        operations::ComparisonRows rows{.paired = PairingOptions::is_paired(operands),
-                                        .by_key = check.by_key,
-                                        .as_numbers = !as_rows,
-                                        .interpolates = pairing_.interpolates && PairingOptions::is_paired(operands),
-                                        .delta = static_cast<std::size_t>(count_of("--delta", delta_, 1'000'000))};
-        messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
-        if (!rows.paired) {
-            subject.text += to_.empty() ? " twice" : fmt::format(" with {}", representation(reference.name).text);
-            subject.count = comparison.inputs();
-        }
-        const auto watch =
-            std::make_shared<operations::PairWatch>(std::max<std::size_t>(check.worst, 1), check.within_p95.angle);
-        RowsCommand command =
-            rows_command(columns_of_file(pairing_, operands), operations::comparison_numbers(comparison, rows),
-                         operations::compare(comparison, rows, watch), std::move(subject), operands);
-        command.options.append = as_rows;
-        command.options.format = as_rows ? stream::Format::csv : stream::Format::result;
-        command.allow_failed = check.allow_failed;
-        if (rows.paired) {
-            pair(command, pairing_, operations::attitude_numbers(reference, rows.by_key),
-                 messages::subject_of(reference, comparing.reading.tolerance), operands);
-        }
-        note_unit(command, from, reference);
-        check.digits = command.options.digits;
-        check.file = command.has_values ? "argument" : command.input;
-        check.reference = command.reference;
-        std::shared_ptr<TurnOptions> aligned;
-        if (!align_.empty()) {
-            aligned = std::make_shared<TurnOptions>();
-            align(command, comparison, rows, watch, aligned);
-        }
-        command.conclusion = std::make_shared<ComparisonConclusion>(std::move(check), watch, aligned);
-        return command;
-    }
-
-private:
-    /// Has the command find the turns first.
-    void align(RowsCommand& command, const Comparison& comparison, const operations::ComparisonRows& rows,
-               const std::shared_ptr<operations::PairWatch>& watch, const std::shared_ptr<TurnOptions>& found) const {
-        const auto side = one_of<AlignedSide>("side of --align", align_,
-                                              {{"reference", AlignedSide::reference},
-                                               {"body", AlignedSide::body},
-                                               {"both", AlignedSide::both},
-                                               {"yaw", AlignedSide::yaw},
-                                               {"first", AlignedSide::first}});
-        if (command.has_values || command.input == "-" || command.reference == "-") {
-            throw Usage("--align reads its input twice: give FILEs, not VALUEs or stdin");
-        }
-        const ComparisonSettings settings = comparison.settings();
-        const auto make = [=](const TurnOptions& turns) {
-            ComparisonSettings turned = settings;
-            turned.reading = turns.replaced_in(settings.reading);
-            return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
-        };
-        operations::ComparisonRows as_they_are = rows;
-        as_they_are.as_numbers = true;
-        as_they_are.delta = 0;
-        auto all_pairs =
-            operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle));
-        command.first_pass = std::make_shared<AlignmentPass>(side, settings.reading, std::move(all_pairs), found, make);
-    }
-
-    /// A bare limit is in radians, whatever FILE is in.
-    void note_unit(RowsCommand& command, const Spec& from, const Spec& reference) const {
-        const bool has_degrees = from.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees;
-        for (const auto& [option, text] : {std::pair("--within", within_), std::pair("--within-p95", within_p95_)}) {
-            if (has_degrees && !degrees && !text.empty() && stream::is_number(text) &&
-                std::isfinite(limit_of(option, text, false).angle)) {
-                command.notes.push_back(
-                    {.kind = stream::Note::Kind::limit,
-                     .text = fmt::format("{} {} is in radians, and the angles that are read are in degrees: {} {}deg, "
-                                         "or {}rad",
-                                         option, text, option, text, text)});
+    operations::ComparisonRows as_they_are = rows;
+    as_they_are.as_numbers = true;
+    as_they_are.delta = 0;
+    const auto alignment = std::make_shared<Alignment>(side);
+    auto found = std::make_shared<TurnOptions>();
+    command.first_pass = {
+        operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle)),
+        std::make_shared<PairSink>([alignment](double /*angle*/, const Rotation& attitude, const Rotation& known) {
+            alignment->add(attitude, known);
+        }),
+        [=]() -> std::variant<operations::Operation, std::string> {
+            const auto turns = alignment->turns();
+            if (!turns) {
+                return "the pairs do not determine the turn of --align";
             }
-        }
-    }
+            ComparisonSettings turned = comparison.settings();
+            *found = TurnOptions(*turns, turned.reading);
+            turned.reading = found->replaced_in(turned.reading);
+            return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
+        }};
+    return found;
+}
 
-    std::string from_;
-    std::string to_;
-    std::string within_;
-    std::string within_p95_;
-    std::string allow_unpaired_;
-    bool allow_failed_ = false;
-    std::string relative_;
-    std::string frame_;
-    std::string align_;
-    std::string delta_;
-    std::string worst_;
-    std::string percentiles_;
-    PairingOptions pairing_;
-    AttitudeOptions attitudes_;
-};
+/// A bare limit is in radians, whatever FILE is in.
+void note_unit(const Given& given, std::string_view option, double limit, RowsCommand& command) {
+    if (const std::string& text = given.text(option); stream::is_number(text) && std::isfinite(limit)) {
+        command.notes.push_back(
+            {.kind = stream::Note::Kind::limit,
+             .text = fmt::format("{0} {1} is in radians, and the angles that are read are in degrees: {0} {1}deg, or "
+                                 "{1}rad",
+                                 option, text)});
+    }
+}
+
+Command compare(const Given& given) {
+    const Spec from = spec_of(given, "--from");
+    const Spec reference = given.has("--to") ? spec_of(given, "--to") : from;
+    Check check{.format = one_of<Format>(given, "--format", "format of compare",
+                                         {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}}),
+                .within = limit_of(given, "--within"),
+                .within_p95 = limit_of(given, "--within-p95"),
+                .allow_failed = given.has("--allow-failed"),
+                .percentiles = percentiles_of(given.text("--percentiles")),
+                .worst = count_of(given, "--worst", 1'000'000),
+                .degrees = given.has("--degrees"),
+                .turns = given.has("--delta"),
+                .by_key = is_by_key(given),
+                .own_size = from.size(),
+                .reading = attitude_settings_of(given)};
+    if (given.has("--allow-unpaired")) {
+        check.allow_unpaired = one_of<std::array<bool, 2>>(
+            "kind of rows for --allow-unpaired", given.text("--allow-unpaired"),
+            {{"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}});
+    }
+    const bool as_rows = check.format == Format::csv;
+    if (!as_rows && given.has("--as")) {
+        throw Usage("--as needs --format csv");
+    }
+    if (!given.has("--as") && given.has("--frame")) {
+        throw Usage("--frame is about the relative attitude, and needs --as SPEC");
+    }
+    ComparisonSettings comparing{.reading = check.reading,
+                                 .within = check.within.angle,
+                                 .unit = check.degrees ? AngleUnit::degrees : AngleUnit::radians,
+                                 .frame = frame_of(given)};
+    if (given.has("--as")) {
+        comparing.relative = spec_of(given, "--as");
+    }
+    const Comparison comparison(from, reference, comparing);
+
+    operations::ComparisonRows rows{.paired = is_paired(given),
+                                    .by_key = check.by_key,
+                                    .as_numbers = !as_rows,
+                                    .interpolates = given.has("--interpolate") && is_paired(given),
+                                    .delta = count_of(given, "--delta", 1'000'000)};
+    messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
+    if (!rows.paired) {
+        subject.text += given.has("--to") ? fmt::format(" with {}", representation(reference.name).text) : " twice";
+        subject.count = comparison.inputs();
+    }
+    const auto watch =
+        std::make_shared<operations::PairWatch>(std::max<std::size_t>(check.worst, 1), check.within_p95.angle);
+    RowsCommand command = rows_command(given, columns_of_file(given), operations::comparison_numbers(comparison, rows),
+                                       operations::compare(comparison, rows, watch), std::move(subject));
+    command.options.append = as_rows;
+    command.options.format = as_rows ? stream::Format::csv : stream::Format::result;
+    command.allow_failed = check.allow_failed;
+    if (rows.paired) {
+        pair(given, command, operations::attitude_numbers(reference, rows.by_key),
+             messages::subject_of(reference, comparing.reading.tolerance));
+    }
+    if (!check.degrees && (from.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees)) {
+        note_unit(given, "--within", check.within.angle, command);
+        note_unit(given, "--within-p95", check.within_p95.angle, command);
+    }
+    check.digits = command.options.digits;
+    check.file = command.has_values ? "argument" : command.input;
+    check.reference = command.reference;
+    const auto aligned = given.has("--align") ? align(given, command, comparison, rows, watch) : nullptr;
+    command.conclusion = std::make_shared<ComparisonConclusion>(std::move(check), watch, aligned);
+    return command;
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> compare_options() { return std::make_unique<CompareOptions>(); }
+CommandEntry compare_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
+    set.add("-t,--to", "SPEC", "The representation of the reference (default: that of --from)");
+    set.add("--as", "SPEC", "With --format csv: print the relative attitude too, in SPEC");
+    set.add("--frame", "FRAME", "Axes of the relative attitude: body (default) or reference");
+    set.add("--align", "SIDE", "Turn FILE by the best constant: reference, body, both, yaw, or first");
+    set.add("--delta", "N", "Compare the turns from each pair to the N-th after it");
+    add_attitudes(set);
+    set.begin_group("Check");
+    set.add("--within", "ANGLE", "The largest angle that passes, such as 0.3deg, 5mrad or 0.1rad");
+    set.add("--within-p95", "ANGLE", "The angle that 95 in 100 pairs must not exceed");
+    set.add("--allow-unpaired", "WHOSE", "Rows without a partner pass: file, reference or both");
+    set.add_flag("--allow-failed", "Rows without an attitude pass, with --on-error skip or nan");
+    add_pairing(set);
+    set.add_flag("--interpolate", "Take the reference at FILE's key, between two rows --key-within apart");
+    add_reading(set);
+    add_writing(set);
+    set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu");
+    set.describe("--body-axes", "Other body axes of FILE's attitudes, such as frd:flu, by their names");
+    set.describe("--left", "Turn the attitudes R of FILE: compare L R; L as \"SPEC: NUMBERS\"");
+    set.describe("--right", "Turn the attitudes R of FILE: compare R S; S as \"SPEC: NUMBERS\"");
+    set.describe("--format", "pretty (default), json, or csv: every pair with its angle");
+    set.begin_group("Output");
+    set.add("--worst", "N", "Show the N pairs that differ most");
+    set.add("--percentiles", "LIST", "Of the angles (default: the median and 95)");
+    add_lock_margin(set);
+    return {"compare",
+            "Check attitudes against a reference, by the angles between them",
+            "Usage: rotconv compare -f SPEC [-t SPEC] [OPTION]... FILE REFERENCE\n"
+            "       rotconv compare -f SPEC [-t SPEC] [OPTION]... [FILE]\n"
+            "       rotconv compare -f SPEC [-t SPEC] [OPTION]... VALUE...\n",
+            std::move(set),
+            compare,
+            2};
+}
 
 } // namespace rotconv::cli

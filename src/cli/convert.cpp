@@ -6,65 +6,65 @@
 namespace rotconv::cli {
 namespace {
 
-class ConvertOptions final : public RowOptions {
-public:
-    ConvertOptions() {
-        set.begin_group("What");
-        set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
-        set.add("-t,--to", to_, "SPEC", "The representation to write: NAME[:MODIFIER]...");
-        attitudes_.add_to(set);
-        add_reading();
-        add_writing();
-        attitudes_.add_lock_margin_to(set);
-        set.begin_group("More");
-        set.add("--method", method_, "METHOD", "A published formula (see rotconv list methods), fast, or all of them");
+/// A method of rotconv's own, a published one, or all.
+operations::Operation by_method(const std::string& name, const Conversion& conversion, bool is_continuous) {
+    if (name == all_methods) {
+        return operations::method(MethodConversion::all(conversion), true, is_continuous);
     }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        if (from_.empty() && to_.empty()) {
-            throw MissingSpec("--from SPEC and --to SPEC are missing; see rotconv --help");
-        }
-        const Spec from = spec_of("--from", from_, degrees);
-        const Spec to = spec_of("--to", to_, degrees);
-        ConversionSettings conversion = attitudes_.added_to(settings(), degrees);
-        conversion.fast = method_ == fast_method;
-        conversion.few_digits = !operands.values.empty() || input_format != "f64";
-        operations::Operation operation = by_method(Conversion(from, to, conversion));
-        if (operation->is_continuous && !operation->answers.empty()) {
-            throw Usage("--continuous cannot be combined with --method all, which writes several answers to a row");
-        }
-        RowsCommand command = rows_command({.list = columns}, operations::attitude_numbers(from), std::move(operation),
-                                           messages::subject_of(from, conversion.tolerance), operands);
-        if (method_ == all_methods && command.options.format == stream::Format::f64) {
-            throw Usage("--format f64 cannot be combined with --method all, which writes names");
-        }
-        return command;
+    if (name.empty() || name == default_method || name == fast_method) {
+        return operations::convert(conversion, is_continuous);
     }
-
-private:
-    /// A method of rotconv's own, a published one, or all.
-    [[nodiscard]] operations::Operation by_method(const Conversion& conversion) const {
-        if (method_ == all_methods) {
-            return operations::method(MethodConversion::all(conversion), true, attitudes_.continuous);
-        }
-        if (method_ == default_method || method_ == fast_method) {
-            return operations::convert(conversion, attitudes_.continuous);
-        }
-        const Method* method = find_method(conversion.from().name, conversion.to().name, method_);
-        if (method == nullptr) {
-            throw Usage("--method " + messages::no_such_method(conversion.from().name, conversion.to().name, method_));
-        }
-        return operations::method(MethodConversion(conversion, *method), false, attitudes_.continuous);
+    const Method* method = find_method(conversion.from().name, conversion.to().name, name);
+    if (method == nullptr) {
+        throw Usage("--method " + messages::no_such_method(conversion.from().name, conversion.to().name, name));
     }
+    return operations::method(MethodConversion(conversion, *method), false, is_continuous);
+}
 
-    std::string from_;
-    std::string to_;
-    std::string method_ = std::string(default_method);
-    AttitudeOptions attitudes_;
-};
+Command convert(const Given& given) {
+    if (!given.has("--from") && !given.has("--to")) {
+        throw MissingSpec("--from SPEC and --to SPEC are missing; see rotconv --help");
+    }
+    const Spec from = spec_of(given, "--from");
+    const Spec to = spec_of(given, "--to");
+    const std::string& method = given.text("--method");
+    ConversionSettings conversion = attitude_settings_of(given);
+    conversion.fast = method == fast_method;
+    conversion.few_digits = !given.values.empty() || given.text("--input-format") != "f64";
+    operations::Operation operation = by_method(method, Conversion(from, to, conversion), given.has("--continuous"));
+    if (operation->is_continuous && !operation->answers.empty()) {
+        throw Usage("--continuous cannot be combined with --method all, which writes several answers to a row");
+    }
+    RowsCommand command = rows_command(given, {.list = given.text("--columns")}, operations::attitude_numbers(from),
+                                       std::move(operation), messages::subject_of(from, conversion.tolerance));
+    if (method == all_methods && command.options.format == stream::Format::f64) {
+        throw Usage("--format f64 cannot be combined with --method all, which writes names");
+    }
+    return command;
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> convert_options() { return std::make_unique<ConvertOptions>(); }
+CommandEntry convert_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
+    set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
+    add_attitudes(set);
+    add_continuous(set);
+    add_reading(set);
+    add_writing(set);
+    add_lock_margin(set);
+    set.begin_group("More");
+    set.add("--method", "METHOD", "A published formula (see rotconv list methods), fast, or all of them");
+    return {"", "Converts rotations from any representation into any other.",
+            "Usage: rotconv -f FROM -t TO [OPTION]... [VALUE]...\n"
+            "       rotconv -f FROM -t TO [OPTION]... [FILE]\n"
+            "       rotconv list [NAME]\n"
+            "       rotconv rates|propagate|survey [OPTION]... [FILE]\n"
+            "       rotconv compare|identify [OPTION]... [FILE [REFERENCE]]\n"
+            "       rotconv sample -t SPEC [OPTION]...\n",
+            std::move(set), convert};
+}
 
 } // namespace rotconv::cli

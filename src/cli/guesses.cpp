@@ -2,14 +2,24 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <system_error>
 #include <variant>
 
+#include "../methods/method.hpp"
 #include "../stream/fmt.hpp"
 #include "messages.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
+
+/// What a user may have meant by a word that rotconv does not know: its meaning elsewhere counts before its spelling.
+struct Guess {
+    std::string text{};      ///< a legal text; empty: nothing needs to be said
+    std::string elsewhere{}; ///< what the word is in another place, such as " qw is a column of quat:"; may be empty
+    std::string note{};      ///< in the place of all that: what to write instead
+};
 
 /// What words of other programs are called here.
 struct Meaning {
@@ -198,19 +208,18 @@ template <class Has> std::optional<Guess> guess_kind(std::string_view word, std:
 bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Preset::text) != 0; }
 
 bool is_modifier(std::string_view word) {
-    return std::ranges::any_of(all_modifiers, [word](Modifier modifier) { return name_of(modifier) == word; });
+    return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
 }
 
 bool has_modifier(const Representation& entry, std::string_view word) {
-    return std::ranges::any_of(
-        all_modifiers, [&](Modifier modifier) { return name_of(modifier) == word && entry.modifiers.has(modifier); });
+    return std::ranges::count(words_of(entry.modifiers), word) != 0;
 }
 
 std::optional<Guess> guess_name(std::string_view word, const std::vector<std::string_view>& legal) {
     const std::string ending = fmt::format(":{}", word);
     if (is_preset(word)) {
         const auto is_changed = [word](const Representation& entry) {
-            return !words_of(meaning_of(word, entry).modifiers, "").empty();
+            return !words_of(meaning_of(word, entry).modifiers).empty();
         };
         return guess_kind(word, "preset", is_changed, ending);
     }
@@ -253,8 +262,7 @@ std::optional<Guess> guess_letters(std::string_view word) {
     return meaning && meaning->text.starts_with("euler:") ? meaning : guess_sequence(word);
 }
 
-} // namespace
-
+/// The legal word that begins with the text; otherwise the nearest.
 std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<std::string_view>& legal) {
     constexpr std::size_t shortest_beginning = 4; // such as --pr
     std::optional<Guess> best;
@@ -270,6 +278,7 @@ std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<
     return best;
 }
 
+/// `legal`: the words that could stand in the place of the one at fault.
 std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal) {
     using What = SpecError::What;
     if (const auto project = find(projects, error.text)) {
@@ -279,6 +288,119 @@ std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::s
                        : error.what == What::unknown_sequence ? guess_letters(error.text)
                                                               : guess_modifier(error.text, *error.in);
     return guess ? guess : guess_by_spelling(error.text, legal);
+}
+
+/// A word that is neither an option nor a number nor a FILE; `commands`: the words that could stand in its place.
+std::optional<Guess> guess_operand(std::string_view word, const std::vector<std::string_view>& commands) {
+    if (std::holds_alternative<Spec>(parse_spec(word))) {
+        return Guess{.text = fmt::format("-f {} or -t {}", word, word)};
+    }
+    if (const auto at = word.find('2'); at != std::string_view::npos) { // such as rpy2quat
+        const auto from = guess_name(word.substr(0, at), all_names());
+        const auto to = guess_name(word.substr(at + 1), all_names());
+        if (from && to && !from->text.empty() && !to->text.empty()) {
+            return Guess{.text = fmt::format("-f {} -t {}", from->text, to->text)};
+        }
+    }
+    return guess_by_spelling(word, commands);
+}
+
+std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal) {
+    const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
+    if (word.size() > 2 && std::ranges::any_of(legal, [text](auto name) { return name.starts_with(text); })) {
+        return guess_by_spelling(text, legal);
+    }
+    if (is_preset(word) || is_modifier(word)) {
+        return Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)};
+    }
+    const auto meaning = find(options, text);
+    return meaning ? meaning : guess_by_spelling(text, legal);
+}
+
+/// "; did you mean X?", and what the word is elsewhere.
+std::string suggestion(std::string_view word, const std::optional<Guess>& guess) {
+    if (!guess) {
+        return {};
+    }
+    if (!guess->note.empty()) {
+        return fmt::format("; {}", guess->note);
+    }
+    if (guess->text.empty()) {
+        return fmt::format("; {} needs no modifier: leave it out", quoted(word));
+    }
+    return fmt::format(";{} did you mean {}?", guess->elsewhere, guess->text);
+}
+
+/// A word that is not one of the legal ones.
+std::string unknown(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal,
+                    const std::optional<Guess>& guess) {
+    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
+                       suggestion(text, guess));
+}
+
+} // namespace
+
+std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
+    return unknown(what, text, legal, guess_by_spelling(text, legal));
+}
+
+std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
+    const std::string_view name = text.substr(0, text.find('='));
+    return unknown("option", name, legal, guess_option(name, legal));
+}
+
+std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
+    const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
+    const auto rows = methods_of(from, to);
+    if (rows.empty()) {
+        return fmt::format("{}: from {} only default, fast and all are known", quoted(text), pair);
+    }
+    auto legal = mapped(rows, &Method::name);
+    legal.insert(legal.end(), {fast_method, all_methods});
+    std::string message = fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair,
+                                      suggestion(text, guess_by_spelling(text, legal)));
+    for (const Method& method : rows) {
+        message += fmt::format("\n  {:<18} {}", method.name, method.domain);
+    }
+    message +=
+        fmt::format("\n  {:<18} {}\n  {:<18} each of these, one line for each", fast_method, every_input, all_methods);
+    return message;
+}
+
+std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
+    const std::string mended = mend(word);
+    return fmt::format("argument: {} is not a number, and cannot be read as a FILE: {}{}", quoted(word),
+                       std::generic_category().message(error),
+                       mended.empty() ? suggestion(word, guess_operand(word, commands)) : mended);
+}
+
+std::string explain(const SpecError& error) {
+    using What = SpecError::What;
+    switch (error.what) {
+    case What::unknown_name: {
+        const auto legal = all_names();
+        return unknown("representation", error.text, legal, guess_spec(error, legal));
+    }
+    case What::no_sequence:
+        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
+    case What::unknown_sequence: {
+        const auto list = all_sequences();
+        const std::vector<std::string_view> legal(list.begin(), list.end());
+        return unknown("Euler sequence", error.text, legal, guess_spec(error, legal));
+    }
+    case What::unknown_modifier: {
+        auto legal = words_of(error.in->modifiers);
+        std::ranges::copy(all_presets(), std::back_inserter(legal));
+        return unknown(fmt::format("modifier of {}", error.in->text), error.text, legal, guess_spec(error, legal));
+    }
+    case What::meaningless_modifier:
+        return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
+                           error.in->text, fmt::join(words_of(error.in->modifiers), " "),
+                           fmt::join(all_presets(), " "));
+    case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
+    case What::two_orders: return fmt::format("{} has the scalar first and last", quoted(error.text));
+    }
+    return {};
 }
 
 std::string mend(std::string_view text) {
@@ -336,32 +458,6 @@ std::string about_project(std::string_view word) {
         }
     }
     return text;
-}
-
-std::optional<Guess> guess_operand(std::string_view word, const std::vector<std::string_view>& commands) {
-    if (std::holds_alternative<Spec>(parse_spec(word))) {
-        return Guess{.text = fmt::format("-f {} or -t {}", word, word)};
-    }
-    if (const auto at = word.find('2'); at != std::string_view::npos) { // such as rpy2quat
-        const auto from = guess_name(word.substr(0, at), all_names());
-        const auto to = guess_name(word.substr(at + 1), all_names());
-        if (from && to && !from->text.empty() && !to->text.empty()) {
-            return Guess{.text = fmt::format("-f {} -t {}", from->text, to->text)};
-        }
-    }
-    return guess_by_spelling(word, commands);
-}
-
-std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal) {
-    const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
-    if (word.size() > 2 && std::ranges::any_of(legal, [text](auto name) { return name.starts_with(text); })) {
-        return guess_by_spelling(text, legal);
-    }
-    if (is_preset(word) || is_modifier(word)) {
-        return Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)};
-    }
-    const auto meaning = find(options, text);
-    return meaning ? meaning : guess_by_spelling(text, legal);
 }
 
 } // namespace rotconv::cli::messages

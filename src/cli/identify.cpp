@@ -80,22 +80,6 @@ std::string turn_options(const Candidate& candidate) {
            (candidate.right ? turn_option("--right", "--body-axes", *candidate.right, true) : "");
 }
 
-/// Indices from 1 as --columns takes them: three or more in a row as a range.
-std::string list_of(const std::vector<std::size_t>& columns) {
-    std::string text;
-    for (std::size_t i = 0; i < columns.size();) {
-        std::size_t end = i + 1;
-        while (end < columns.size() && columns[end] == columns[end - 1] + 1) {
-            ++end;
-        }
-        const bool is_range = end - i > 2;
-        text += fmt::format("{}{}{}", text.empty() ? "" : ",", columns[i],
-                            is_range ? fmt::format("-{}", columns[end - 1]) : "");
-        i = is_range ? end : i + 1;
-    }
-    return text;
-}
-
 std::string in_brackets(const Eigen::Vector3d& v) {
     return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
 }
@@ -128,7 +112,6 @@ public:
 
     [[nodiscard]] Identification& identification() noexcept { return *identification_; }
     [[nodiscard]] std::vector<std::size_t>& positions() noexcept { return positions_; }
-    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
 
     [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
         if (identification_->rows() == 0) {
@@ -143,6 +126,9 @@ public:
         const bool is_ambiguous = verdict.fitting > 1;
         const std::string limit = is_ambiguous ? smaller_limit(candidates) : "";
         candidates.resize(std::min(candidates.size(), listed));
+        const auto line_of = [](const auto&... cells) {
+            return fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", cells...);
+        };
         std::string text = settings_.json ? "" : line_of("SPEC", "columns", "worst angle", "at line", "rows", "fits");
         for (const Candidate& each : candidates) {
             const bool is_read = std::isfinite(each.angle);
@@ -164,7 +150,7 @@ public:
             } else {
                 text +=
                     line_of(each.spec.text(), columns_of(each), is_read ? fmt::format("{:.6g}", angle) : "no attitude",
-                            std::to_string(each.angle_row), std::to_string(each.rows), (fits ? "yes" : "no") + turns);
+                            each.angle_row, each.rows, (fits ? "yes" : "no") + turns);
             }
         }
         std::string best = is_ambiguous ? "ambiguous" : "none";
@@ -198,11 +184,6 @@ private:
         settings_.rows.count = count;
         identification_.emplace(count, settings_.rows.known, settings_.name, settings_.identification);
         *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
-    }
-
-    static std::string line_of(std::string_view spec, std::string_view columns, std::string_view angle,
-                               std::string_view line, std::string_view rows, std::string_view fits) {
-        return fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", spec, columns, angle, line, rows, fits);
     }
 
     /// Where one of those that fit is a million times nearer than all others.
@@ -250,12 +231,22 @@ private:
         return (positions_.empty() ? number : positions_.at(number)) + 1;
     }
 
+    /// Indices from 1 as --columns takes them: three or more in a row as a range.
     [[nodiscard]] std::string columns_of(const Candidate& candidate) const {
-        std::vector<std::size_t> columns;
-        for (std::size_t i = 0; i < candidate.spec.size(); ++i) {
-            columns.push_back(column(candidate.columns.at(i)));
+        const std::size_t size = candidate.spec.size();
+        const auto index = [&](std::size_t i) { return column(candidate.columns.at(i)); };
+        std::string text;
+        for (std::size_t i = 0; i < size;) {
+            std::size_t end = i + 1;
+            while (end < size && index(end) == index(end - 1) + 1) {
+                ++end;
+            }
+            const bool is_range = end - i > 2;
+            text += fmt::format("{}{}{}", text.empty() ? "" : ",", index(i),
+                                is_range ? fmt::format("-{}", index(end - 1)) : "");
+            i = is_range ? end : i + 1;
         }
-        return list_of(columns);
+        return text;
     }
 
     Settings settings_;
@@ -264,95 +255,89 @@ private:
     std::shared_ptr<messages::Subject> subject_; ///< of the rows
     std::optional<Identification> identification_;
     std::vector<std::size_t> positions_;
-    stream::NullSink nowhere_;
 };
 
-class IdentifyOptions final : public RowOptions {
-public:
-    IdentifyOptions() {
-        format = "pretty";
-        set.begin_group("What");
-        set.add("-t,--to", to_, "KNOWN", "The representation of the known attitudes: NAME[:MODIFIER]...");
-        set.add("-f,--from", from_, "NAME", "Try only this representation for the unknown numbers");
-        set.add("--within", within_, "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)");
-        pairing_.add_to(set);
-        add_reading();
-        set.begin_group("Output");
-        set.add("--format", format, "FORMAT", "pretty (default), a table, or json");
+/// How many unknown numbers a row has, if the command line tells it; otherwise 0.
+std::size_t given_count(const Given& given, const std::string& list, const operations::IdentificationRows& rows) {
+    std::size_t all = 0;
+    if (!list.empty()) {
+        const auto parsed = stream::ColumnList::parse(list, 0);
+        const auto* error = std::get_if<stream::ColumnError>(&parsed);
+        if (error == nullptr || error->what != stream::ColumnError::What::wrong_count) {
+            return 0; // a list that is refused
+        }
+        all = error->count;
+    } else if (given.values.empty() && given.text("--input-format") == "f64") {
+        if (!given.has("--width")) {
+            throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
+        }
+        all = count_of(given, "--width", widest_row);
+    } else {
+        return 0;
     }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        IdentificationConclusion::Settings settings{
-            .name = name_of(from_),
-            .identification = {.tolerance = tolerance()},
-            .degrees = degrees,
-            .json = one_of<bool>("format of identify", format, {{"pretty", false}, {"json", true}})};
-        if (!within_.empty()) {
-            settings.identification.within =
-                amount_of("--within", within_, 0.0, false) * (degrees ? radians_per_degree : 1.0);
-        }
-        operations::IdentificationRows& rows = settings.rows;
-        rows.known = spec_of("--to", to_, degrees);
-        rows.paired = PairingOptions::is_paired(operands);
-        rows.by_key = pairing_.by_key(operands);
-        const SelectedColumns selected = columns_of_file(pairing_, operands);
-        rows.count = settings.name ? representation(*settings.name).size : given_count(selected.list, operands, rows);
-        const auto subject = std::make_shared<messages::Subject>();
-        const auto conclusion = std::make_shared<IdentificationConclusion>(settings, subject);
-        const auto identification = [self = conclusion.get()]() -> Identification& { return self->identification(); };
-        RowsCommand command =
-            rows_command(selected, operations::identification_numbers(rows),
-                         operations::identify(rows, identification, conclusion->positions()), *subject, operands);
-        command.subject = subject;
-        if (rows.count == 0) {
-            command.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
-                return self->take_count(fields);
-            };
-        }
-        command.options.format = stream::Format::result;
-        command.conclusion = conclusion;
-        if (rows.paired) {
-            pair(command, pairing_, operations::attitude_numbers(rows.known, rows.by_key),
-                 messages::subject_of(rows.known, settings.identification.tolerance), operands);
-        }
-        return command;
+    const auto count = unknown_of(all, rows);
+    if (const auto* wrong = std::get_if<std::string>(&count)) {
+        throw Usage(*wrong);
     }
+    return std::get<std::size_t>(count);
+}
 
-private:
-    /// How many unknown numbers a row has, if the command line tells it; otherwise 0.
-    [[nodiscard]] std::size_t given_count(const std::string& list, const Operands& operands,
-                                          const operations::IdentificationRows& rows) const {
-        std::size_t all = 0;
-        if (!list.empty()) {
-            const auto parsed = stream::ColumnList::parse(list, 0);
-            const auto* error = std::get_if<stream::ColumnError>(&parsed);
-            if (error == nullptr || error->what != stream::ColumnError::What::wrong_count) {
-                return 0; // a list that is refused
-            }
-            all = error->count;
-        } else if (operands.values.empty() && input_format == "f64") {
-            if (width.empty()) {
-                throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
-            }
-            all = static_cast<std::size_t>(count_of("--width", width, widest_row));
-        } else {
-            return 0;
-        }
-        const auto count = unknown_of(all, rows);
-        if (const auto* wrong = std::get_if<std::string>(&count)) {
-            throw Usage(*wrong);
-        }
-        return std::get<std::size_t>(count);
+Command identify(const Given& given) {
+    const bool degrees = given.has("--degrees");
+    IdentificationConclusion::Settings settings{
+        .name = name_of(given.text("--from")),
+        .identification = {.tolerance = tolerance_of(given)},
+        .degrees = degrees,
+        .json = one_of<bool>(given, "--format", "format of identify", {{"pretty", false}, {"json", true}})};
+    if (given.has("--within")) {
+        settings.identification.within =
+            amount_of(given, "--within", 0.0, false) * (degrees ? radians_per_degree : 1.0);
     }
-
-    std::string to_;
-    std::string from_;
-    std::string within_;
-    PairingOptions pairing_;
-};
+    operations::IdentificationRows& rows = settings.rows;
+    rows.known = spec_of(given, "--to");
+    rows.paired = is_paired(given);
+    rows.by_key = is_by_key(given);
+    const SelectedColumns selected = columns_of_file(given);
+    rows.count = settings.name ? representation(*settings.name).size : given_count(given, selected.list, rows);
+    const auto subject = std::make_shared<messages::Subject>();
+    const auto conclusion = std::make_shared<IdentificationConclusion>(settings, subject);
+    const auto identification = [self = conclusion.get()]() -> Identification& { return self->identification(); };
+    RowsCommand command = rows_command(given, selected, operations::identification_numbers(rows),
+                                       operations::identify(rows, identification, conclusion->positions()), *subject);
+    command.subject = subject;
+    if (rows.count == 0) {
+        command.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
+            return self->take_count(fields);
+        };
+    }
+    command.options.format = stream::Format::result;
+    command.conclusion = conclusion;
+    if (rows.paired) {
+        pair(given, command, operations::attitude_numbers(rows.known, rows.by_key),
+             messages::subject_of(rows.known, settings.identification.tolerance));
+    }
+    return command;
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> identify_options() { return std::make_unique<IdentifyOptions>(); }
+CommandEntry identify_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-t,--to", "KNOWN", "The representation of the known attitudes: NAME[:MODIFIER]...");
+    set.add("-f,--from", "NAME", "Try only this representation for the unknown numbers");
+    set.add("--within", "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)");
+    add_pairing(set);
+    add_reading(set);
+    set.begin_group("Output");
+    set.add("--format", "FORMAT", "pretty (default), a table, or json");
+    return {"identify",
+            "Find the convention of numbers, from the same attitudes in a known one",
+            "Usage: rotconv identify -t KNOWN [-f NAME] [OPTION]... FILE [REFERENCE]\n"
+            "       rotconv identify -t KNOWN [-f NAME] [OPTION]... VALUE...\n",
+            std::move(set),
+            identify,
+            2};
+}
 
 } // namespace rotconv::cli

@@ -7,6 +7,7 @@
 #include <rotconv/spec.hpp>
 
 #include "../methods/method.hpp"
+#include "../operations/operations.hpp"
 #include "../stream/fmt.hpp"
 #include "command.hpp"
 
@@ -18,15 +19,13 @@ std::string aliases_of(const Representation& entry) {
     return fmt::format("{}", fmt::join(names.begin() + 1, names.end(), " "));
 }
 
-std::string columns_of(const Spec& spec) {
-    const auto columns = spec.columns();
-    return fmt::format("{}", fmt::join(columns.begin(), columns.begin() + static_cast<int>(spec.size()), " "));
-}
+std::string columns_of(const Spec& spec) { return fmt::format("{}", fmt::join(operations::names_of(spec), " ")); }
 
 /// The modifiers, or the sequence, that a preset means for a representation.
 std::string effect_of(const Preset& preset, const Representation& entry) {
     const PresetMeaning meaning = meaning_of(preset.text, entry);
-    return meaning.sequence ? meaning.sequence->text() : messages::words_of(meaning.modifiers, ", ");
+    return meaning.sequence ? meaning.sequence->text()
+                            : fmt::format("{}", fmt::join(messages::words_of(meaning.modifiers), ", "));
 }
 
 /// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat", or "nothing".
@@ -79,7 +78,7 @@ std::string list_one(const Representation& entry) {
         line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic);");
         line("", "a minus sign before a letter negates that angle: Z-Y-X");
     }
-    line("modifiers", messages::words_of(entry.modifiers, " "));
+    line("modifiers", fmt::format("{}", fmt::join(messages::words_of(entry.modifiers), " ")));
     for (const Preset& preset : presets()) {
         const std::string effect = effect_of(preset, entry);
         line(&preset == presets().data() ? "presets" : "",
@@ -142,7 +141,7 @@ std::string list_methods(const std::vector<std::string>& pair) {
     return text + list_pair(from ? representation(*from).text : "any", text.empty() ? "any" : "any other", {});
 }
 
-std::string list(const std::vector<std::string>& words) {
+std::string list_of(const std::vector<std::string>& words) {
     const std::string first = words.empty() ? "" : words.front();
     const std::size_t most = first == "methods" ? 3 : 1;
     if (words.size() > most) {
@@ -172,17 +171,16 @@ std::string list(const std::vector<std::string>& words) {
                                                  : fmt::format("{}: {}\n\n{}", spec.text(), columns_of(spec), about);
 }
 
-class ListOptions final : public CommandOptions {
-public:
-    ListOptions() { set.take_names("A representation, preset or project, presets, or methods [FROM [TO]]"); }
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        return PrintCommand{list(operands.files)};
-    }
-};
+Command list(const Given& given) { return PrintCommand{list_of(given.files)}; }
 
 } // namespace
 
-std::unique_ptr<CommandOptions> list_options() { return std::make_unique<ListOptions>(); }
+CommandEntry list_command() {
+    OptionSet set;
+    set.take_names("A representation, preset or project, presets, or methods [FROM [TO]]");
+    return {"list", "List the representations, methods or presets, or explain one",
+            "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", std::move(set), list};
+}
 
 std::string help_footer() {
     const auto names = mapped(all_representations, [](RepresentationId id) { return name_of(representation(id)); });

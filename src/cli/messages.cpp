@@ -3,44 +3,12 @@
 #include <algorithm>
 #include <system_error>
 
-#include "../methods/method.hpp"
 #include "../stream/decimal.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
-
-/// "; did you mean X?", and what the word is elsewhere.
-std::string suggestion(std::string_view word, const std::optional<Guess>& guess) {
-    if (!guess) {
-        return {};
-    }
-    if (!guess->note.empty()) {
-        return fmt::format("; {}", guess->note);
-    }
-    if (guess->text.empty()) {
-        return fmt::format("; {} needs no modifier: leave it out", quoted(word));
-    }
-    return fmt::format(";{} did you mean {}?", guess->elsewhere, guess->text);
-}
-
-/// A word that is not one of the legal ones.
-std::string unknown(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal,
-                    const std::optional<Guess>& guess) {
-    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
-                       suggestion(text, guess));
-}
-
-std::vector<std::string_view> list_of(const ModifierSet& modifiers) {
-    std::vector<std::string_view> words;
-    for (const Modifier modifier : all_modifiers) {
-        if (modifiers.has(modifier)) {
-            words.push_back(name_of(modifier));
-        }
-    }
-    return words;
-}
 
 /// What to write instead of a text that is not read as a time.
 std::string_view mend(stream::TimeError error) {
@@ -95,6 +63,58 @@ std::string opened(const stream::Diagnostic& diagnostic) {
                                               : fmt::format("by {:.{}f} deg", degrees, degrees < 10.0 ? 1 : 0));
 }
 
+std::string why(const stream::RowError& error, const Subject& subject) {
+    const Representation& entry = representation(subject.representation);
+    switch (error.what) {
+    case stream::RowError::What::not_a_number: return "not a number";
+    case stream::RowError::What::too_large: return "too large for a double";
+    case stream::RowError::What::wrong_count:
+        return fmt::format("{} where {} has {}{}", counted(error.found, "field"), subject.text, error.expected,
+                           error.found > error.expected ? " (--columns selects)" : "");
+    case stream::RowError::What::missing_column:
+        return fmt::format("no column {}, the row has {}", error.expected, error.found);
+    case stream::RowError::What::key_order: return "the key does not increase";
+    case stream::RowError::What::open_quote: return "a quote is left open";
+    case stream::RowError::What::time: return "not a time that is read";
+    case stream::RowError::What::attitude: break;
+    }
+    switch (error.error) {
+    case Error::none: break;
+    case Error::not_finite: return "not finite";
+    case Error::overflow: return "the result is too large for a double";
+    case Error::zero_quaternion: return "a zero quaternion has no attitude";
+    case Error::zero_axis: return "a zero axis with an angle that is not 0";
+    case Error::not_proper: return "no rotation is nearest to a matrix with det <= 0";
+    case Error::rank_deficient:
+        return subject.representation == RepresentationId::dcm ? "the matrix is nearly of rank one"
+                                                               : "the two columns do not span a plane";
+    case Error::singular:
+        return fmt::format("{} has no rates at {}{}", entry.text, entry.singular_attitude,
+                           subject.has_steps ? ", and a step came too near to it (--substeps)" : "");
+    case Error::past_half_turn: return "the body may have turned by half a turn or more since the row before (a gap?)";
+    case Error::ended: return "no attitude, because an earlier row failed";
+    case Error::coarse_step:
+        return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit)",
+                           entry.text);
+    case Error::time_order: return "time does not increase";
+    case Error::defect:
+        return fmt::format("defect {} is above the tolerance {} (--tolerance){}", error.defect, subject.tolerance,
+                           error.norm > 0.0 ? fmt::format(", its norm is {:.12g}", error.norm) : "");
+    }
+    return {};
+}
+
+/// What to do about it.
+std::string after_text(const stream::RowError& error) {
+    using What = stream::RowError::What;
+    if (error.what == What::time && error.of_reference && error.time == stream::TimeError::has_unit) {
+        return "; such times are in seconds: --reference-time-unit s";
+    }
+    const bool has_blank = error.what == What::wrong_count && has_blank_in_time(error.text);
+    const auto time = has_blank ? stream::TimeError::blank : error.time;
+    return error.what == What::time || has_blank ? fmt::format("; {}", mend(time)) : "";
+}
+
 } // namespace
 
 Subject subject_of(const Spec& spec, double tolerance) {
@@ -119,75 +139,14 @@ std::vector<std::string_view> all_presets() { return mapped(presets(), &Preset::
 
 std::vector<std::string> all_sequences() { return mapped(EulerSequence::all(), &EulerSequence::text); }
 
-std::string words_of(const ModifierSet& modifiers, std::string_view separator) {
-    return fmt::format("{}", fmt::join(list_of(modifiers), separator));
-}
-
-std::string other_order(std::string_view list, const Spec& from, const std::vector<std::string_view>& order,
-                        const std::optional<Spec>& right) {
-    return fmt::format("{} is not the order of {}, which is {}{}", quoted(list), from.text(), fmt::join(order, ","),
-                       right ? fmt::format("; it is the order of {}", right->text()) : "");
-}
-
-std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
-    const std::string mended = mend(word);
-    return fmt::format("argument: {} is not a number, and cannot be read as a FILE: {}{}", quoted(word),
-                       std::generic_category().message(error),
-                       mended.empty() ? suggestion(word, guess_operand(word, commands)) : mended);
-}
-
-std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
-    return unknown(what, text, legal, guess_by_spelling(text, legal));
-}
-
-std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
-    return unknown("option", text, legal, guess_option(text, legal));
-}
-
-std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
-    const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
-    const auto rows = methods_of(from, to);
-    if (rows.empty()) {
-        return fmt::format("{}: from {} only default, fast and all are known", quoted(text), pair);
+std::vector<std::string_view> words_of(const ModifierSet& modifiers) {
+    std::vector<std::string_view> words;
+    for (const Modifier modifier : all_modifiers) {
+        if (modifiers.has(modifier)) {
+            words.push_back(name_of(modifier));
+        }
     }
-    auto legal = mapped(rows, &Method::name);
-    legal.insert(legal.end(), {fast_method, all_methods});
-    std::string message = fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair,
-                                      suggestion(text, guess_by_spelling(text, legal)));
-    for (const Method& method : rows) {
-        message += fmt::format("\n  {:<18} {}", method.name, method.domain);
-    }
-    message +=
-        fmt::format("\n  {:<18} {}\n  {:<18} each of these, one line for each", fast_method, every_input, all_methods);
-    return message;
-}
-
-std::string explain(const SpecError& error) {
-    using What = SpecError::What;
-    switch (error.what) {
-    case What::unknown_name: {
-        const auto legal = all_names();
-        return unknown("representation", error.text, legal, guess_spec(error, legal));
-    }
-    case What::no_sequence:
-        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
-    case What::unknown_sequence: {
-        const auto list = all_sequences();
-        const std::vector<std::string_view> legal(list.begin(), list.end());
-        return unknown("Euler sequence", error.text, legal, guess_spec(error, legal));
-    }
-    case What::unknown_modifier: {
-        auto legal = list_of(error.in->modifiers);
-        std::ranges::copy(all_presets(), std::back_inserter(legal));
-        return unknown(fmt::format("modifier of {}", error.in->text), error.text, legal, guess_spec(error, legal));
-    }
-    case What::meaningless_modifier:
-        return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
-                           error.in->text, words_of(error.in->modifiers, " "), fmt::join(all_presets(), " "));
-    case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
-    case What::two_orders: return fmt::format("{} has the scalar first and last", quoted(error.text));
-    }
-    return {};
+    return words;
 }
 
 std::string explain(const AxesError& error) {
@@ -204,54 +163,7 @@ std::string explain(const AxesError& error) {
 }
 
 std::string explain(const stream::RowError& error, const Subject& subject) {
-    using What = stream::RowError::What;
-    const std::string text = quoted(error.text);
-    switch (error.what) {
-    case What::not_a_number: return fmt::format("not a number: {}", text);
-    case What::too_large: return fmt::format("too large for a double: {}", text);
-    case What::wrong_count:
-        return fmt::format("{} where {} has {}{}: {}{}", counted(error.found, "field"), subject.text, error.expected,
-                           error.found > error.expected ? " (--columns selects)" : "", text,
-                           has_blank_in_time(error.text) ? fmt::format("; {}", mend(stream::TimeError::blank)) : "");
-    case What::missing_column:
-        return fmt::format("no column {}, the row has {}: {}", error.expected, error.found, text);
-    case What::key_order: return fmt::format("the key does not increase: {}", text);
-    case What::open_quote: return fmt::format("a quote is left open: {}", text);
-    case What::time:
-        return fmt::format("not a time that is read: {}; {}", text,
-                           error.of_reference && error.time == stream::TimeError::has_unit
-                               ? "such times are in seconds: --reference-time-unit s"
-                               : mend(error.time));
-    case What::attitude: break;
-    }
-    switch (error.error) {
-    case Error::none: break;
-    case Error::not_finite: return fmt::format("not finite: {}", text);
-    case Error::overflow: return fmt::format("the result is too large for a double: {}", text);
-    case Error::zero_quaternion: return fmt::format("a zero quaternion has no attitude: {}", text);
-    case Error::zero_axis: return fmt::format("a zero axis with an angle that is not 0: {}", text);
-    case Error::not_proper: return fmt::format("no rotation is nearest to a matrix with det <= 0: {}", text);
-    case Error::rank_deficient:
-        return fmt::format("{}: {}",
-                           subject.representation == RepresentationId::dcm ? "the matrix is nearly of rank one"
-                                                                           : "the two columns do not span a plane",
-                           text);
-    case Error::singular:
-        return fmt::format("{} has no rates at {}{}: {}", representation(subject.representation).text,
-                           representation(subject.representation).singular_attitude,
-                           subject.has_steps ? ", and a step came too near to it (--substeps)" : "", text);
-    case Error::past_half_turn:
-        return fmt::format("the body may have turned by half a turn or more since the row before (a gap?): {}", text);
-    case Error::ended: return fmt::format("no attitude, because an earlier row failed: {}", text);
-    case Error::coarse_step:
-        return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit): {}",
-                           representation(subject.representation).text, text);
-    case Error::time_order: return fmt::format("time does not increase: {}", text);
-    case Error::defect:
-        return fmt::format("defect {} is above the tolerance {} (--tolerance){}: {}", error.defect, subject.tolerance,
-                           error.norm > 0.0 ? fmt::format(", its norm is {:.12g}", error.norm) : "", text);
-    }
-    return {};
+    return fmt::format("{}: {}{}", why(error, subject), quoted(error.text), after_text(error));
 }
 
 std::string explain(const stream::StreamError& error, const Subject& subject) {

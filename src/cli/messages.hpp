@@ -24,11 +24,7 @@ namespace rotconv::cli::messages {
 [[nodiscard]] std::vector<std::string> all_sequences();
 
 /// The words of modifiers, in the order of the table.
-[[nodiscard]] std::string words_of(const ModifierSet& modifiers, std::string_view separator);
-
-/// The names in a list of columns have another order than the SPEC's; `right`: the SPEC with that order, if any.
-[[nodiscard]] std::string other_order(std::string_view list, const Spec& from,
-                                      const std::vector<std::string_view>& order, const std::optional<Spec>& right);
+[[nodiscard]] std::vector<std::string_view> words_of(const ModifierSet& modifiers);
 
 /// Why a text is not a SPEC, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecError& error);
@@ -72,7 +68,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
                                        const std::vector<std::string_view>& legal);
 
-/// The same for an option.
+/// The same for an option, perhaps with its argument.
 [[nodiscard]] std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal);
 
 /// Why a word does not name a method of the pair, with the methods of the pair and the input for which they hold.
@@ -94,13 +90,6 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 /// For a command line without a SPEC: the columns of the file, or nothing if it cannot be read twice.
 [[nodiscard]] std::string contents_advice(const std::string& path);
 
-/// What a user may have meant by a word that rotconv does not know: its meaning elsewhere counts before its spelling.
-struct Guess {
-    std::string text{};      ///< a legal text; empty: nothing needs to be said
-    std::string elsewhere{}; ///< what the word is in another place, such as " qw is a column of quat:"; may be empty
-    std::string note{};      ///< in the place of all that: what to write instead
-};
-
 /// What to write for a VALUE or ATTITUDE that is almost numbers, with "; " in front; or nothing.
 [[nodiscard]] std::string mend(std::string_view text);
 [[nodiscard]] std::string mend(const stream::RowError& error);
@@ -110,17 +99,5 @@ struct Guess {
 
 /// The options for the numbers of a project, as a line; of `projects` those of all; empty for other words.
 [[nodiscard]] std::string about_project(std::string_view word);
-
-/// The legal word that begins with the text; otherwise the nearest.
-[[nodiscard]] std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<std::string_view>& legal);
-
-/// `legal`: the words that could stand in the place of the one at fault.
-[[nodiscard]] std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal);
-
-/// A word that is neither an option nor a number nor a FILE; `commands`: the words that could stand in its place.
-[[nodiscard]] std::optional<Guess> guess_operand(std::string_view word, const std::vector<std::string_view>& commands);
-
-/// An option, perhaps with its argument.
-[[nodiscard]] std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal);
 
 } // namespace rotconv::cli::messages

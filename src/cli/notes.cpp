@@ -95,16 +95,15 @@ std::string large_angle(const Spec& spec, std::span<const double> numbers, doubl
 /// The notes on one stream.
 class Notes {
 public:
-    Notes(const stream::InputOptions& input, const ReadAs& reading)
-        : reading_(reading), refuses_(reading.refuses && input.columns.empty()), units_(input.numbers.names.size()) {
+    Notes(const Given& given, std::string_view time_option, bool refuses, const stream::InputOptions& input)
+        : degrees_(given.has("--degrees")), time_option_(time_option), refuses_(refuses && input.columns.empty()),
+          units_(input.numbers.names.size()) {
+        const std::string& time_unit = given.text(given.has(time_option) ? time_option : "--time-unit");
         const auto& names = input.numbers.names;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool is_rate = names[i] == "wx" || names[i] == "wy" || names[i] == "wz";
-            const bool is_time = names[i] == "t" || (names[i] == "key" && !reading.time_unit.empty());
-            units_[i] = is_rate                     ? (reading.degrees ? "deg" : "rad")
-                        : !is_time                  ? ""
-                        : reading.time_unit.empty() ? "s"
-                                                    : reading.time_unit;
+            const bool is_time = names[i] == "t" || (names[i] == "key" && !time_unit.empty());
+            units_[i] = is_rate ? (degrees_ ? "deg" : "rad") : !is_time ? "" : time_unit.empty() ? "s" : time_unit;
         }
         if (input.numbers.attitude) {
             attitudes_.emplace_back(input.numbers.kept, *input.numbers.attitude);
@@ -185,7 +184,7 @@ private:
 
     [[nodiscard]] std::string mend(std::size_t at, std::string_view unit) const {
         if (!is_angle(unit)) {
-            return fmt::format("times are read in {}: {} {}", units_[at], reading_.time_option, unit);
+            return fmt::format("times are read in {}: {} {}", units_[at], time_option_, unit);
         }
         for (const auto& [first, spec] : attitudes_) {
             if (at >= first && at < first + spec.size()) {
@@ -193,14 +192,15 @@ private:
                 right.unit = unit == "deg" ? AngleUnit::degrees : AngleUnit::radians;
                 return fmt::format("{} reads {}: {}{}", spec.text(),
                                    spec.unit == AngleUnit::degrees ? "degrees" : "radians", right.text(),
-                                   reading_.degrees ? ", without -d" : "");
+                                   degrees_ ? ", without -d" : "");
             }
         }
         return fmt::format("angular velocities are read in {}/s: {} -d", units_[at],
                            unit == "deg" ? "add" : "leave out");
     }
 
-    ReadAs reading_;
+    bool degrees_;                                        ///< angular velocities too
+    std::string time_option_;                             ///< that names the unit
     bool refuses_;                                        ///< names in another order
     std::vector<std::string> units_;                      ///< of each number; empty: not one of those in headers
     std::vector<std::pair<std::size_t, Spec>> attitudes_; ///< each with the place of its first number
@@ -208,19 +208,19 @@ private:
 
 } // namespace
 
-void add_notes(stream::InputOptions& input, const ReadAs& reading) {
-    const Notes notes(input, reading);
+void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input) {
+    const Notes notes(given, time_option, refuses, input);
     input.largest = notes.largest(input.numbers.kept);
     input.notes_of = notes;
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
 
-std::optional<stream::Note> note_on(std::string_view option, const std::string& text, bool degrees) {
-    if (text.empty()) {
+std::optional<stream::Note> note_on(const Given& given, std::string_view option) {
+    if (!given.has(option)) {
         return std::nullopt;
     }
-    const GivenNumbers given = numbers_of(option, text, degrees);
-    const std::string large = large_angle(given.spec, given.numbers, full_turn);
+    const GivenNumbers read = numbers_of(given, option);
+    const std::string large = large_angle(read.spec, read.numbers, full_turn);
     return large.empty() ? std::nullopt
                          : std::optional(stream::Note{Kind::angle, fmt::format("{}: {}", option, large)});
 }

@@ -1,37 +1,14 @@
 #include "option_set.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
-
-#include <CLI/CLI.hpp>
 
 #include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
 namespace {
-
-/// Of the parts of CLI11's help those that it knows: the options.
-class Formatter : public CLI::Formatter {
-public:
-    std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
-};
-
-void define(CLI::App& app, const std::vector<Option>& options) {
-    app.set_help_flag();
-    app.formatter(std::make_shared<Formatter>());
-    for (const Option& option : options) {
-        app.option_defaults()->group(option.group);
-        if (auto* const* flag = std::get_if<bool*>(&option.value)) {
-            app.add_flag(option.names, **flag, option.about);
-        } else {
-            app.add_option(option.names, *std::get<std::string*>(option.value), option.about)
-                ->type_name(option.argument);
-        }
-    }
-}
 
 constexpr std::string_view brackets = "[](){}";
 
@@ -94,56 +71,54 @@ ValueRow row_of_values(const std::vector<std::string>& values, std::optional<str
 }
 
 std::vector<std::string> Option::each_name() const {
-    const auto comma = names.find(',');
-    return comma == std::string::npos ? std::vector{names}
-                                      : std::vector{names.substr(0, comma), names.substr(comma + 1)};
+    const std::string last(name());
+    return last == names ? std::vector{last} : std::vector{std::string(names.substr(0, names.find(','))), last};
 }
 
-void OptionSet::add(std::string_view names, std::string& value, std::string_view argument, std::string_view about) {
-    options_.push_back({std::string(names), std::string(argument), std::string(about), group_, &value});
-}
-
-void OptionSet::add(std::string_view names, bool& value, std::string_view about) {
-    options_.push_back({std::string(names), {}, std::string(about), group_, &value});
-}
-
-void OptionSet::describe(std::string_view name, std::string_view about) {
-    std::ranges::find(options_, name, &Option::name)->about = about;
-}
-
-const Option* OptionSet::find(std::string_view name) const {
+Option* OptionSet::find(std::string_view name) {
     const auto found = std::ranges::find_if(
         options_, [&](const Option& option) { return std::ranges::count(option.each_name(), name) > 0; });
     return found == options_.end() ? nullptr : &*found;
 }
 
+const std::string& OptionSet::text(std::string_view name) const {
+    static const std::string none;
+    const auto found = std::ranges::find(options_, name, &Option::name);
+    return found == options_.end() ? none : found->given;
+}
+
 std::string OptionSet::help() const {
-    CLI::App app;
-    define(app, options_);
-    std::vector<std::string> names;
+    const auto line = [](std::string_view what, std::string_view about) {
+        return fmt::format("  {:<28}{}\n", what, about);
+    };
+    std::vector<std::pair<std::string_view, std::string>> groups; // titles, and their lines
     if (takes_names()) {
-        app.add_option("NAME", names, names_)->type_name("");
+        groups.emplace_back("Positionals", line("NAME ...", names_));
     }
-    std::string help = app.help();
-    for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n")) {
-        help.erase(at, 1); // CLI11 ends a group with two
+    for (const Option& option : options_) {
+        auto group = std::ranges::find(groups, option.group, &std::pair<std::string_view, std::string>::first);
+        if (group == groups.end()) {
+            group = groups.insert(group, {option.group, ""});
+        }
+        group->second += line(fmt::format("{} {}", option.names, option.argument), option.about);
     }
-    help.erase(help.find_last_not_of('\n') + 2);
+    std::string help;
+    for (const auto& [title, lines] : groups) {
+        help += fmt::format("\n{}:\n{}", title, lines);
+    }
     return help;
 }
 
 Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t begin,
-                          const std::function<bool(std::string_view)>& is_command) const {
+                          const std::function<bool(std::string_view)>& is_command) {
     Arguments read;
-    std::vector<const Option*> given;
-    std::vector<std::string> option_words;
     std::size_t at = begin;
     /// Takes an option; `joined`: the argument that stands in the same word.
-    const auto set = [&](const Option& option, std::optional<FileWord> joined) {
-        const std::string name = option.name();
+    const auto set = [&](Option& option, std::optional<FileWord> joined) {
+        const std::string name(option.name());
         read.first_option = read.first_option.empty() ? name : read.first_option;
         if (!option.takes_argument()) {
-            option_words.push_back(name);
+            option.given = name;
             read.error = joined ? name + " takes no argument" : read.error;
             return;
         }
@@ -152,17 +127,14 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
             return;
         }
         const FileWord place = joined ? *joined : FileWord{++at, 0};
-        const std::string argument = words[place.word].substr(place.begin);
-        option_words.push_back(name + "=" + argument);
-        if (std::ranges::count(given, &option) != 0) {
-            read.error = name + " is given twice";
-        } else if (argument.empty()) {
-            read.error = name + " has an empty argument";
-        }
+        const bool is_second = !option.given.empty();
+        option.given = words[place.word].substr(place.begin);
+        read.error = is_second              ? name + " is given twice"
+                     : option.given.empty() ? name + " has an empty argument"
+                                            : read.error;
         if (name == "--input") {
             read.file_words.push_back(place);
         }
-        given.push_back(&option);
     };
     const auto miss = [&read](const std::string& word) { read.unknown = read.unknown.empty() ? word : read.unknown; };
 
@@ -183,14 +155,14 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
             only_operands = true;
         } else if (word.starts_with("--")) {
             const auto equals = word.find('=');
-            const Option* option = find(word.substr(0, equals));
+            Option* const option = find(word.substr(0, equals));
             option != nullptr
                 ? set(*option, equals == std::string::npos ? std::nullopt : std::optional(FileWord{at, equals + 1}))
                 : miss(word);
         } else { // flags, of which the last may be an option with its argument
             bool is_flag = true;
             for (std::size_t i = 1; is_flag && i < word.size(); ++i) {
-                const Option* option = find(std::string{'-', word[i]});
+                Option* const option = find(std::string{'-', word[i]});
                 is_flag = option == nullptr || !option->takes_argument();
                 const bool has_argument = !is_flag && i + 1 < word.size();
                 option != nullptr ? set(*option, has_argument ? std::optional(FileWord{at, i + 1}) : std::nullopt)
@@ -199,16 +171,6 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
         }
     }
     read.end = std::min(at, words.size());
-    if (read.error.empty()) {
-        CLI::App app;
-        define(app, options_);
-        std::ranges::reverse(option_words); // as CLI11 wants them
-        try {
-            app.parse(option_words);
-        } catch (const CLI::ParseError& error) {
-            read.error = error.what();
-        }
-    }
     return read;
 }
 

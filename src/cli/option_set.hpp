@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "../stream/delimiter.hpp"
@@ -23,19 +22,19 @@ class MissingSpec : public Usage {
     using Usage::Usage;
 };
 
-/// An option of a command: its text in the help, and where its argument goes.
+/// An option of a command: its text in the help, and what was given.
 struct Option {
-    std::string names;    ///< such as "-f,--from"
-    std::string argument; ///< what stands for it in the help; empty if the option takes none
-    std::string about;
-    std::string group; ///< its title in the help
-    std::variant<bool*, std::string*> value;
+    std::string_view names;    ///< such as "-f,--from"
+    std::string_view argument; ///< what stands for it in the help; empty if the option takes none
+    std::string_view about;
+    std::string_view group; ///< its title in the help
+    std::string given{};    ///< the argument, or the name of an option without one; empty: the option is not given
 
     [[nodiscard]] bool takes_argument() const noexcept { return !argument.empty(); }
     /// "-f" and "--from".
     [[nodiscard]] std::vector<std::string> each_name() const;
     /// "--from".
-    [[nodiscard]] std::string name() const { return each_name().back(); }
+    [[nodiscard]] std::string_view name() const { return names.substr(names.find(',') + 1); }
 };
 
 /// VALUEs as one row.
@@ -69,10 +68,13 @@ class OptionSet {
 public:
     /// The title for the options that follow.
     void begin_group(std::string_view title) { group_ = title; }
-    void add(std::string_view names, std::string& value, std::string_view argument, std::string_view about);
-    void add(std::string_view names, bool& value, std::string_view about);
+    /// The texts must outlive the set.
+    void add(std::string_view names, std::string_view argument, std::string_view about) {
+        options_.push_back({names, argument, about, group_});
+    }
+    void add_flag(std::string_view names, std::string_view about) { add(names, {}, about); }
     /// Replaces the text of an option that is shared with other commands.
-    void describe(std::string_view name, std::string_view about);
+    void describe(std::string_view name, std::string_view about) { find(name)->about = about; }
     /// The command takes NAMEs in the place of FILEs and VALUEs.
     void take_names(std::string_view about) { names_ = about; }
 
@@ -80,20 +82,24 @@ public:
     [[nodiscard]] const std::vector<Option>& all() const noexcept { return options_; }
     [[nodiscard]] std::string help() const;
 
-    /// Reads words from the one at `begin` on, and sets the values of the options. A word that reads as a number, or
-    /// begins with one before a separator, or after brackets with a character of one, is a VALUE, except where an
-    /// option awaits its argument. Any other word that is not an option is a FILE, or ends the reading if it comes
-    /// first and names a command.
+    /// The argument of an option; empty if it is not given, or not one of these.
+    [[nodiscard]] const std::string& text(std::string_view name) const;
+    [[nodiscard]] bool has(std::string_view name) const { return !text(name).empty(); }
+
+    /// Reads words from the one at `begin` on, and keeps what is given. A word that reads as a number, or begins with
+    /// one before a separator, or after brackets with a character of one, is a VALUE, except where an option awaits its
+    /// argument. Any other word that is not an option is a FILE, or ends the reading if it comes first and names a
+    /// command.
     [[nodiscard]] Arguments read(const std::vector<std::string>& words, std::size_t begin,
-                                 const std::function<bool(std::string_view)>& is_command) const;
+                                 const std::function<bool(std::string_view)>& is_command);
 
 private:
     /// By one of its names, or null.
-    [[nodiscard]] const Option* find(std::string_view name) const;
+    [[nodiscard]] Option* find(std::string_view name);
 
     std::vector<Option> options_;
-    std::string group_;
-    std::string names_; ///< of the NAMEs in the help
+    std::string_view group_;
+    std::string_view names_; ///< of the NAMEs in the help
 };
 
 } // namespace rotconv::cli

@@ -24,69 +24,57 @@ Integrator integrator_of(const Spec& with, const std::string& text) {
     return one_of(fmt::format("integrator of {}", representation(with.name).text), text, serving);
 }
 
-class PropagateOptions final : public RowOptions {
-public:
-    PropagateOptions() {
-        set.begin_group("What");
-        set.add("-t,--to", to_, "SPEC", "The representation to write: NAME[:MODIFIER]...");
-        set.add("--initial", initial_, "ATTITUDE", "The attitude at the first row, as \"SPEC: NUMBERS\"");
-        set.add("--with", with_, "SET", "The representation in which to integrate (default quat)");
-        set.add("--integrator", integrator_, "INTEGRATOR", "rk4, or for quat also magnus4 (its default) or magnus6");
-        set.add("--substeps", substeps_, "N", "Integration steps from one row to the next (default 1)");
-        set.add("--interpolation", interpolation_, "HOW",
-                "Angular velocity between rows: linear (default), or cubic, a row late");
-        set.add("--time-unit", time_unit_, "UNIT", "Unit of the times: s (default), ms, us or ns");
-        set.add("--renormalise", renormalise_, "Make the numbers unit, or orthogonal, again after every step");
-        attitudes_.add_to(set);
-        add_reading();
-        set.describe("--degrees", "Degrees, and degrees a second; :deg alone leaves radians a second");
-        add_writing();
-        attitudes_.add_lock_margin_to(set);
+Command propagate(const Given& given) {
+    refuse_values(given, "propagate");
+    const std::string& time_unit = given.text("--time-unit");
+    operations::PropagationRows rows{.time_power = time_power_of(time_unit),
+                                     .degrees = given.has("--degrees"),
+                                     .to = spec_of(given, "--to"),
+                                     .conversion = attitude_settings_of(given),
+                                     .continuous = given.has("--continuous"),
+                                     .stop_at_error = on_error_of(given) == stream::OnError::stop};
+    PropagationSettings& settings = rows.settings;
+    if (given.has("--with")) {
+        settings.representation = spec_of("--with", given.text("--with"), false);
     }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        refuse_values(operands, "propagate");
-        operations::PropagationRows rows{.time_power = time_power_of(time_unit_),
-                                         .degrees = degrees,
-                                         .to = spec_of("--to", to_, degrees),
-                                         .conversion = attitudes_.added_to(RowOptions::settings(), degrees),
-                                         .continuous = attitudes_.continuous,
-                                         .stop_at_error = on_error() == stream::OnError::stop};
-        PropagationSettings& settings = rows.settings;
-        settings.representation = spec_of("--with", with_, false);
-        require_rates("--with", settings.representation);
-        settings.integrator = integrator_of(settings.representation, integrator_);
-        settings.interpolation = one_of<Interpolation>(
-            "interpolation", interpolation_, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
-        settings.renormalise = renormalise_;
-        if (!substeps_.empty()) {
-            settings.substeps = static_cast<std::size_t>(count_of("--substeps", substeps_, 1'000'000));
-        }
-        const double tolerance = rows.conversion.tolerance;
-        if (!initial_.empty()) {
-            settings.initial = attitude_of("--initial", initial_, degrees, tolerance).rotation;
-        }
-        auto numbers = operations::propagation_numbers();
-        numbers.has_unit = !time_unit_.empty();
-        messages::Subject about{"t wx wy wz", numbers.names.size(), settings.representation.name, tolerance, true};
-        return rows_command({.list = columns}, std::move(numbers), operations::propagate(rows), std::move(about),
-                            operands);
+    require_rates("--with", settings.representation);
+    settings.integrator = integrator_of(settings.representation, given.text("--integrator"));
+    settings.interpolation =
+        one_of<Interpolation>(given, "--interpolation", "interpolation",
+                              {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
+    settings.renormalise = given.has("--renormalise");
+    settings.substeps = count_of(given, "--substeps", 1'000'000, 1, settings.substeps);
+    if (given.has("--initial")) {
+        settings.initial = attitude_of(given, "--initial").rotation;
     }
-
-private:
-    std::string to_;
-    std::string initial_;
-    std::string with_ = "quat";
-    std::string integrator_;
-    std::string substeps_;
-    std::string interpolation_ = "linear";
-    std::string time_unit_;
-    bool renormalise_ = false;
-    AttitudeOptions attitudes_;
-};
+    auto numbers = operations::propagation_numbers();
+    numbers.has_unit = !time_unit.empty();
+    return rows_command(
+        given, {.list = given.text("--columns")}, numbers, operations::propagate(rows),
+        {"t wx wy wz", numbers.names.size(), settings.representation.name, rows.conversion.tolerance, true});
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> propagate_options() { return std::make_unique<PropagateOptions>(); }
+CommandEntry propagate_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
+    set.add("--initial", "ATTITUDE", "The attitude at the first row, as \"SPEC: NUMBERS\"");
+    set.add("--with", "SET", "The representation in which to integrate (default quat)");
+    set.add("--integrator", "INTEGRATOR", "rk4, or for quat also magnus4 (its default) or magnus6");
+    set.add("--substeps", "N", "Integration steps from one row to the next (default 1)");
+    set.add("--interpolation", "HOW", "Angular velocity between rows: linear (default), or cubic, a row late");
+    set.add("--time-unit", "UNIT", "Unit of the times: s (default), ms, us or ns");
+    set.add_flag("--renormalise", "Make the numbers unit, or orthogonal, again after every step");
+    add_attitudes(set);
+    add_continuous(set);
+    add_reading(set);
+    set.describe("--degrees", "Degrees, and degrees a second; :deg alone leaves radians a second");
+    add_writing(set);
+    add_lock_margin(set);
+    return {"propagate", "Integrate angular velocities to attitudes",
+            "Usage: rotconv propagate -t SPEC [OPTION]... [FILE]\n", std::move(set), propagate};
+}
 
 } // namespace rotconv::cli

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,20 +20,24 @@ namespace rotconv::cli {
 // What the arguments of options mean; each function throws Usage on others.
 
 /// The value of a word that is one of the choices.
-/// @throw Usage if it is not
-template <class Value> Value one_of(std::string_view what, std::string_view text,
-                                    const std::vector<std::pair<std::string_view, Value>>& choices) {
-    std::vector<std::string_view> legal;
-    for (const auto& [word, value] : choices) {
-        if (word == text) {
-            return value;
-        }
-        legal.push_back(word);
+template <class Value> using Choices = std::vector<std::pair<std::string_view, Value>>;
+template <class Value> Value one_of(std::string_view what, std::string_view text, const Choices<Value>& choices) {
+    const auto found = std::ranges::find(choices, text, &Choices<Value>::value_type::first);
+    if (found == choices.end()) {
+        throw Usage(messages::no_such_word(what, text, mapped(choices, &Choices<Value>::value_type::first)));
     }
-    throw Usage(messages::no_such_word(what, text, legal));
+    return found->second;
+}
+/// That of an option's argument; the first choice if the option is not given.
+template <class Value>
+Value one_of(const Given& given, std::string_view option, std::string_view what, const Choices<Value>& choices) {
+    return given.has(option) ? one_of(what, given.text(option), choices) : choices.front().second;
 }
 
 [[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
+[[nodiscard]] inline Spec spec_of(const Given& given, std::string_view option) {
+    return spec_of(option, given.text(option), given.has("--degrees"));
+}
 /// What is wrong with canonical names, written as the list, in another order than the SPEC's; otherwise empty.
 [[nodiscard]] std::string wrong_order(const Spec& spec, const std::vector<std::string_view>& names,
                                       std::string_view list);
@@ -44,55 +49,52 @@ struct GivenNumbers {
     std::string_view row; ///< the numbers as they are written
     std::vector<double> numbers{};
 };
-/// @param text must outlive the result
-[[nodiscard]] GivenNumbers numbers_of(std::string_view option, const std::string& text, bool degrees);
+[[nodiscard]] GivenNumbers numbers_of(const Given& given, std::string_view option);
 /// Their attitude.
-[[nodiscard]] FixedRotation attitude_of(std::string_view option, const std::string& text, bool degrees,
-                                        double tolerance);
-/// A number that is not negative; `default_value` if the option was not given.
-[[nodiscard]] double amount_of(std::string_view option, const std::string& text, double default_value, bool infinite);
-/// A whole number from `least` to `most`; 0 if the option was not given.
-[[nodiscard]] std::int64_t count_of(std::string_view option, const std::string& text, std::int64_t most,
-                                    std::int64_t least = 1);
-[[nodiscard]] Frame frame_of(const std::string& text);
+[[nodiscard]] FixedRotation attitude_of(const Given& given, std::string_view option);
+/// A number that is not negative.
+[[nodiscard]] double amount_of(const Given& given, std::string_view option, double default_value, bool infinite);
+/// A whole number from `least` to `most`.
+[[nodiscard]] std::size_t count_of(const Given& given, std::string_view option, std::size_t most, std::size_t least = 1,
+                                   std::size_t default_value = 0);
+[[nodiscard]] Frame frame_of(const Given& given);
 /// The power of ten of the seconds in a unit of time.
 [[nodiscard]] int time_power_of(const std::string& text);
+[[nodiscard]] double tolerance_of(const Given& given);
+[[nodiscard]] stream::OnError on_error_of(const Given& given);
+/// With the sensitivity of each row if its columns are shown.
+[[nodiscard]] ConversionSettings settings_of(const Given& given);
+/// The same with what is done to attitudes before they are written.
+[[nodiscard]] ConversionSettings attitude_settings_of(const Given& given);
 
 // What the input says of its numbers against how they are read: names and units in a header, large angles; in
 // notes.cpp.
 
-/// How a command takes numbers, beside their SPEC.
-struct ReadAs {
-    bool degrees = false;    ///< -d: angular velocities too
-    std::string time_unit{}; ///< empty: seconds; keys have none then
-    std::string time_option = "--time-unit";
-    bool refuses = true; ///< names in another order end the run, unless --columns selects
-};
-void add_notes(stream::InputOptions& input, const ReadAs& reading);
-/// The same for an option's "SPEC: NUMBERS", which has been read; nothing for no text.
-[[nodiscard]] std::optional<stream::Note> note_on(std::string_view option, const std::string& text, bool degrees);
+/// @param refuses names in another order end the run, unless --columns selects
+void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input);
+/// The same for an option's "SPEC: NUMBERS"; nothing if it is not given.
+[[nodiscard]] std::optional<stream::Note> note_on(const Given& given, std::string_view option);
 
-inline constexpr int widest_row = 100'000; ///< doubles
+inline constexpr std::size_t widest_row = 100'000; ///< doubles
 
+// Options that several commands have: where rows come from, how they are read and written, and where the answer goes.
+
+void add_reading(OptionSet& set);
+void add_writing(OptionSet& set);
+/// Those of the above that a command without input has.
+void add_output(OptionSet& set);
+void add_format(OptionSet& set);
+/// What is done to attitudes before they are written, and which of their numbers are.
+void add_attitudes(OptionSet& set);
+void add_continuous(OptionSet& set);
+void add_lock_margin(OptionSet& set);
 /// How a FILE and its REFERENCE are read side by side.
-struct PairingOptions {
-    std::string reference_columns;
-    std::string key;
-    std::string reference_key;
-    std::string key_within;
-    std::string time_unit;
-    std::string reference_time_unit;
-    std::string key_offset;
-    bool interpolates = false;
+void add_pairing(OptionSet& set);
 
-    void add_to(OptionSet& set, bool with_interpolation = false);
-    /// @throw Usage if an option about keys was given without a key
-    void check() const;
-    /// There is a REFERENCE.
-    /// @throw Usage if both are stdin
-    [[nodiscard]] static bool is_paired(const Operands& operands);
-    [[nodiscard]] bool by_key(const Operands& operands) const { return is_paired(operands) && !key.empty(); }
-};
+/// There is a REFERENCE.
+/// @throw Usage if both are stdin
+[[nodiscard]] bool is_paired(const Given& given);
+[[nodiscard]] inline bool is_by_key(const Given& given) { return is_paired(given) && given.has("--key"); }
 
 /// The columns to read of one stream, and the option that names them.
 struct SelectedColumns {
@@ -100,82 +102,21 @@ struct SelectedColumns {
     std::string option = "--columns";
     std::string key{}; ///< a column before them
     std::string time_option = "--time-unit";
-
-    [[nodiscard]] std::string all() const { return key.empty() ? list : key + "," + list; }
 };
+/// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
+/// @throw Usage if an option about keys is given without a key
+[[nodiscard]] SelectedColumns columns_of_file(const Given& given);
 
-/// A command that goes through rows: where they come from, how they are read and written, and where the answer goes.
-class RowOptions : public CommandOptions {
-protected:
-    void add_reading();
-    void add_writing();
-    /// Those of the above that a command without input has.
-    void add_output();
-    void add_format();
-    /// Options are read with this tolerance, and report the sensitivity of each row if its columns are shown.
-    [[nodiscard]] ConversionSettings settings() const;
-    [[nodiscard]] double tolerance() const;
-    [[nodiscard]] stream::OnError on_error() const;
-    /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
-    [[nodiscard]] SelectedColumns columns_of_file(const PairingOptions& pairing, const Operands& operands) const;
-
-    /// The command of an operation that takes those numbers of a row.
-    /// @throw Usage
-    [[nodiscard]] RowsCommand rows_command(const SelectedColumns& selected, const stream::RowNumbers& numbers,
-                                           operations::Operation operation, messages::Subject subject,
-                                           const Operands& operands) const;
-    /// Has the command's rows paired with those of the REFERENCE.
-    /// @throw Usage
-    void pair(RowsCommand& command, const PairingOptions& pairing, stream::RowNumbers numbers,
-              messages::Subject subject, const Operands& operands) const;
-
-    // NOLINTBEGIN(*-non-private-member-variables-in-classes): commands read them as they read their own
-    std::string columns;
-    std::string format; ///< empty: the default of the command
-    std::string input_format = "csv";
-    std::string width;
-    bool degrees = false;
-    // NOLINTEND(*-non-private-member-variables-in-classes)
-
-private:
-    [[nodiscard]] ShowDiagnostics shown_diagnostics() const;
-    [[nodiscard]] stream::Digits digits() const;
-    [[nodiscard]] std::size_t width_of(const stream::InputOptions& in) const;
-    [[nodiscard]] stream::InputOptions input_of(const SelectedColumns& selected, stream::RowNumbers numbers,
-                                                const messages::Subject& subject, bool has_values, bool refuses) const;
-    /// What was given; empty if the command does not have the option.
-    [[nodiscard]] std::string argument_of(std::string_view option) const;
-
-    std::string output_ = "-";
-    std::string comment_ = "#";
-    std::string delimiter_;
-    std::string header_ = "auto";
-    std::string on_error_ = "stop";
-    std::string tolerance_;
-    std::string precision_;
-    std::string decimals_;
-    std::string diagnostics_ = "summary";
-    std::string threads_;
-    bool append_ = false;
-    bool strict_ = false;
-};
-
-/// What is done to attitudes before they are written, and which of their numbers are.
-struct AttitudeOptions {
-    std::string left;
-    std::string right;
-    std::string reference_axes;
-    std::string body_axes;
-    std::string lock_margin;
-    bool continuous = false;
-
-    void add_to(OptionSet& set, bool with_continuous = true);
-    void add_lock_margin_to(OptionSet& set);
-    /// The settings with those of these options.
-    [[nodiscard]] ConversionSettings added_to(ConversionSettings settings, bool degrees) const;
-};
+/// The command of an operation that takes those numbers of a row.
+/// @throw Usage
+[[nodiscard]] RowsCommand rows_command(const Given& given, const SelectedColumns& selected,
+                                       const stream::RowNumbers& numbers, operations::Operation operation,
+                                       messages::Subject subject);
+/// Has the command's rows paired with those of the REFERENCE.
+/// @throw Usage
+void pair(const Given& given, RowsCommand& command, stream::RowNumbers numbers, messages::Subject subject);
 
 /// @throw Usage if there are VALUEs
-void refuse_values(const Operands& operands, std::string_view command);
+void refuse_values(const Given& given, std::string_view command);
 
 } // namespace rotconv::cli

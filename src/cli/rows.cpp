@@ -99,13 +99,20 @@ public:
         }
     }
 
-    [[nodiscard]] std::size_t errors() const noexcept { return errors_; }
-    [[nodiscard]] bool has_notes() const noexcept { return !notes_.empty(); }
-    [[nodiscard]] std::size_t beyond() const { return count_of_beyond().rows; }
-    [[nodiscard]] std::size_t first_beyond() const { return count_of_beyond().first.line; }
-    /// Any kind but normalized and few-digits.
-    [[nodiscard]] bool met_singularity() const noexcept {
-        return std::ranges::any_of(counts_, [](const Count& count) {
+    /// What came of a run that is stopped, unless its code is set.
+    [[nodiscard]] RowsResult result(const stream::RunResult& ending) const {
+        const Count& beyond = counts_.at(index_of(DiagnosticKind::beyond, false));
+        return {.code = ExitCode::incomplete,
+                .answered = ending.answered,
+                .failed = errors_,
+                .beyond = beyond.rows,
+                .first_beyond = beyond.first.line,
+                .unpaired = ending.unpaired,
+                .keys = ending.keys};
+    }
+    /// A note, or any kind but normalized and few-digits.
+    [[nodiscard]] bool met_diagnostic() const noexcept {
+        return !notes_.empty() || std::ranges::any_of(counts_, [](const Count& count) {
             return count.rows > 0 && count.first.kind != DiagnosticKind::normalized &&
                    count.first.kind != DiagnosticKind::few_digits;
         });
@@ -162,7 +169,6 @@ private:
     static constexpr std::size_t index_of(DiagnosticKind kind, bool of_reference) noexcept {
         return static_cast<std::size_t>(kind) + (of_reference ? diagnostic_kind_count : 0);
     }
-    [[nodiscard]] const Count& count_of_beyond() const { return counts_.at(index_of(DiagnosticKind::beyond, false)); }
     [[nodiscard]] const messages::Subject& subject_of(bool of_reference) const noexcept {
         return of_reference ? command_->reference_subject : *command_->subject;
     }
@@ -225,9 +231,16 @@ private:
     bool shown_ = false;
 };
 
-std::unique_ptr<stream::File> open(const std::string& path) {
-    return path == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
-                       : std::make_unique<stream::File>(path.c_str(), stream::File::Mode::read);
+/// The input, and the reference if there is one, up to the first that cannot be opened: errno says why.
+std::vector<std::unique_ptr<stream::File>> open_inputs(const RowsCommand& command) {
+    std::vector<std::unique_ptr<stream::File>> files;
+    for (const std::string& path : {command.input, command.reference}) {
+        if (!path.empty() && (files.empty() || files.back()->is_open())) {
+            files.push_back(path == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
+                                        : std::make_unique<stream::File>(path.c_str(), stream::File::Mode::read));
+        }
+    }
+    return files;
 }
 
 /// Writes to an output for as long as it has a reader.
@@ -245,39 +258,27 @@ private:
     bool is_read_ = true;
 };
 
-/// Of a command that will not get to its end.
-class MessagesOnly final : public Conclusion {
-public:
-    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
-    [[nodiscard]] Answer answer(const RowsResult& /*result*/) override { return {}; }
-
-private:
-    stream::NullSink nowhere_;
-};
-
 /// The command as its first pass makes it.
 /// @return what is wrong, in words
 std::string run_first_pass(RowsCommand& command) {
-    std::vector<std::unique_ptr<stream::File>> files;
-    for (const std::string& path : {command.input, command.reference}) {
-        if (!path.empty()) {
-            const auto& file = *files.emplace_back(open(path));
-            if (file.is_open() && !file.is_regular()) {
-                return fmt::format("{}: the input is read twice, and a pipe cannot be", shown(path));
-            }
-            if (!file.is_open()) {
-                return {}; // which the command will say
-            }
+    const auto files = open_inputs(command);
+    for (const auto& file : files) {
+        if (!file->is_open()) {
+            return {}; // which the command will say
+        }
+        if (!file->is_regular()) {
+            return fmt::format("{}: the input is read twice, and a pipe cannot be",
+                               shown(file == files.front() ? command.input : command.reference));
         }
     }
     stream::Options options = command.options;
-    options.operation = command.first_pass->operation();
+    options.operation = command.first_pass->operation;
     options.format = stream::Format::result;
     const auto ending = stream::run(
-        *files.front(), command.first_pass->rows(), options, [](const auto&) {},
+        *files.front(), *command.first_pass->rows, options, [](const auto&) {},
         files.size() > 1 ? files.back().get() : nullptr);
     if (ending.error || ending.stopped) { // again, for the messages
-        command.conclusion = std::make_shared<MessagesOnly>();
+        command.conclusion = std::make_shared<Conclusion>();
         return {};
     }
     auto found = command.first_pass->conclude();
@@ -290,21 +291,17 @@ std::string run_first_pass(RowsCommand& command) {
 
 ExitCode run_last_pass(const RowsCommand& command) {
     using What = stream::StreamError::What;
+    const auto inputs = open_inputs(command);
+    if (!inputs.back()->is_open()) {
+        return failed(inputs.size() == 1 ? command.input : command.reference, What::read, errno);
+    }
     stream::OutputFile output(command.output);
-    std::vector<std::unique_ptr<stream::File>> inputs;
-    for (const std::string& path : {command.input, command.reference}) {
-        if (path.empty()) {
-            continue;
-        }
-        const auto& input = *inputs.emplace_back(open(path));
-        if (!input.is_open()) {
-            return failed(path, What::read, errno);
-        }
-        if (!command.has_values && !command.source) {
-            if (output.is_same(input)) {
+    if (!command.has_values && !command.source) {
+        for (const auto& input : inputs) {
+            if (output.is_same(*input)) {
                 return failed("the same file is input and output");
             }
-            input.widen();
+            input->widen();
         }
     }
 
@@ -337,18 +334,11 @@ ExitCode run_last_pass(const RowsCommand& command) {
     }
     progress.clear();
     const bool is_whole = !ending.error && !ending.stopped;
-    const bool strict = command.strict && (reporter.met_singularity() || reporter.has_notes());
-    RowsResult result{.code = !is_whole ? ExitCode::incomplete
-                              : (reporter.errors() > 0 && !command.allow_failed) || strict
-                                  ? ExitCode::completed_with_failures
-                                  : ExitCode::done,
-                      .answered = ending.answered,
-                      .failed = reporter.errors(),
-                      .beyond = reporter.beyond(),
-                      .first_beyond = reporter.first_beyond(),
-                      .unpaired = ending.unpaired,
-                      .keys = ending.keys};
+    RowsResult result = reporter.result(ending);
     if (is_whole) {
+        const bool strict = command.strict && reporter.met_diagnostic();
+        const bool has_failures = result.failed > 0 && !command.allow_failed;
+        result.code = has_failures || strict ? ExitCode::completed_with_failures : ExitCode::done;
         reporter.add(result.unpaired);
     }
     reporter.count_rest();

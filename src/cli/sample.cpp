@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -17,14 +16,14 @@
 namespace rotconv::cli {
 namespace {
 
-constexpr std::int64_t largest_count = 1'000'000'000'000'000;
+constexpr std::size_t largest_count = 1'000'000'000'000'000;
 constexpr double most_noise = 0.5;
 
 /// The indices of rows: as doubles or, where kinds are given, as text after the kind of each row.
 class RowIndices final : public stream::Source {
 public:
-    RowIndices(std::int64_t rows, std::vector<SampleKind> kinds, std::string_view header)
-        : rows_(static_cast<std::uint64_t>(rows)), kinds_(std::move(kinds)) {
+    RowIndices(std::size_t rows, std::vector<SampleKind> kinds, std::string_view header)
+        : rows_(rows), kinds_(std::move(kinds)) {
         stream::append(made_, header);
     }
 
@@ -45,102 +44,104 @@ public:
     }
 
 private:
-    std::uint64_t rows_;
-    std::uint64_t next_ = 0;
+    std::size_t rows_;
+    std::size_t next_ = 0;
     std::vector<SampleKind> kinds_;
     stream::Buffer made_; ///< and not yet read
 };
 
-class SampleOptions final : public RowOptions {
-public:
-    SampleOptions() {
-        set.begin_group("What");
-        set.add("-t,--to", to_, "SPEC", "The representation to write: NAME[:MODIFIER]...");
-        set.add("--kind", kinds_, "KIND", "Kinds, with commas between, that take turns (default: the first six)");
-        set.add("--rows", rows_, "N", "Rows to write (default 1000)");
-        set.add("--seed", seed_, "S", "Other rows for another whole number (default 0)");
-        set.add("--noise", noise_, "E", "The most by which numbers of noise are off, to 0.5 (default 5e-4)");
-        set.add("-d,--degrees", degrees, "All angles are in degrees");
-        add_output();
-        set.add("--header", header_, "MODE", "no (default), or add: print one");
-        set.add("--kinds-column", kinds_column_, "Write the kind of each row in front, as the column kind");
-        add_format();
-    }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        if (!operands.values.empty()) {
-            throw Usage(fmt::format("sample reads no VALUEs: {}", quoted(operands.values[0])));
-        }
-        const Spec to = spec_of("--to", to_, degrees);
-        const std::int64_t rows = count_of("--rows", rows_, largest_count);
-        const SampleSettings settings{kinds_of(to.name),
-                                      static_cast<std::uint64_t>(count_of("--seed", seed_, largest_count, 0)), noise()};
-        const bool has_header = one_of<bool>("mode of --header", header_, {{"no", false}, {"add", true}});
-        const stream::RowNumbers numbers{.names = {"index"}};
-        RowsCommand command =
-            rows_command({}, numbers, operations::sample(to, settings), messages::subject_of(to, any_defect), operands);
-        const stream::Format written = command.options.format;
-        const bool is_json = written == stream::Format::json;
-        if (kinds_column_ && !is_json && written != stream::Format::csv) {
-            throw Usage("--kinds-column can be combined with --format csv and json only");
-        }
-        stream::InputOptions& in = command.options.input = {.numbers = numbers};
-        in.delimiter = stream::Delimiter::character(',');
-        if (kinds_column_) { // JSON has its keys from a header
-            const bool reads_header = has_header || is_json;
-            in.columns = std::get<stream::ColumnList>(stream::ColumnList::parse("2", 1));
-            in.header = reads_header ? stream::HeaderMode::yes : stream::HeaderMode::no;
-            command.source =
-                std::make_shared<RowIndices>(rows, settings.kinds, reads_header ? "kind,index\n" : std::string_view());
-        } else {
-            in.width = 1;
-            in.header = has_header ? stream::HeaderMode::add : stream::HeaderMode::no;
-            command.source = std::make_shared<RowIndices>(rows, std::vector<SampleKind>(), "");
-        }
-        return command;
-    }
-
-private:
-    [[nodiscard]] std::vector<SampleKind> kinds_of(RepresentationId name) const {
-        std::vector<SampleKind> kinds = sample_kinds_of(name);
-        if (kinds_.empty()) {
-            kinds.resize(usual_sample_kinds);
-            return kinds;
-        }
-        std::vector<std::pair<std::string_view, SampleKind>> legal;
-        std::ranges::transform(kinds, std::back_inserter(legal),
-                               [](auto kind) { return std::pair(name_of(kind), kind); });
-        kinds.clear();
-        const std::string list = kinds_ + ",";
-        for (std::string_view rest = list; !rest.empty(); rest.remove_prefix(rest.find(',') + 1)) {
-            const std::string_view word = rest.substr(0, rest.find(','));
-            kinds.push_back(one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal));
-            if (std::ranges::count(kinds, kinds.back()) > 1) {
-                throw Usage(fmt::format("--kind has {} twice", quoted(word)));
-            }
-        }
+std::vector<SampleKind> kinds_of(const std::string& list, RepresentationId name) {
+    std::vector<SampleKind> kinds = sample_kinds_of(name);
+    if (list.empty()) {
+        kinds.resize(usual_sample_kinds);
         return kinds;
     }
-
-    [[nodiscard]] double noise() const {
-        double noise = 0.0;
-        if (stream::read_number(noise_, noise) != stream::NumberError::none || !(noise >= 0.0 && noise <= most_noise)) {
-            throw Usage(fmt::format("--noise {} must be a number from 0 to {}", quoted(noise_), most_noise));
+    const Choices<SampleKind> legal = mapped(kinds, [](SampleKind kind) { return std::pair(name_of(kind), kind); });
+    kinds.clear();
+    for (const std::string_view word : items_of(list)) {
+        kinds.push_back(one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal));
+        if (std::ranges::count(kinds, kinds.back()) > 1) {
+            throw Usage(fmt::format("--kind has {} twice", quoted(word)));
         }
-        return noise;
     }
+    return kinds;
+}
 
-    std::string to_;
-    std::string kinds_;
-    std::string rows_ = "1000";
-    std::string seed_;
-    std::string noise_ = "5e-4";
-    std::string header_ = "no";
-    bool kinds_column_ = false;
-};
+double noise_of(const std::string& text) {
+    double noise = 5e-4;
+    if (!text.empty() &&
+        (stream::read_number(text, noise) != stream::NumberError::none || !(noise >= 0.0 && noise <= most_noise))) {
+        throw Usage(fmt::format("--noise {} must be a number from 0 to {}", quoted(text), most_noise));
+    }
+    return noise;
+}
+
+Command sample(const Given& given) {
+    if (!given.values.empty()) {
+        throw Usage(fmt::format("sample reads no VALUEs: {}", quoted(given.values[0])));
+    }
+    const Spec to = spec_of(given, "--to");
+    const std::size_t rows = count_of(given, "--rows", largest_count, 1, 1000);
+    const SampleSettings settings{kinds_of(given.text("--kind"), to.name), count_of(given, "--seed", largest_count, 0),
+                                  noise_of(given.text("--noise"))};
+    const bool has_header = one_of<bool>(given, "--header", "mode of --header", {{"no", false}, {"add", true}});
+    const stream::RowNumbers numbers{.names = {"index"}};
+    RowsCommand command =
+        rows_command(given, {}, numbers, operations::sample(to, settings), messages::subject_of(to, any_defect));
+    const stream::Format written = command.options.format;
+    const bool is_json = written == stream::Format::json;
+    const bool has_kinds = given.has("--kinds-column");
+    if (has_kinds && !is_json && written != stream::Format::csv) {
+        throw Usage("--kinds-column can be combined with --format csv and json only");
+    }
+    stream::InputOptions& in = command.options.input = {.numbers = numbers};
+    in.delimiter = stream::Delimiter::character(',');
+    if (has_kinds) { // JSON has its keys from a header
+        const bool reads_header = has_header || is_json;
+        in.columns = std::get<stream::ColumnList>(stream::ColumnList::parse("2", 1));
+        in.header = reads_header ? stream::HeaderMode::yes : stream::HeaderMode::no;
+        command.source =
+            std::make_shared<RowIndices>(rows, settings.kinds, reads_header ? "kind,index\n" : std::string_view());
+    } else {
+        in.width = 1;
+        in.header = has_header ? stream::HeaderMode::add : stream::HeaderMode::no;
+        command.source = std::make_shared<RowIndices>(rows, std::vector<SampleKind>(), "");
+    }
+    return command;
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> sample_options() { return std::make_unique<SampleOptions>(); }
+CommandEntry sample_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
+    set.add("--kind", "KIND", "Kinds, with commas between, that take turns (default: the first six)");
+    set.add("--rows", "N", "Rows to write (default 1000)");
+    set.add("--seed", "S", "Other rows for another whole number (default 0)");
+    set.add("--noise", "E", "The most by which numbers of noise are off, to 0.5 (default 5e-4)");
+    set.add_flag("-d,--degrees", "All angles are in degrees");
+    add_output(set);
+    set.add("--header", "MODE", "no (default), or add: print one");
+    set.add_flag("--kinds-column", "Write the kind of each row in front, as the column kind");
+    add_format(set);
+    return {"sample",
+            "Write rows on which conversions often fail, to test other programs",
+            "Usage: rotconv sample -t SPEC [OPTION]...\n"
+            "\nKinds of rows:\n"
+            "  uniform     all attitudes alike\n"
+            "  small       angles down to 1e-300\n"
+            "  half-turn   near a half-turn, and half-turns (cayley: not those)\n"
+            "  lock        near gimbal lock, and locked: of SPEC's sequence, else of all 24\n"
+            "  border      two quaternion components of equal size, or the trace of dcm 0\n"
+            "  cube        the 24 rotations of the cube\n"
+            "On request alone; scaled and noise are to be read with --tolerance inf:\n"
+            "  scaled      quat: norms from 1e-150 to 1e150\n"
+            "  noise       dcm, 6d, 5d: numbers off by up to --noise\n"
+            "  many-turns  euler, rpy, rotvec, axis-angle: angles up to 1e15\n",
+            std::move(set),
+            sample,
+            0};
+}
 
 } // namespace rotconv::cli

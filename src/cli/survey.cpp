@@ -14,91 +14,77 @@ public:
     SurveyConclusion(double condition, bool json) : condition_(condition), json_(json) {}
 
     [[nodiscard]] Survey& survey() noexcept { return survey_; }
-    [[nodiscard]] stream::Sink* rows() override { return &nowhere_; }
 
     [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
-        const bool is_empty = survey_.rows() == 0;
-        if (is_empty) {
+        if (survey_.rows() == 0) {
             print_error(messages::nothing_read);
         }
-        const RepresentationSurvey* best = is_empty ? nullptr : survey_.smallest(condition_);
+        const RepresentationSurvey* best = survey_.rows() == 0 ? nullptr : survey_.smallest(condition_);
         const std::string smallest = best != nullptr ? best->spec.text() : "none";
-        const std::string text = is_empty ? "" : json_ ? in_json() : in_table();
         const std::string end = json_ ? json_line({{"rows", survey_.rows()}, {"smallest", smallest}}) : smallest + "\n";
-        return {text + end, best != nullptr};
+        return {(survey_.rows() == 0 ? "" : table()) + end, best != nullptr};
     }
 
 private:
-    [[nodiscard]] std::string in_table() const {
-        std::string text;
-        const auto line = [&text](const auto&... cells) {
-            text += fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", cells...);
+    [[nodiscard]] std::string table() const {
+        const auto line = [](const auto&... cells) {
+            return fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", cells...);
         };
-        line("SET", "n", "least margin", "at line", "greatest condition", "at line", "jumps", "first at", "serves");
+        std::string text = json_ ? ""
+                                 : line("SET", "n", "least margin", "at line", "greatest condition", "at line", "jumps",
+                                        "first at", "serves");
         for (const RepresentationSurvey& each : survey_.representations()) {
-            line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin), each.margin_row,
-                 fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
-                 each.jumps == 0 ? "-" : std::to_string(each.jump_row), each.serves(condition_) ? "yes" : "no");
+            text += json_ ? json_line({{"set", each.spec.text()},
+                                       {"parameters", each.spec.size()},
+                                       {"margin", each.least_margin},
+                                       {"margin_line", each.margin_row},
+                                       {"condition", each.greatest_condition},
+                                       {"condition_line", each.condition_row},
+                                       {"jumps", each.jumps},
+                                       {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
+                                       {"serves", each.serves(condition_)}})
+                          : line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin),
+                                 each.margin_row, fmt::format("{:.6g}", each.greatest_condition), each.condition_row,
+                                 each.jumps, each.jumps == 0 ? "-" : std::to_string(each.jump_row),
+                                 each.serves(condition_) ? "yes" : "no");
         }
-        return text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
-                                  counted(survey_.rows(), "attitude"), condition_);
-    }
-
-    [[nodiscard]] std::string in_json() const {
-        std::string text;
-        for (const RepresentationSurvey& each : survey_.representations()) {
-            text += json_line({{"set", each.spec.text()},
-                               {"parameters", each.spec.size()},
-                               {"margin", each.least_margin},
-                               {"margin_line", each.margin_row},
-                               {"condition", each.greatest_condition},
-                               {"condition_line", each.condition_row},
-                               {"jumps", each.jumps},
-                               {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
-                               {"serves", each.serves(condition_)}});
-        }
-        return text;
+        return json_ ? text
+                     : text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
+                                          counted(survey_.rows(), "attitude"), condition_);
     }
 
     Survey survey_;
     double condition_; ///< the greatest that serves
     bool json_;
-    stream::NullSink nowhere_;
 };
 
-class SurveyOptions final : public RowOptions {
-public:
-    SurveyOptions() {
-        format = "pretty";
-        set.begin_group("What");
-        set.add("-f,--from", from_, "SPEC", "The representation to read: NAME[:MODIFIER]...");
-        set.add("--condition", condition_, "LIMIT", "The greatest condition that serves (default 1e3)");
-        set.begin_group("Output");
-        set.add("--format", format, "FORMAT", "pretty (default), a table, or json");
-        add_reading();
-    }
-
-    [[nodiscard]] Command command(const Operands& operands) const override {
-        refuse_values(operands, "survey");
-        const Spec from = spec_of("--from", from_, degrees);
-        const auto conclusion = std::make_shared<SurveyConclusion>(
-            amount_of("--condition", condition_, default_condition, true),
-            one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}}));
-        RowsCommand command = rows_command({.list = columns}, operations::attitude_numbers(from),
-                                           operations::survey(from, tolerance(), conclusion->survey()),
-                                           messages::subject_of(from, tolerance()), operands);
-        command.options.format = stream::Format::result;
-        command.conclusion = conclusion;
-        return command;
-    }
-
-private:
-    std::string from_;
-    std::string condition_;
-};
+Command survey(const Given& given) {
+    refuse_values(given, "survey");
+    const Spec from = spec_of(given, "--from");
+    const double tolerance = tolerance_of(given);
+    const auto conclusion = std::make_shared<SurveyConclusion>(
+        amount_of(given, "--condition", default_condition, true),
+        one_of<bool>(given, "--format", "format of survey", {{"pretty", false}, {"json", true}}));
+    RowsCommand command =
+        rows_command(given, {.list = given.text("--columns")}, operations::attitude_numbers(from),
+                     operations::survey(from, tolerance, conclusion->survey()), messages::subject_of(from, tolerance));
+    command.options.format = stream::Format::result;
+    command.conclusion = conclusion;
+    return command;
+}
 
 } // namespace
 
-std::unique_ptr<CommandOptions> survey_options() { return std::make_unique<SurveyOptions>(); }
+CommandEntry survey_command() {
+    OptionSet set;
+    set.begin_group("What");
+    set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
+    set.add("--condition", "LIMIT", "The greatest condition that serves (default 1e3)");
+    set.begin_group("Output");
+    set.add("--format", "FORMAT", "pretty (default), a table, or json");
+    add_reading(set);
+    return {"survey", "Find the representations that serve a motion, and the smallest",
+            "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n", std::move(set), survey};
+}
 
 } // namespace rotconv::cli

@@ -46,6 +46,15 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+std::vector<std::string_view> items_of(std::string_view list) {
+    std::vector<std::string_view> items{list.substr(0, list.find(','))};
+    while (items.back().end() != list.end()) {
+        list.remove_prefix(items.back().size() + 1);
+        items.push_back(list.substr(0, list.find(',')));
+    }
+    return items;
+}
+
 std::string lower(std::string_view text) {
     std::string result(text);
     std::ranges::transform(result, result.begin(),

@@ -34,6 +34,9 @@ template <class Range, class Function> [[nodiscard]] auto mapped(const Range& ra
 /// "1 row", "2 rows".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
+/// What stands between the commas of a list.
+[[nodiscard]] std::vector<std::string_view> items_of(std::string_view list);
+
 /// With the letters of ASCII in lower case.
 [[nodiscard]] std::string lower(std::string_view text);
 

@@ -27,7 +27,7 @@ std::string modifiers() {
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
         text += fmt::format("    {}) modifiers={}{} ;;\n", fmt::join(messages::names_of(entry), " | "),
-                            in_shell(messages::words_of(entry.modifiers, " ")),
+                            as_word(messages::words_of(entry.modifiers)),
                             entry.takes_sequence ? " sequences=" + as_word(messages::all_sequences()) : "");
     }
     return text + "    esac\n";
@@ -53,14 +53,13 @@ std::string words() {
     }
     std::string commands;
     std::string options = "    operands=\n    case ${1-} in\n";
-    for (const CommandText& command : command_table()) {
+    for (const CommandEntry& command : command_table()) {
         if (!command.name.empty()) {
             commands += fmt::format("{} - {}\n", command.name, command.about);
         }
-        options += fmt::format("    {})\n        options={}\n", in_shell(command.name), lines_of(command.options->set));
-        options += command.options->set.takes_names()
-                       ? "        operands=\"$names $presets methods presets\"\n        ;;\n"
-                       : "        ;;\n";
+        options += fmt::format("    {})\n        options={}\n", in_shell(command.name), lines_of(command.options));
+        options += command.options.takes_names() ? "        operands=\"$names $presets methods presets\"\n        ;;\n"
+                                                 : "        ;;\n";
     }
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
