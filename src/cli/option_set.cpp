@@ -1,14 +1,36 @@
 #include "option_set.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
+
+#include <CLI/CLI.hpp>
 
 #include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
 namespace {
+
+/// Of the parts of CLI11's help those that it knows: the options.
+class Formatter : public CLI::Formatter {
+public:
+    std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
+};
+
+/// CLI11 keeps in `option` what is given.
+void define(CLI::App& app, Option& option) {
+    app.option_defaults()->group(std::string(option.group));
+    const std::string names(option.names);
+    const std::string about(option.about);
+    if (option.takes_argument()) {
+        app.add_option(names, option.given, about)->type_name(std::string(option.argument));
+    } else {
+        app.add_flag_callback(
+            names, [&option] { option.given = option.name(); }, about);
+    }
+}
 
 constexpr std::string_view brackets = "[](){}";
 
@@ -88,37 +110,39 @@ const std::string& OptionSet::text(std::string_view name) const {
 }
 
 std::string OptionSet::help() const {
-    const auto line = [](std::string_view what, std::string_view about) {
-        return fmt::format("  {:<28}{}\n", what, about);
-    };
-    std::vector<std::pair<std::string_view, std::string>> groups; // titles, and their lines
+    CLI::App app;
+    app.set_help_flag();
+    app.formatter(std::make_shared<Formatter>());
+    auto options = options_;
+    std::ranges::for_each(options, [&app](Option& option) { define(app, option); });
+    std::vector<std::string> names;
     if (takes_names()) {
-        groups.emplace_back("Positionals", line("NAME ...", names_));
+        app.add_option("NAME", names, std::string(names_))->type_name("");
     }
-    for (const Option& option : options_) {
-        auto group = std::ranges::find(groups, option.group, &std::pair<std::string_view, std::string>::first);
-        if (group == groups.end()) {
-            group = groups.insert(group, {option.group, ""});
-        }
-        group->second += line(fmt::format("{} {}", option.names, option.argument), option.about);
+    std::string help = app.help();
+    for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n")) {
+        help.erase(at, 1); // CLI11 ends a group with two
     }
-    std::string help;
-    for (const auto& [title, lines] : groups) {
-        help += fmt::format("\n{}:\n{}", title, lines);
-    }
+    help.erase(help.find_last_not_of('\n') + 2);
     return help;
 }
 
 Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t begin,
                           const std::function<bool(std::string_view)>& is_command) {
     Arguments read;
+    std::vector<Option*> given;
+    std::vector<std::string> option_words;
     std::size_t at = begin;
     /// Takes an option; `joined`: the argument that stands in the same word.
     const auto set = [&](Option& option, std::optional<FileWord> joined) {
         const std::string name(option.name());
         read.first_option = read.first_option.empty() ? name : read.first_option;
+        const bool is_second = std::ranges::count(given, &option) != 0;
+        if (!is_second) {
+            given.push_back(&option);
+        }
         if (!option.takes_argument()) {
-            option.given = name;
+            option_words.push_back(name);
             read.error = joined ? name + " takes no argument" : read.error;
             return;
         }
@@ -127,11 +151,13 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
             return;
         }
         const FileWord place = joined ? *joined : FileWord{++at, 0};
-        const bool is_second = !option.given.empty();
-        option.given = words[place.word].substr(place.begin);
-        read.error = is_second              ? name + " is given twice"
-                     : option.given.empty() ? name + " has an empty argument"
-                                            : read.error;
+        const std::string argument = words[place.word].substr(place.begin);
+        option_words.push_back(name + "=" + argument);
+        if (is_second) {
+            read.error = name + " is given twice";
+        } else if (argument.empty()) {
+            read.error = name + " has an empty argument";
+        }
         if (name == "--input") {
             read.file_words.push_back(place);
         }
@@ -171,6 +197,16 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
         }
     }
     read.end = std::min(at, words.size());
+    if (read.error.empty()) {
+        CLI::App app; // it knows those that are given, as an option takes it most of the time of a start
+        std::ranges::for_each(given, [&app](Option* option) { define(app, *option); });
+        std::ranges::reverse(option_words); // as CLI11 wants them
+        try {
+            app.parse(option_words);
+        } catch (const CLI::ParseError& error) {
+            read.error = error.what();
+        }
+    }
     return read;
 }
 
