@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "../core/numerics/davenport.hpp"
+#include "../core/numerics/eigensystem.hpp"
 
 namespace rotconv::formula::dcm_to_quat {
 namespace {
@@ -172,8 +172,7 @@ void adjugate(const double* m, double* q) noexcept {
 void bar_itzhack(const double* m, double* q) noexcept {
     Eigen::Matrix4d k = products(m);
     k.diagonal() = sums(m);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(k);
-    Quaternion{q} = solver.eigenvectors().col(3); // in increasing order of eigenvalues
+    Quaternion{q} = Eigensystem<4>(k).vectors.col(3); // in increasing order of eigenvalues
 }
 
 /// Markley 1988: the nearest rotation U diag(1, 1, det U det V) V' of M = U S V', then Shepperd 1978.

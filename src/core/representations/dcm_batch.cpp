@@ -5,15 +5,6 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct Matrix {
-    static constexpr std::size_t size = 9;
-
-    template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[9]) noexcept {
-        scaled_matrix_of(q, numbers);
-        divide_entries(numbers, squared_norm(q));
-    }
-};
-
 /// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
 constexpr double near_rotation = 0.05;
 
@@ -136,7 +127,7 @@ void refine(const double* numbers, Careful (&q)[4]) noexcept {
 }
 
 /// A matrix, after read_clean(), of which one power step is not known to serve. `is_far`: to be refined.
-Error read_unclean(const double (&m)[9], double square, double (&q)[4], double& defect, bool& is_far) noexcept {
+Error read_unclean_matrix(const double (&m)[9], double square, double (&q)[4], double& defect, bool& is_far) noexcept {
     if (!all_finite(m, 9)) {
         return Error::not_finite;
     }
@@ -159,94 +150,104 @@ Error read_unclean(const double (&m)[9], double square, double (&q)[4], double& 
     return Error::none;
 }
 
-/// Any matrix, in double.
-Error read_near(const double* numbers, double (&q)[4], double& defect, bool& is_far) noexcept {
-    double m[9];
-    take(numbers, m);
-    defect = clean_defect;
-    const double square = read_clean(m, q);
-    return square <= clean_square ? Error::none : read_unclean(m, square, q, defect, is_far);
-}
+struct Matrix {
+    static constexpr std::size_t size = 9;
 
-Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
-    bool is_far = false;
-    const Error error = read_near(numbers, q, defect, is_far);
-    if (is_far && error == Error::none) [[unlikely]] {
-        Careful exact[4] = {q[0], q[1], q[2], q[3]};
-        refine(numbers, exact);
-        for (std::size_t k = 0; k < 4; ++k) {
-            q[k] = exact[k].rounded();
-        }
+    template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[9]) noexcept {
+        scaled_matrix_of(q, numbers);
+        divide_entries(numbers, squared_norm(q));
     }
-    return error;
-}
 
-void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
-    double near[4];
-    double defect = 0.0;
-    bool is_far = false;
-    read_near(numbers, near, defect, is_far);
-    take(near, q);
-    refine(numbers, q);
-}
-
-template <class T>
-void read(const Spec& /*spec*/, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
-    Columns<double, 9> columns;
-    Columns<double, 4> near;
-    double square[batch_rows];
-    bool is_far[batch_rows] = {};
-    to_columns(numbers, rows, columns);
-    for (std::size_t i = 0; i < rows; ++i) {
+    /// Any matrix, in double.
+    static Error read_near(const double* numbers, double (&q)[4], double& defect, bool& is_far) noexcept {
         double m[9];
-        double q[4];
-        columns.get(i, m);
-        square[i] = read_clean(m, q);
-        near.set(i, q);
-        attitudes.defect[i] = clean_defect;
+        take(numbers, m);
+        defect = clean_defect;
+        const double square = read_clean(m, q);
+        return square <= clean_square ? Error::none : read_unclean_matrix(m, square, q, defect, is_far);
     }
-    for (std::size_t i = 0; i < rows; ++i) {
-        attitudes.error[i] = Error::none;
-        if (!(square[i] <= clean_square)) [[unlikely]] {
+
+    static Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
+        bool is_far = false;
+        const Error error = read_near(numbers, q, defect, is_far);
+        if (is_far && error == Error::none) [[unlikely]] {
+            Careful exact[4] = {q[0], q[1], q[2], q[3]};
+            refine(numbers, exact);
+            for (std::size_t k = 0; k < 4; ++k) {
+                q[k] = exact[k].rounded();
+            }
+        }
+        return error;
+    }
+
+    static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
+        double near[4];
+        double defect = 0.0;
+        bool is_far = false;
+        read_near(numbers, near, defect, is_far);
+        take(near, q);
+        refine(numbers, q);
+    }
+
+    template <class T> static void read(const Spec& /*spec*/, const double* numbers, std::size_t rows,
+                                        AttitudeBatch<T>& attitudes) noexcept {
+        Columns<double, 9> columns;
+        Columns<double, 4> near;
+        double square[batch_rows];
+        bool is_far[batch_rows] = {};
+        to_columns(numbers, rows, columns);
+        for (std::size_t i = 0; i < rows; ++i) {
             double m[9];
             double q[4];
             columns.get(i, m);
-            near.get(i, q);
-            attitudes.error[i] = read_unclean(m, square[i], q, attitudes.defect[i], is_far[i]);
+            square[i] = read_clean(m, q);
             near.set(i, q);
+            attitudes.defect[i] = clean_defect;
         }
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        double q[4];
-        near.get(i, q);
-        if constexpr (std::is_same_v<T, double>) {
-            attitudes.set(i, q);
-        } else {
-            double m[9];
-            double correction[4];
-            columns.get(i, m);
-            newton_step<DoubleDouble>(m, q, q, correction);
-            attitudes.set(i, {two_sum(q[0], correction[0]), two_sum(q[1], correction[1]), two_sum(q[2], correction[2]),
-                              two_sum(q[3], correction[3])});
+        for (std::size_t i = 0; i < rows; ++i) {
+            attitudes.error[i] = Error::none;
+            if (!(square[i] <= clean_square)) [[unlikely]] {
+                double m[9];
+                double q[4];
+                columns.get(i, m);
+                near.get(i, q);
+                attitudes.error[i] = read_unclean_matrix(m, square[i], q, attitudes.defect[i], is_far[i]);
+                near.set(i, q);
+            }
         }
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        if (is_far[i] && attitudes.error[i] == Error::none) [[unlikely]] {
-            Careful q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
-            refine(numbers + 9 * i, q);
-            for (std::size_t k = 0; k < 4; ++k) {
-                attitudes[k].set(i, rounded_to<T>(q[k].rounded_parts()));
+        for (std::size_t i = 0; i < rows; ++i) {
+            double q[4];
+            near.get(i, q);
+            if constexpr (std::is_same_v<T, double>) {
+                attitudes.set(i, q);
+            } else {
+                double m[9];
+                double correction[4];
+                columns.get(i, m);
+                newton_step<DoubleDouble>(m, q, q, correction);
+                attitudes.set(i, {two_sum(q[0], correction[0]), two_sum(q[1], correction[1]),
+                                  two_sum(q[2], correction[2]), two_sum(q[3], correction[3])});
+            }
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (is_far[i] && attitudes.error[i] == Error::none) [[unlikely]] {
+                Careful q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
+                refine(numbers + 9 * i, q);
+                for (std::size_t k = 0; k < 4; ++k) {
+                    attitudes[k].set(i, rounded_to<T>(q[k].rounded_parts()));
+                }
             }
         }
     }
-}
+};
 
 } // namespace
 
-constinit const Kernel kernels::dcm{.fast = {.read = read<double>, .write = write_rows<Matrix, double>},
-                                    .exact = {.read = read<DoubleDouble>, .write = write_rows<Matrix, DoubleDouble>},
-                                    .one = {.read = read_one, .write = write_row<Matrix, double>},
-                                    .careful = {.read = read_carefully, .write = write_row<Matrix, Careful>}};
+constinit const Kernel kernels::dcm{
+    .fast = {.read = Matrix::read<double>, .write = write_rows<Matrix, double>},
+    .exact = {.read = Matrix::read<DoubleDouble>, .write = write_rows<Matrix, DoubleDouble>},
+    .one = {.read = Matrix::read_one, .write = write_row<Matrix, double>},
+    .careful = {.read = Matrix::read_carefully, .write = write_row<Matrix, Careful>}};
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -5,168 +5,173 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-template <class T>
-void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
-    const FixedAxes axes(spec.sequence);
-    Column<DoubleDouble> half;
-    const double half_signs[] = {0.5 * spec.sequence.sign(axes.places[0]), 0.5 * spec.sequence.sign(1),
-                                 0.5 * spec.sequence.sign(axes.places[2])};
-    Columns<T, 3> cosines;
-    Columns<T, 3> sines;
-    for (std::size_t i = 0; i < rows; ++i) {
-        attitudes.error[i] = all_finite(numbers + 3 * i, 3) ? Error::none : Error::not_finite;
-        attitudes.defect[i] = 0.0;
-    }
-    for (std::size_t turn = 0; turn < 3; ++turn) {
+struct Angles {
+    template <class T>
+    static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
+        const FixedAxes axes(spec.sequence);
+        Column<DoubleDouble> half;
+        const double half_signs[] = {0.5 * spec.sequence.sign(axes.places[0]), 0.5 * spec.sequence.sign(1),
+                                     0.5 * spec.sequence.sign(axes.places[2])};
+        Columns<T, 3> cosines;
+        Columns<T, 3> sines;
         for (std::size_t i = 0; i < rows; ++i) {
-            half.set(i, half_signs[turn] * numbers[3 * i + axes.places[turn]]);
+            attitudes.error[i] = all_finite(numbers + 3 * i, 3) ? Error::none : Error::not_finite;
+            attitudes.defect[i] = 0.0;
         }
-        sine_cosine(half, rows, spec.unit, cosines[turn], sines[turn]);
+        for (std::size_t turn = 0; turn < 3; ++turn) {
+            for (std::size_t i = 0; i < rows; ++i) {
+                half.set(i, half_signs[turn] * numbers[3 * i + axes.places[turn]]);
+            }
+            sine_cosine(half, rows, spec.unit, cosines[turn], sines[turn]);
+        }
+        Column<T>& w = attitudes.columns[0];
+        Column<T>& along_i = attitudes.columns[1 + axes.i];
+        Column<T>& along_j = attitudes.columns[1 + axes.j];
+        Column<T>& along_k = attitudes.columns[1 + axes.k];
+        for (std::size_t i = 0; i < rows; ++i) {
+            const SineCosine<T> turns[3] = {
+                {sines[0][i], cosines[0][i]}, {sines[1][i], cosines[1][i]}, {sines[2][i], cosines[2][i]}};
+            T q[4];
+            product_of_turns(axes, turns, q);
+            w.set(i, q[0]);
+            along_i.set(i, q[1]);
+            along_j.set(i, q[2]);
+            along_k.set(i, q[3]);
+        }
     }
-    Column<T>& w = attitudes.columns[0];
-    Column<T>& along_i = attitudes.columns[1 + axes.i];
-    Column<T>& along_j = attitudes.columns[1 + axes.j];
-    Column<T>& along_k = attitudes.columns[1 + axes.k];
-    for (std::size_t i = 0; i < rows; ++i) {
-        const SineCosine<T> turns[3] = {
-            {sines[0][i], cosines[0][i]}, {sines[1][i], cosines[1][i]}, {sines[2][i], cosines[2][i]}};
-        T q[4];
-        product_of_turns(axes, turns, q);
-        w.set(i, q[0]);
-        along_i.set(i, q[1]);
-        along_j.set(i, q[2]);
-        along_k.set(i, q[3]);
+
+    /// `half_angle(i)`: the sine and cosine of half of the number i.
+    template <class T, class HalfAngle>
+    static void read_by(const Spec& spec, const HalfAngle& half_angle, T (&q)[4]) noexcept {
+        const FixedAxes axes(spec.sequence);
+        const SineCosine<T> turns[3] = {half_angle(axes.places[0]), half_angle(1), half_angle(axes.places[2])};
+        T product[4];
+        product_of_turns(axes, turns, product);
+        q[0] = product[0];
+        q[1 + axes.i] = product[1];
+        q[1 + axes.j] = product[2];
+        q[1 + axes.k] = product[3];
     }
-}
 
-/// `half_angle(i)`: the sine and cosine of half of the number i.
-template <class T, class HalfAngle> void read_by(const Spec& spec, const HalfAngle& half_angle, T (&q)[4]) noexcept {
-    const FixedAxes axes(spec.sequence);
-    const SineCosine<T> turns[3] = {half_angle(axes.places[0]), half_angle(1), half_angle(axes.places[2])};
-    T product[4];
-    product_of_turns(axes, turns, product);
-    q[0] = product[0];
-    q[1 + axes.i] = product[1];
-    q[1 + axes.j] = product[2];
-    q[1 + axes.k] = product[3];
-}
-
-Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
-    defect = 0.0;
-    const auto half_angle = [&](std::size_t i) {
-        return sine_cosine<double>(0.5 * spec.sequence.sign(i) * numbers[i], spec.unit);
-    };
-    read_by(spec, half_angle, q);
-    return all_finite(numbers, 3) ? Error::none : Error::not_finite;
-}
-
-void read_carefully(const Spec& spec, const double* numbers, Careful (&q)[4]) noexcept {
-    const auto half_angle = [&](std::size_t i) {
-        return sine_cosine(Careful(spec.sequence.sign(i) * numbers[i]).shifted(-1), spec.unit);
-    };
-    read_by(spec, half_angle, q);
-}
-
-template <class T> void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes, std::size_t rows,
-                              double* numbers, double* rest, DiagnosticSet* diagnostics) noexcept {
-    const FixedAxes axes(spec.sequence);
-    const LockLimit limit(lock_margin);
-    // References: compilers do not vectorise access through an array of pointers.
-    const Column<T>& w = attitudes.columns[0];
-    const Column<T>& along_i = attitudes.columns[1 + axes.i];
-    const Column<T>& along_j = attitudes.columns[1 + axes.j];
-    const Column<T>& along_k = attitudes.columns[1 + axes.k];
-    Columns<T, 2> first;
-    Columns<T, 2> middle;
-    Columns<T, 2> third;
-    Columns<T, 2> lengths;
-    const AngleRanges ranges(axes, spec);
-    for (std::size_t i = 0; i < rows; ++i) {
-        const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
-        const TurnVectors<T> vectors(axes, q);
-        first.set(i, {vectors.first.x, vectors.first.y});
-        middle.set(i, {vectors.middle.x, vectors.middle.y});
-        third.set(i, {vectors.third.x, vectors.third.y});
-        lengths.set(i, {vectors.cosine_length, vectors.sine_length});
+    static Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
+        defect = 0.0;
+        const auto half_angle = [&](std::size_t i) {
+            return sine_cosine<double>(0.5 * spec.sequence.sign(i) * numbers[i], spec.unit);
+        };
+        read_by(spec, half_angle, q);
+        return all_finite(numbers, 3) ? Error::none : Error::not_finite;
     }
-    for (std::size_t i = 0; i < rows && ranges.is_other; ++i) { // a loop of its own, for branches cost the vectors
-        first.set(i, {-first[0][i], -first[1][i]});
-        third.set(i, {-third[0][i], -third[1][i]});
+
+    static void read_carefully(const Spec& spec, const double* numbers, Careful (&q)[4]) noexcept {
+        const auto half_angle = [&](std::size_t i) {
+            return sine_cosine(Careful(spec.sequence.sign(i) * numbers[i]).shifted(-1), spec.unit);
+        };
+        read_by(spec, half_angle, q);
     }
-    bool upper[batch_rows];
-    for (std::size_t i = 0; i < rows; ++i) {
-        const Lock<T> lock(lengths[0][i], lengths[1][i], limit);
-        diagnostics[i] = lock.diagnostics();
-        upper[i] = lock.upper;
-        if (lock.locked) {
+
+    template <class T> static void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes,
+                                         std::size_t rows, double* numbers, double* rest,
+                                         DiagnosticSet* diagnostics) noexcept {
+        const FixedAxes axes(spec.sequence);
+        const LockLimit limit(lock_margin);
+        // References: compilers do not vectorise access through an array of pointers.
+        const Column<T>& w = attitudes.columns[0];
+        const Column<T>& along_i = attitudes.columns[1 + axes.i];
+        const Column<T>& along_j = attitudes.columns[1 + axes.j];
+        const Column<T>& along_k = attitudes.columns[1 + axes.k];
+        Columns<T, 2> first;
+        Columns<T, 2> middle;
+        Columns<T, 2> third;
+        Columns<T, 2> lengths;
+        const AngleRanges ranges(axes, spec);
+        for (std::size_t i = 0; i < rows; ++i) {
             const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
-            TurnVectors<T> vectors(axes, q);
-            vectors.give_up_one(axes, q);
+            const TurnVectors<T> vectors(axes, q);
             first.set(i, {vectors.first.x, vectors.first.y});
+            middle.set(i, {vectors.middle.x, vectors.middle.y});
             third.set(i, {vectors.third.x, vectors.third.y});
+            lengths.set(i, {vectors.cosine_length, vectors.sine_length});
         }
-    }
-    Columns<DoubleDouble, 3> angles;
-    angles_of(first[0], first[1], rows, spec.unit, angles[axes.places[0]]);
-    angles_of(middle[0], middle[1], rows, spec.unit, angles[1]);
-    angles_of(third[0], third[1], rows, spec.unit, angles[axes.places[2]]);
-    for (std::size_t i = 0; i < rows; ++i) {
-        angles[1].set(i, scaled(angles[1][i], ranges.middle_factor));
-    }
-    for (std::size_t i = 0; i < rows && spec.sequence.has_signs(); ++i) {
-        angles[0].set(i, scaled(angles[0][i], spec.sequence.sign(0)));
-        angles[2].set(i, scaled(angles[2][i], spec.sequence.sign(2)));
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        numbers[3 * i] = ranges.outer(angles[0].hi[i]);
-        numbers[3 * i + 1] = angles[1].hi[i];
-        numbers[3 * i + 2] = ranges.outer(angles[2].hi[i]);
-    }
-    for (std::size_t i = 0; i < rows && spec.positive; ++i) {
-        numbers[3 * i] = ranges.positive(angles[0][i]).hi;
-        numbers[3 * i + 2] = ranges.positive(angles[2][i]).hi;
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        if (diagnostics[i].has(DiagnosticKind::gimbal_lock)) {
-            angles[1].set(i, upper[i] ? ranges.upper : ranges.lower);
+        for (std::size_t i = 0; i < rows && ranges.is_other; ++i) { // a loop of its own, for branches cost the vectors
+            first.set(i, {-first[0][i], -first[1][i]});
+            third.set(i, {-third[0][i], -third[1][i]});
+        }
+        bool upper[batch_rows];
+        for (std::size_t i = 0; i < rows; ++i) {
+            const Lock<T> lock(lengths[0][i], lengths[1][i], limit);
+            diagnostics[i] = lock.diagnostics();
+            upper[i] = lock.upper;
+            if (lock.locked) {
+                const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
+                TurnVectors<T> vectors(axes, q);
+                vectors.give_up_one(axes, q);
+                first.set(i, {vectors.first.x, vectors.first.y});
+                third.set(i, {vectors.third.x, vectors.third.y});
+            }
+        }
+        Columns<DoubleDouble, 3> angles;
+        angles_of(first[0], first[1], rows, spec.unit, angles[axes.places[0]]);
+        angles_of(middle[0], middle[1], rows, spec.unit, angles[1]);
+        angles_of(third[0], third[1], rows, spec.unit, angles[axes.places[2]]);
+        for (std::size_t i = 0; i < rows; ++i) {
+            angles[1].set(i, scaled(angles[1][i], ranges.middle_factor));
+        }
+        for (std::size_t i = 0; i < rows && spec.sequence.has_signs(); ++i) {
+            angles[0].set(i, scaled(angles[0][i], spec.sequence.sign(0)));
+            angles[2].set(i, scaled(angles[2][i], spec.sequence.sign(2)));
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            numbers[3 * i] = ranges.outer(angles[0].hi[i]);
             numbers[3 * i + 1] = angles[1].hi[i];
+            numbers[3 * i + 2] = ranges.outer(angles[2].hi[i]);
+        }
+        for (std::size_t i = 0; i < rows && spec.positive; ++i) {
+            numbers[3 * i] = ranges.positive(angles[0][i]).hi;
+            numbers[3 * i + 2] = ranges.positive(angles[2][i]).hi;
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (diagnostics[i].has(DiagnosticKind::gimbal_lock)) {
+                angles[1].set(i, upper[i] ? ranges.upper : ranges.lower);
+                numbers[3 * i + 1] = angles[1].hi[i];
+            }
+        }
+        for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
+            rest[3 * i] = ranges.rest_of(angles[0][i], numbers[3 * i]);
+            rest[3 * i + 1] = angles[1].lo[i];
+            rest[3 * i + 2] = ranges.rest_of(angles[2][i], numbers[3 * i + 2]);
         }
     }
-    for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
-        rest[3 * i] = ranges.rest_of(angles[0][i], numbers[3 * i]);
-        rest[3 * i + 1] = angles[1].lo[i];
-        rest[3 * i + 2] = ranges.rest_of(angles[2][i], numbers[3 * i + 2]);
-    }
-}
 
-template <class T> DiagnosticSet write_one(const Spec& spec, double lock_margin, const T (&q)[4], T* numbers) noexcept {
-    const FixedAxes axes(spec.sequence);
-    const AngleRanges ranges(axes, spec);
-    const T own[4] = {q[0], q[1 + axes.i], q[1 + axes.j], q[1 + axes.k]};
-    TurnVectors<T> vectors(axes, own);
-    const Lock<T> lock(vectors.cosine_length, vectors.sine_length, LockLimit(lock_margin));
-    if (lock.locked) {
-        vectors.give_up_one(axes, own);
-    } else if (ranges.is_other) {
-        vectors.take_other();
+    template <class T>
+    static DiagnosticSet write_one(const Spec& spec, double lock_margin, const T (&q)[4], T* numbers) noexcept {
+        const FixedAxes axes(spec.sequence);
+        const AngleRanges ranges(axes, spec);
+        const T own[4] = {q[0], q[1 + axes.i], q[1 + axes.j], q[1 + axes.k]};
+        TurnVectors<T> vectors(axes, own);
+        const Lock<T> lock(vectors.cosine_length, vectors.sine_length, LockLimit(lock_margin));
+        if (lock.locked) {
+            vectors.give_up_one(axes, own);
+        } else if (ranges.is_other) {
+            vectors.take_other();
+        }
+        const auto angle = [&](const Vector<T>& vector) { return angle_of(vector.x, vector.y, spec.unit); };
+        const auto outer = [&](const Vector<T>& vector, std::size_t place) {
+            const auto canonical = ranges.outer(scaled(angle(vector), spec.sequence.sign(place)));
+            return rounded_to<T>(spec.positive ? ranges.positive(canonical) : canonical);
+        };
+        const auto middle = lock.locked ? Precise<T>(lock.upper ? ranges.upper : ranges.lower)
+                                        : scaled(angle(vectors.middle), ranges.middle_factor);
+        numbers[axes.places[0]] = outer(vectors.first, axes.places[0]);
+        numbers[1] = rounded_to<T>(middle);
+        numbers[axes.places[2]] = outer(vectors.third, axes.places[2]);
+        return lock.diagnostics();
     }
-    const auto angle = [&](const Vector<T>& vector) { return angle_of(vector.x, vector.y, spec.unit); };
-    const auto outer = [&](const Vector<T>& vector, std::size_t place) {
-        const auto canonical = ranges.outer(scaled(angle(vector), spec.sequence.sign(place)));
-        return rounded_to<T>(spec.positive ? ranges.positive(canonical) : canonical);
-    };
-    const auto middle = lock.locked ? Precise<T>(lock.upper ? ranges.upper : ranges.lower)
-                                    : scaled(angle(vectors.middle), ranges.middle_factor);
-    numbers[axes.places[0]] = outer(vectors.first, axes.places[0]);
-    numbers[1] = rounded_to<T>(middle);
-    numbers[axes.places[2]] = outer(vectors.third, axes.places[2]);
-    return lock.diagnostics();
-}
+};
 
-constexpr Kernel kernel_of_angles{.fast = {.read = read<double>, .write = write<double>},
-                                  .exact = {.read = read<DoubleDouble>, .write = write<DoubleDouble>},
-                                  .one = {.read = read_one, .write = write_one<double>},
-                                  .careful = {.read = read_carefully, .write = write_one<Careful>}};
+constexpr Kernel kernel_of_angles{.fast = {.read = Angles::read<double>, .write = Angles::write<double>},
+                                  .exact = {.read = Angles::read<DoubleDouble>, .write = Angles::write<DoubleDouble>},
+                                  .one = {.read = Angles::read_one, .write = Angles::write_one<double>},
+                                  .careful = {.read = Angles::read_carefully, .write = Angles::write_one<Careful>}};
 
 } // namespace
 

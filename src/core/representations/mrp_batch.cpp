@@ -41,47 +41,47 @@ struct Mrp {
     template <class T> ROTCONV_INLINE static DiagnosticSet complete(const T (&q)[4], double* /*m*/) noexcept {
         return half_turn_of(q);
     }
-};
 
-/// In two loops, which are faster than one.
-template <class T> void write(const Spec& /*spec*/, double /*lock_margin*/, const AttitudeBatch<T>& attitudes,
-                              std::size_t rows, double* numbers, double* /*rest*/,
-                              DiagnosticSet* diagnostics) noexcept {
-    Columns<T, 4> parts;
-    Column<DoubleDouble> length;
-    for (std::size_t i = 0; i < rows; ++i) {
-        T q[4];
-        attitudes.get(i, q);
-        const AxisHalfAngle<T> part(q);
-        parts.set(i, part.q);
-        length.set(i, part.length);
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        T q[4];
-        parts.get(i, q);
-        DoubleDouble m[3];
-        Mrp::numbers_of(q, length[i], m);
-        for (std::size_t k = 0; k < 3; ++k) {
-            numbers[3 * i + k] = m[k].hi;
+    /// In two loops, which are faster than one.
+    template <class T> static void write(const Spec& /*spec*/, double /*lock_margin*/,
+                                         const AttitudeBatch<T>& attitudes, std::size_t rows, double* numbers,
+                                         double* /*rest*/, DiagnosticSet* diagnostics) noexcept {
+        Columns<T, 4> parts;
+        Column<DoubleDouble> length;
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            attitudes.get(i, q);
+            const AxisHalfAngle<T> part(q);
+            parts.set(i, part.q);
+            length.set(i, part.length);
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            parts.get(i, q);
+            DoubleDouble m[3];
+            numbers_of(q, length[i], m);
+            for (std::size_t k = 0; k < 3; ++k) {
+                numbers[3 * i + k] = m[k].hi;
+            }
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            parts.get(i, q);
+            diagnostics[i] = half_turn_of(q);
         }
     }
-    for (std::size_t i = 0; i < rows; ++i) {
-        T q[4];
-        parts.get(i, q);
-        diagnostics[i] = half_turn_of(q);
-    }
-}
+};
 
-constexpr Kernel kernel() noexcept {
+constexpr Kernel kernel_of_mrp() noexcept {
     Kernel made = kernel_of_formula<Mrp>;
-    made.fast.write = write<double>;
-    made.exact.write = write<DoubleDouble>;
+    made.fast.write = Mrp::write<double>;
+    made.exact.write = Mrp::write<DoubleDouble>;
     return made;
 }
 
 } // namespace
 
-constinit const Kernel kernels::mrp = kernel();
+constinit const Kernel kernels::mrp = kernel_of_mrp();
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -4,7 +4,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct Unit {
+struct FourNumbers {
     static constexpr std::size_t size = 4;
 
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[4]) noexcept {
@@ -15,76 +15,80 @@ struct Unit {
             number = scaled(number, sign);
         }
     }
-};
 
-/// Any four numbers; finds the defect | |q| - 1 | in full.
-Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
-    take(numbers, q);
-    if (!all_finite(numbers, 4)) {
-        return Error::not_finite;
-    }
-    const double largest = largest_magnitude(q[0], q[1], q[2], q[3]);
-    if (largest == 0.0) {
-        return Error::zero_quaternion;
-    }
-    const double square = squared_norm(q);
-    if (__builtin_fabs(square - 1.0) <= reported_defect) {
-        defect = __builtin_fabs(square - 1.0); // | |q| - 1 | (|q| + 1)
+    /// Any four numbers; finds the defect | |q| - 1 | in full.
+    static Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
+        take(numbers, q);
+        if (!all_finite(numbers, 4)) {
+            return Error::not_finite;
+        }
+        const double largest = largest_magnitude(q[0], q[1], q[2], q[3]);
+        if (largest == 0.0) {
+            return Error::zero_quaternion;
+        }
+        const double square = squared_norm(q);
+        if (__builtin_fabs(square - 1.0) <= reported_defect) {
+            defect = __builtin_fabs(square - 1.0); // | |q| - 1 | (|q| + 1)
+            return Error::none;
+        }
+        const PowerOfTwo to_unit = PowerOfTwo::to_unit(largest);
+        const double unit[4] = {to_unit(q[0]), to_unit(q[1]), to_unit(q[2]), to_unit(q[3])};
+        defect = __builtin_fabs(to_unit.undone(root(squared_norm(unit))) - 1.0);
+        const bool keeps_bits = square >= 0.25 && square < 4.0;
+        for (std::size_t k = 0; k < 4 && !keeps_bits; ++k) {
+            q[k] = unit[k];
+        }
         return Error::none;
     }
-    const PowerOfTwo to_unit = PowerOfTwo::to_unit(largest);
-    const double unit[4] = {to_unit(q[0]), to_unit(q[1]), to_unit(q[2]), to_unit(q[3])};
-    defect = __builtin_fabs(to_unit.undone(root(squared_norm(unit))) - 1.0);
-    const bool keeps_bits = square >= 0.25 && square < 4.0;
-    for (std::size_t k = 0; k < 4 && !keeps_bits; ++k) {
-        q[k] = unit[k];
-    }
-    return Error::none;
-}
 
-template <class T>
-void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
-    attitudes.are_quaternions = true;
-    for (std::size_t i = 0; i < rows; ++i) {
-        const double* const q = numbers + 4 * i;
-        attitudes.set(i, {q[0], q[1], q[2], q[3]});
-        attitudes.defect[i] = __builtin_fabs(squared_norm({q[0], q[1], q[2], q[3]}) - 1.0);
-        attitudes.error[i] = Error::none;
-        attitudes.is_as_given[i] = true;
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        if (!(attitudes.defect[i] <= reported_defect)) {
-            double q[4];
-            attitudes.error[i] = read_one(spec, numbers + 4 * i, q, attitudes.defect[i]);
-            attitudes.is_as_given[i] = false;
+    template <class T>
+    static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
+        attitudes.are_quaternions = true;
+        for (std::size_t i = 0; i < rows; ++i) {
+            const double* const q = numbers + 4 * i;
             attitudes.set(i, {q[0], q[1], q[2], q[3]});
+            attitudes.defect[i] = __builtin_fabs(squared_norm({q[0], q[1], q[2], q[3]}) - 1.0);
+            attitudes.error[i] = Error::none;
+            attitudes.is_as_given[i] = true;
         }
-    }
-}
-
-template <class T> void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes, std::size_t rows,
-                              double* numbers, double* rest, DiagnosticSet* diagnostics) noexcept {
-    write_rows<Unit>(spec, lock_margin, attitudes, rows, numbers, rest, diagnostics);
-    for (std::size_t i = 0; i < rows && attitudes.are_quaternions; ++i) {
-        if (keeps_bits(attitudes, i)) {
-            T q[4];
-            attitudes.get(i, q);
-            for (std::size_t k = 0; k < 4; ++k) {
-                numbers[4 * i + k] = canonical_sign(q) * to_double(q[k]);
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (!(attitudes.defect[i] <= reported_defect)) {
+                double q[4];
+                attitudes.error[i] = read_one(spec, numbers + 4 * i, q, attitudes.defect[i]);
+                attitudes.is_as_given[i] = false;
+                attitudes.set(i, {q[0], q[1], q[2], q[3]});
             }
         }
     }
-}
 
-void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept { take(numbers, q); }
+    template <class T> static void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes,
+                                         std::size_t rows, double* numbers, double* rest,
+                                         DiagnosticSet* diagnostics) noexcept {
+        write_rows<FourNumbers>(spec, lock_margin, attitudes, rows, numbers, rest, diagnostics);
+        for (std::size_t i = 0; i < rows && attitudes.are_quaternions; ++i) {
+            if (keeps_bits(attitudes, i)) {
+                T q[4];
+                attitudes.get(i, q);
+                for (std::size_t k = 0; k < 4; ++k) {
+                    numbers[4 * i + k] = canonical_sign(q) * to_double(q[k]);
+                }
+            }
+        }
+    }
+
+    static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
+        take(numbers, q);
+    }
+};
 
 } // namespace
 
-constinit const Kernel kernels::quat{.fast = {.read = read<double>, .write = write<double>},
-                                     .exact = {.read = read<DoubleDouble>, .write = write<DoubleDouble>},
-                                     .one = {.read = read_one, .write = write_row<Unit, double>},
-                                     .careful = {.read = read_carefully, .write = write_row<Unit, Careful>},
-                                     .reading_is_exact = true};
+constinit const Kernel kernels::quat{
+    .fast = {.read = FourNumbers::read<double>, .write = FourNumbers::write<double>},
+    .exact = {.read = FourNumbers::read<DoubleDouble>, .write = FourNumbers::write<DoubleDouble>},
+    .one = {.read = FourNumbers::read_one, .write = write_row<FourNumbers, double>},
+    .careful = {.read = FourNumbers::read_carefully, .write = write_row<FourNumbers, Careful>},
+    .reading_is_exact = true};
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

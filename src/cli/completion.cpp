@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rotconv/sampling.hpp>
+#include <rotconv/spec.hpp>
+
+#include "../methods/method.hpp"
+#include "../stream/fmt.hpp"
+#include "command.hpp"
+#include "messages.hpp"
+#include "program.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// Words, in a list, as one word of the shell.
+std::string as_word(const auto& words) { return in_shell(fmt::format("{}", fmt::join(words, " "))); }
+
+/// The modifiers that each representation takes.
+std::string modifiers() {
+    std::string text = "    modifiers= sequences=\n    case ${2-} in\n";
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
+        text += fmt::format("    {}) modifiers={}{} ;;\n", fmt::join(messages::names_of(entry), " | "),
+                            as_word(messages::words_of(entry.modifiers)),
+                            entry.takes_sequence ? " sequences=" + as_word(messages::all_sequences()) : "");
+    }
+    return text + "    esac\n";
+}
+
+/// A line for each name of each option: the name, the argument or a dash, and its text in the help.
+std::string lines_of(const OptionSet& options) {
+    std::string lines;
+    for (const Option& option : options.all()) {
+        for (const std::string& name : option.each_name()) {
+            lines += fmt::format("{} {} {}\n", name, option.takes_argument() ? option.argument : "-", option.about);
+        }
+    }
+    return in_shell(lines);
+}
+
+} // namespace
+
+std::string completion_words() {
+    std::vector<std::string_view> method_names{fast_method, all_methods};
+    for (const Method& method : methods()) {
+        if (std::ranges::find(method_names, method.name) == method_names.end()) {
+            method_names.push_back(method.name);
+        }
+    }
+    std::string commands;
+    std::string options = "    operands=\n    case ${1-} in\n";
+    for (const CommandEntry& command : command_table()) {
+        if (!command.name.empty()) {
+            commands += fmt::format("{} - {}\n", command.name, command.about);
+        }
+        options += fmt::format("    {})\n        options={}\n", in_shell(command.name), lines_of(command.options));
+        options += command.options.takes_names() ? "        operands=\"$names $presets methods presets\"\n        ;;\n"
+                                                 : "        ;;\n";
+    }
+    return fmt::format(
+        "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
+        "    names={}\n    presets={}\n    methods={}\n    kinds={}\n    commands={}\n{}    esac\n{}}}\n",
+        as_word(messages::all_names()), as_word(messages::all_presets()), as_word(method_names),
+        as_word(sample_kind_names), in_shell(commands), options, modifiers());
+}
+
+} // namespace rotconv::cli
