@@ -198,7 +198,8 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
     }
     read.end = std::min(at, words.size());
     if (read.error.empty()) {
-        CLI::App app; // it knows those that are given, as an option takes it most of the time of a start
+        CLI::App app; // it knows the given ones alone: to define all of them took half of a start
+        app.set_help_flag();
         std::ranges::for_each(given, [&app](Option* option) { define(app, *option); });
         std::ranges::reverse(option_words); // as CLI11 wants them
         try {
