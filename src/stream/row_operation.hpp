@@ -39,10 +39,8 @@ public:
     [[nodiscard]] virtual std::unique_ptr<RowOperation> copy() const = 0;
 
     /// Answers rows with names.size() numbers each, or as many for each of the answers. `reports` becomes those of the
-    /// rows of which there is something to report, in their order.
-    virtual void run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) {
-        run_ahead(rows, true, out, reports);
-    }
+    /// rows of which there is something to report, in their order. An operation has this or run_ahead().
+    virtual void run(const NumberRows& /*rows*/, std::span<double> /*out*/, std::vector<RowReport>& /*reports*/) {}
     /// In its place where an answer may depend on the rows after it: answers as many of the first rows as it can, or
     /// all with `flush`. The others come first in the next call.
     /// @return how many are answered

@@ -57,8 +57,8 @@ std::vector<double> rows_near(const Pair& pair, rotconv::SampleKind kind) {
     return all;
 }
 
-std::string name_of(const Pair& pair, const std::string& way, const std::string& rows, bool million) {
-    return fmt::format("{}-{}-{}-{}{}", text_of(pair.from), text_of(pair.to), way, rows, million ? "/million" : "");
+std::string name_of(const Pair& pair, const std::string& way, const std::string& rows, bool all) {
+    return fmt::format("{}-{}-{}-{}{}", text_of(pair.from), text_of(pair.to), way, rows, all ? "/million" : "");
 }
 
 /// Keeps the least time of each benchmark: the processor's, which other processes disturb least.
@@ -147,8 +147,8 @@ Times::Times(const std::vector<Pair>& pairs) {
     }
 }
 
-double Times::of(const Pair& pair, const std::string& way, const std::string& rows, bool million) const {
-    const auto found = times_.find(name_of(pair, way, rows, million));
+double Times::of(const Pair& pair, const std::string& way, const std::string& rows, bool all) const {
+    const auto found = times_.find(name_of(pair, way, rows, all));
     return found == times_.end() ? none : found->second;
 }
 

@@ -16,7 +16,7 @@ public:
     explicit Times(const std::vector<Pair>& pairs);
 
     /// On "clean" or "hostile" rows or on those of a kind; nan where it was not timed.
-    [[nodiscard]] double of(const Pair& pair, const std::string& way, const std::string& rows, bool million) const;
+    [[nodiscard]] double of(const Pair& pair, const std::string& way, const std::string& rows, bool all) const;
 
 private:
     std::map<std::string, double> times_;

@@ -370,7 +370,7 @@ fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Progra
         }
         const std::size_t line = 1;
         std::vector<RowReport> reports;
-        operation->run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
+        operation->run_ahead({numbers, {&line, 1}, kept_texts}, true, answer.numbers, reports);
         if (operation->is_continuous) {
             operation->make_continuous(answer.numbers, reports);
         }

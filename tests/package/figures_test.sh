@@ -26,11 +26,30 @@ claims methods.md methods.csv '
     $1 FS $2 FS $3 FS $4 == "quat,euler,default,clean" { to_angles = $15 }
     END {
         printf "method takes %.2g of the time of Eigen\n", ratio["shepperd"]
-        printf "lose %d digits on noisy\n", log(hostile["shepperd"] / clean["shepperd"]) / log(10)
-        printf "lose %d digits on noisy\n", log(hostile["Eigen"] / clean["Eigen"]) / log(10)
+        printf "lose %.0f digits on noisy\n", log(hostile["shepperd"] / clean["shepperd"]) / log(10)
+        printf "lose %.0f digits on noisy\n", log(hostile["Eigen"] / clean["Eigen"]) / log(10)
         printf "takes %.2g times that call, %.2g ns a row\n", ratio["default"], time["default"]
         printf "noise it takes %.2g times, %.2g ns\n", noisy_ratio["default"], noisy_time["default"]
         printf "From a quaternion to Euler angles it takes %.2g times\n", to_angles
+    }'
+# shellcheck disable=SC2016
+claims methods.md methods.csv '
+    $5 == "0" { time[$1 FS $2 FS $3 FS $4] = $13 }
+    END {
+        split("dcm,quat quat,euler dcm,euler quat,rotvec", pairs, " ")
+        split("Eigen typed default", methods, " ")
+        split("Eigen|rotconv, C++ call|rotconv, exact", names, "|")
+        split("clean small half-turn lock", kinds, " ")
+        for (p = 1; p <= 4; ++p) for (m = 1; m <= 3; ++m) {
+            pair = pairs[p]
+            sub(",", " to ", pair)
+            printf "| %s | %s |", pair, names[m]
+            for (k = 1; k <= 4; ++k) {
+                ns = time[pairs[p] FS methods[m] FS kinds[k]]
+                printf " %s |", ns == "" ? "" : sprintf(ns < 10 ? "%.1f" : "%.0f", ns)
+            }
+            print ""
+        }
     }'
 claims accuracy.md methods.csv '
     $1 FS $2 FS $3 FS $4 FS $6 == "dcm,quat,Eigen,noise,1e-08" { printf "is off by about %.0e x 2^-52 rad\n", $9 }'
