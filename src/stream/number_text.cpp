@@ -51,6 +51,8 @@ std::uint64_t eight_digits(std::uint64_t number) noexcept {
     return tens | (parts - 10 * tens) << 8U;
 }
 
+constexpr std::uint64_t ascii = 0x3030'3030'3030'3030; // eight zeros
+
 /// 17 digits, of which the first is not 0 and `point` (-3 to 15) stand before the point, without zeros at their end.
 /// Writes beyond the end that it returns.
 char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noexcept {
@@ -59,9 +61,8 @@ char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noe
     const std::uint64_t rest = digits % powers_of_ten[16];
     const std::uint64_t high = eight_digits(rest / half);
     const std::uint64_t low = rest % half != 0 ? eight_digits(rest % half) : 0;
-    const int zeros = (low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high)) / 8;
-    const int count = most_digits - zeros;
-    constexpr std::uint64_t ascii = 0x3030'3030'3030'3030;
+    const int trailing = (low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high)) / 8;
+    const int count = most_digits - trailing;
     Uint128 others = static_cast<Uint128>(low | ascii) << 64U | (high | ascii);
 
     *to = '-';
@@ -169,30 +170,32 @@ char* write_rounded(char* to, double value, int precision) {
     return fmt::format_to(to, FMT_COMPILE("{:.{}g}"), without_sign_of_nan(value), precision);
 }
 
-/// With so many digits after the point. What rounds to 0 has no sign.
+/// With so many digits after the point. What rounds to 0 has no sign. Writes beyond the end that it returns.
 char* write_fixed(char* to, double value, int decimals) {
+    constexpr int most_decimals = 16;
     const double magnitude = std::abs(value);
+    const std::uint64_t unit = powers_of_ten[static_cast<std::size_t>(std::min(decimals, most_digits))];
     constexpr auto end_of_digits = static_cast<double>(powers_of_ten[most_digits]);
-    if (decimals > most_digits ||
-        !(magnitude * static_cast<double>(powers_of_ten[static_cast<std::size_t>(decimals)]) < end_of_digits)) {
+    if (decimals > most_decimals || !(magnitude * static_cast<double>(unit) < end_of_digits)) {
         char* const end = fmt::format_to(to, FMT_COMPILE("{:.{}f}"), without_sign_of_nan(value), decimals);
         const bool is_zero = std::string_view(to, end).find_first_not_of("-0.") == std::string_view::npos;
         return is_zero && *to == '-' ? std::copy(to + 1, end, to) : end;
     }
-    std::uint64_t units = round_to_units(magnitude, decimals);
+    const std::uint64_t units = round_to_units(magnitude, decimals);
     *to = '-';
     to += value < 0.0 && units > 0 ? 1 : 0;
-    const auto digits = std::ranges::upper_bound(powers_of_ten, units) - powers_of_ten.begin();
-    char* const end = to + std::max<std::ptrdiff_t>(digits, decimals + 1);
-    for (char* at = end; at > to; units /= 10) {
-        *--at = static_cast<char>('0' + units % 10);
-    }
+    const std::uint64_t whole = units / unit;
+    *to = static_cast<char>('0' + whole);
+    to = whole < 10 ? to + 1 : fmt::format_to(to, FMT_COMPILE("{}"), whole);
     if (decimals == 0) {
-        return end;
+        return to;
     }
-    std::copy_backward(end - decimals, end, end + 1);
-    end[-decimals] = '.';
-    return end + 1;
+    constexpr std::uint64_t half = powers_of_ten[8];
+    const std::uint64_t fraction = units % unit * powers_of_ten[static_cast<std::size_t>(most_decimals - decimals)];
+    const std::array halves{eight_digits(fraction / half) | ascii, eight_digits(fraction % half) | ascii};
+    *to++ = '.';
+    std::memcpy(to, halves.data(), sizeof halves);
+    return to + decimals;
 }
 
 bool scan_whole(std::string_view text, double& value) noexcept {
