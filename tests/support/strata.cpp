@@ -43,7 +43,7 @@ Numbers sampled(const rotconv::Spec& spec, SampleKind kind, int size) { return r
 
 Numbers near_lock(const rotconv::Spec& spec, rotconv::EulerSequence sequence, int size) {
     const auto all = rotconv::EulerSequence::all(); // which take turns
-    const auto place = std::ranges::find(all, sequence) - all.begin();
+    const auto place = static_cast<std::size_t>(std::ranges::find(all, sequence) - all.begin());
     return rows_at(spec, SampleKind::lock, size, place, all.size());
 }
 
