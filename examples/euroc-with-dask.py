@@ -1,7 +1,8 @@
-"""euroc-with-dask.py [--piece BYTES] [--scheduler ADDRESS] IN > OUT: the quaternions of an EuRoC table become roll, pitch
-and yaw under Dask. The bytes that come out are those of a single run, and the messages count lines from the start of IN.
+"""euroc-with-dask.py [--piece BYTES] [--workers N | --scheduler ADDRESS] IN > OUT: the quaternions of an EuRoC table
+become roll, pitch and yaw under Dask. The bytes that come out are those of a single run, and the messages count lines
+from the start of IN.
 
-Without --scheduler two workers are started here. For several machines, each of which has rotconv and the file IN:
+Without --scheduler N workers, or two, are started here. For several machines, each of which has rotconv and the file IN:
     dask-scheduler                    # on one of them; it prints its ADDRESS
     dask-worker ADDRESS --nthreads 1  # on each, as often as it has processors
 
@@ -45,11 +46,12 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("path", metavar="IN")
     parser.add_argument("--piece", type=int, default=8 << 20)
+    parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--scheduler")
     options = parser.parse_args()
     path = os.path.abspath(options.path)
 
-    here = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": ":0"}
+    here = {"n_workers": options.workers, "threads_per_worker": 1, "dashboard_address": ":0"}
     with Client(options.scheduler) if options.scheduler else Client(**here) as client:
         client.wait_for_workers(1)
         begins = iter(range(0, os.path.getsize(path), options.piece))
