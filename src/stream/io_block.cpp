@@ -9,7 +9,7 @@ namespace rotconv::stream {
 namespace {
 
 std::size_t count_newlines(std::string_view text) noexcept {
-    constexpr std::size_t most = 255; // that a byte counts, so that the inner loop runs over vectors of bytes
+    constexpr std::size_t most = 240; // that a byte counts, so that the inner loop runs over whole vectors of bytes
     std::size_t count = 0;
     for (; !text.empty(); text.remove_prefix(std::min(most, text.size()))) {
         unsigned char part = 0;

@@ -18,8 +18,11 @@ namespace rotconv::stream {
 struct Row {
     static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
 
-    Line line{};
-    std::size_t number = 0; ///< of the line; 0 where there is only the reference's
+    // Without a constructor all bytes would be cleared first, which takes longer than the rest.
+    explicit Row(const Line& line_ = {}, std::size_t number_ = 0) noexcept : line(line_), number(number_) {}
+
+    Line line;
+    std::size_t number; ///< of the line; 0 where there is only the reference's
     std::string_view reference{};
     std::size_t reference_number = 0; ///< 0: there is none
     std::string_view later{};         ///< the row of the reference after that one, where both count...
@@ -28,10 +31,12 @@ struct Row {
     bool passes = false;              ///< blank or comment: goes out as it is
     std::size_t error = no_error;     ///< which one, of a row without numbers
     // Of a row that is read:
+    std::string_view numbers{}; ///< where they stand, if it was scanned: its fields were not looked for
     std::size_t first_field = 0;
     std::size_t field_count = 0;
     std::size_t index = 0; ///< among the rows with numbers
 
+    [[nodiscard]] bool is_scanned() const noexcept { return numbers.data() != nullptr; }
     [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == no_error; }
 };
 

@@ -261,20 +261,27 @@ bool is_number(std::string_view text) noexcept {
     return read_number(text, value) != NumberError::not_a_number;
 }
 
-void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits) {
-    // With the 100 digits that may be asked for, those before the point, and what is written beyond the end.
-    const std::size_t longest = digits.decimals >= 0 ? 448 : 128;
-    to.reserve(to.size() + longest * numbers.size());
-    char* end = to.data() + to.size();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i > 0) {
-            *end++ = delimiter;
+char* write_numbers(char* to, std::span<const double> numbers, char delimiter, Digits digits) {
+    const auto write_all = [&](const auto& write) {
+        for (const double number : numbers) {
+            to = write(number);
+            *to++ = delimiter;
         }
-        end = digits.decimals >= 0 ? write_fixed(end, numbers[i], digits.decimals)
-              : digits.shortest()  ? write_shortest(end, numbers[i])
-                                   : write_rounded(end, numbers[i], digits.significant);
+        return numbers.empty() ? to : to - 1;
+    };
+    if (digits.decimals >= 0) {
+        return write_all([&](double number) { return write_fixed(to, number, digits.decimals); });
     }
-    to.resize(static_cast<std::size_t>(end - to.data()));
+    if (digits.shortest()) {
+        return write_all([&](double number) { return write_shortest(to, number); });
+    }
+    return write_all([&](double number) { return write_rounded(to, number, digits.significant); });
+}
+
+void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits) {
+    const std::size_t size = to.size();
+    to.reserve(size + room_for(numbers.size(), digits));
+    to.resize(static_cast<std::size_t>(write_numbers(to.data() + size, numbers, delimiter, digits) - to.data()));
 }
 
 void append_number(Buffer& to, double value, Digits digits) { append_numbers(to, {&value, 1}, ' ', digits); }

@@ -46,6 +46,13 @@ void append_number(Buffer& to, double value, Digits digits);
 
 /// The same of each, with the delimiter between them.
 void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits);
+/// The same, into room for `room_for` as many.
+/// @return their end, beyond which it may have written
+char* write_numbers(char* to, std::span<const double> numbers, char delimiter, Digits digits);
+/// Bytes: with the 100 digits that may be asked for, those before the point, and what is written beyond the end.
+[[nodiscard]] constexpr std::size_t room_for(std::size_t count, Digits digits) noexcept {
+    return count * (digits.decimals >= 0 ? 448 : 128);
+}
 
 /// The numbers as they are in memory, little-endian.
 void append_bytes(Buffer& to, std::span<const double> numbers);

@@ -34,9 +34,8 @@ void PairReader::Side::read_block(Job& job) {
 }
 
 void PairReader::Side::take_line() {
-    Waiting next{.row = {.number = line++}, .text = text};
+    Waiting next{.row = Row(next_row(rest, options->width), line++), .text = text};
     Row& row = next.row;
-    row.line = next_row(rest, options->width);
     row.passes = options->width == 0 && !options->is_row(row.line.text);
     if (!row.passes && by_key) {
         find_key(next);
@@ -144,7 +143,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
                 pairs.rows.push_back(first.row);
                 hold(pairs, first.text);
             } else if (!first.row.passes) {
-                pairs.rows.push_back({.error = first.row.error});
+                pairs.rows.emplace_back().error = first.row.error;
             }
             pairs.bytes += first.row.line.text.size() + 1;
             side->drop_line();

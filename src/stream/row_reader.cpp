@@ -9,14 +9,73 @@
 #include "scan_number.hpp"
 
 namespace rotconv::stream {
+namespace {
+
+/// @return the place after the last number; null if one is not finite, or something else stands in its field
+const char* scan_numbers(const char* at, const char* end, char delimiter, std::span<const std::size_t> order,
+                         double* numbers) noexcept {
+    for (auto next = order.begin();; ++at) {
+        double& number = numbers[*next];
+        at = scan_number(at, end, number);
+        if (at == nullptr || !std::isfinite(number)) {
+            return nullptr;
+        }
+        if (++next == order.end()) {
+            return at;
+        }
+        if (at == end || *at != delimiter) {
+            return nullptr;
+        }
+    }
+}
+
+} // namespace
+
+std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) const {
+    if (options_->width > 0 || layout_->side_by_side.empty()) {
+        return std::nullopt;
+    }
+    const Delimiter delimiter = layout_->delimiter;
+    const bool has_other_fields = !layout_->positions.empty();
+    const char* begin = text.data();
+    const char* end = begin + text.size();
+    Line line;
+    if (has_other_fields) {
+        line = next_line(text);
+        end = begin + line.text.size();
+        if (std::find(begin, end, '"') != end) {
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < layout_->first_field; ++i) {
+            const char* const stop = std::find(begin, end, delimiter.text());
+            if (stop == end || (delimiter.is_blanks() && (stop == begin || std::find(begin, stop, '\t') != stop))) {
+                return std::nullopt;
+            }
+            begin = stop + 1;
+        }
+    }
+    const std::size_t first = to.size();
+    to.resize(first + layout_->count);
+    const char* const at = scan_numbers(begin, end, delimiter.text(), layout_->side_by_side, to.data() + first);
+    bool is_plain = at != nullptr;
+    if (is_plain && has_other_fields) {
+        is_plain = at == end || (*at == delimiter.text() && !delimiter.is_blanks());
+    } else if (is_plain) {
+        const char* const newline = at != end && *at == '\r' ? at + 1 : at;
+        is_plain = at == end || (newline != end && *newline == '\n');
+        line = {{begin, at}, {at, newline == end ? end : newline + 1}};
+    }
+    if (!is_plain) {
+        to.resize(first);
+        return std::nullopt;
+    }
+    return ScannedRow{line, {begin, at}};
+}
 
 bool RowReader::read(std::string_view row, RowParts& to) const {
     using What = RowError::What;
     if (options_->width > 0) {
         read_doubles(row, to.numbers);
-        return true;
-    }
-    if (!layout_->has_other_fields() && read_plain(row, to.numbers)) {
         return true;
     }
     const std::size_t first_field = to.fields.size();
@@ -31,7 +90,8 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
     const std::size_t first_number = to.numbers.size();
     for (std::size_t i = 0; i < layout_->count; ++i) {
         const std::string_view field = to.fields[first_field + position(i)];
-        double& number = to.numbers.emplace_back();
+        to.numbers.push_back(0.0);
+        double& number = to.numbers[to.numbers.size() - 1];
         NumberError error = read_number(field, number);
         if (error == NumberError::not_a_number) { // or quoted
             error = read_number(layout_->delimiter.text_of(field), number);
@@ -112,27 +172,11 @@ bool RowReader::split(std::string_view row, std::span<const std::size_t> needed,
     return true;
 }
 
-bool RowReader::read_plain(std::string_view row, std::vector<double>& numbers) const {
+void RowReader::read_doubles(std::string_view row, Numbers& numbers) const {
     const std::size_t first = numbers.size();
     numbers.resize(first + layout_->count);
-    const char* at = row.data();
-    const char* const end = at + row.size();
-    for (std::size_t i = first; i < numbers.size(); ++i) {
-        const char* const stop = scan_number(at, end, numbers[i]);
-        const bool is_last = i + 1 == numbers.size();
-        if (stop == nullptr || !std::isfinite(numbers[i]) || (stop == end) != is_last ||
-            (!is_last && *stop != layout_->delimiter.text())) {
-            numbers.resize(first);
-            return false;
-        }
-        at = is_last ? end : stop + 1;
-    }
-    return true;
-}
-
-void RowReader::read_doubles(std::string_view row, std::vector<double>& numbers) const {
     for (std::size_t i = 0; i < layout_->count; ++i) {
-        std::memcpy(&numbers.emplace_back(), row.data() + position(i) * sizeof(double), sizeof(double));
+        std::memcpy(&numbers[first + i], row.data() + position(i) * sizeof(double), sizeof(double));
     }
 }
 

@@ -9,14 +9,18 @@
 
 #include "event.hpp"
 #include "layout.hpp"
+#include "number_text.hpp"
 #include "options.hpp"
 
 namespace rotconv::stream {
 
+/// Grows without setting what is then read.
+using Numbers = fmt::basic_memory_buffer<double, 64>;
+
 /// What was read of the rows of a batch, one after the other.
 struct RowParts {
     std::vector<std::string_view> fields; ///< of the rows whose fields were looked for
-    std::vector<double> numbers;
+    Numbers numbers;
     std::vector<std::string_view> kept; ///< texts of the numbers that are kept
     RowError error;                     ///< of the row that failed last, without its line
 
@@ -27,14 +31,26 @@ struct RowParts {
     }
 };
 
+/// A row of text that was not split into fields.
+struct ScannedRow {
+    Line line;
+    std::string_view numbers; ///< the part of the line that they are
+};
+
 /// Reads the numbers of a row.
 class RowReader {
 public:
     RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
 
-    /// Adds what is read of a row, of text or of doubles; of text its fields too, where the output has some of them.
+    /// Adds the numbers of the row that begins the text, in one scan, if it is as most are: they stand side by side
+    /// without blanks around them, and it has no quotes.
+    /// @return nothing, and nothing is added, for any other row
+    [[nodiscard]] std::optional<ScannedRow> scan(std::string_view text, Numbers& to) const;
+    /// Adds what is read of a row, of text or of doubles; of text its fields too.
     /// @return false where `to.error` says why there are no numbers; fields may be there
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
+    /// Adds the row's fields; false, with an error, where not all of those needed are there.
+    [[nodiscard]] bool split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const;
     /// The text of the first number, which is a key; nothing where `to.error` says why.
     [[nodiscard]] std::optional<std::string> key(std::string_view row, RowParts& to) const;
     /// A number or a time that is kept.
@@ -45,11 +61,7 @@ public:
     [[nodiscard]] std::string selected_text(std::string_view row) const;
 
 private:
-    /// Adds the row's fields; false, with an error, where not all of those needed are there.
-    [[nodiscard]] bool split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const;
-    void read_doubles(std::string_view row, std::vector<double>& numbers) const;
-    /// A row of nothing but plain numbers, as most are, which needs no fields; false for any other.
-    [[nodiscard]] bool read_plain(std::string_view row, std::vector<double>& numbers) const;
+    void read_doubles(std::string_view row, Numbers& numbers) const;
     [[nodiscard]] std::size_t position(std::size_t number) const noexcept {
         return layout_->positions.empty() ? number : layout_->positions[number];
     }

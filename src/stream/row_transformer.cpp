@@ -122,7 +122,8 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
         };
         while ((may_have_notes_ ? next < rows : next_report_ < reports_.size()) && !output.stopped) {
             write_clean(may_have_notes_ ? next : reports_[next_report_].row);
-            Row row{.line = {text.substr(next * row_size, row_size), {}}, .number = line + next, .index = next};
+            Row row({text.substr(next * row_size, row_size), {}}, line + next);
+            row.index = next;
             write_row(row, output);
             ++next;
         }
@@ -140,9 +141,16 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     const std::size_t size = text.size();
     const auto most_bytes = limit == every_row ? size : most_waiting;
     while (!text.empty() && rows_.size() < limit && size - text.size() < most_bytes) {
-        Row& row = rows_.emplace_back();
-        row.line = next_row(text, width);
-        row.number = line++;
+        const auto scanned = options_->input.is_comment(text) ? std::nullopt : reader_.scan(text, parts_.numbers);
+        if (scanned) {
+            Row& row = rows_.emplace_back(scanned->line, line++);
+            row.numbers = scanned->numbers;
+            row.index = lines_.size();
+            lines_.push_back(row.number);
+            text.remove_prefix(row.line.text.size() + row.line.end.size());
+            continue;
+        }
+        Row& row = rows_.emplace_back(next_row(text, width), line++);
         row.passes = width == 0 && !options_->input.is_row(row.line.text);
         if (!row.passes) {
             read(row);
@@ -166,19 +174,22 @@ void RowTransformer::read(Row& row) {
     const std::size_t first_kept = parts_.kept.size();
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
-    bool is_read = reader_.read(row.line.text, parts_);
+    const bool is_pair = row.reference_number > 0; // others were not to be scanned
+    const auto scanned = is_pair ? reader_.scan(row.line.text, parts_.numbers) : std::nullopt;
+    row.numbers = scanned ? scanned->numbers : std::string_view();
+    bool is_read = scanned || reader_.read(row.line.text, parts_);
     row.field_count = parts_.fields.size() - row.first_field;
     parts_.error.line = row.number;
-    if (is_read && row.reference_number > 0) {
+    if (is_read && is_pair) {
         is_read = read_reference(row.reference, row.reference_number);
         if (is_read && interpolates()) {
             const std::size_t kept = parts_.kept.size();
-            const auto key = static_cast<std::ptrdiff_t>(parts_.numbers.size());
+            const std::size_t key = parts_.numbers.size();
             is_read = row.later_number > 0 ? read_reference(row.later, row.later_number)
                                            : read_reference(row.reference, row.reference_number);
             if (is_read) {
-                parts_.numbers.erase(parts_.numbers.begin() + key);
-                parts_.numbers.push_back(row.fraction);
+                std::copy(parts_.numbers.begin() + key + 1, parts_.numbers.end(), parts_.numbers.begin() + key);
+                parts_.numbers[parts_.numbers.size() - 1] = row.fraction;
                 parts_.kept.resize(kept);
             }
         }
@@ -199,7 +210,7 @@ void RowTransformer::read(Row& row) {
 }
 
 bool RowTransformer::read_reference(std::string_view text, std::size_t line) {
-    if (reference_reader_->read(text, parts_)) {
+    if (reference_reader_->scan(text, parts_.numbers) || reference_reader_->read(text, parts_)) {
         return true;
     }
     parts_.error.line = line;
@@ -237,7 +248,7 @@ void RowTransformer::look_for_notes() {
 }
 
 void RowTransformer::tell_notes(const Row& row, Output& output) {
-    const auto numbers = std::span(parts_.numbers).subspan(row.index * largest_.size(), largest_.size());
+    const auto numbers = std::span<const double>(parts_.numbers).subspan(row.index * largest_.size(), largest_.size());
     for (const bool of_reference : {false, true}) {
         if (of_reference && row.reference_number == 0) {
             return;
@@ -292,8 +303,13 @@ double RowTransformer::norm_of(const Row& row, const RowReport& report) const {
 
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
+    const std::size_t size = operation_->names.size();
     for (auto row = rows_.begin(); row != rows_.end() && !output.stopped; ++row) {
-        if (!row->passes) {
+        const bool is_next = next_report_ < reports_.size() && reports_[next_report_].row == row->index;
+        if (row->is_scanned() && !is_next && !may_have_notes_ && writer_.writes_results_alone()) {
+            writer_.write(output.bytes, row->line, row->numbers, std::span(results_).subspan(row->index * size, size));
+            ++output.answered;
+        } else if (!row->passes) {
             write_row(*row, output);
         } else if (options_->format == Format::csv) {
             append(output.bytes, row->line.text);
@@ -308,8 +324,13 @@ void RowTransformer::write_row(Row& row, Output& output) {
         tell_notes(row, output);
     }
     const bool is_ours = row.number > 0; // else there is nothing but an error of the reference
-    if (is_ours && options_->input.width > 0 && layout_->has_other_fields() && options_->format != Format::result) {
+    const bool writes_fields = layout_->has_other_fields() && options_->format != Format::result;
+    if (is_ours && writes_fields && options_->input.width > 0) {
         make_fields(row); // and other text
+    } else if (writes_fields && row.is_scanned()) {
+        row.first_field = parts_.fields.size();
+        static_cast<void>(layout_->delimiter.split(given, parts_.fields));
+        row.field_count = parts_.fields.size() - row.first_field;
     }
     if (options_->writes_partners()) {
         find_partner(row, given);
@@ -436,7 +457,7 @@ void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, s
 
 std::span<const double> RowTransformer::numbers_of(const Row& row) const noexcept {
     const std::size_t size = parts_.numbers.size() / lines_.size();
-    return std::span(parts_.numbers).subspan(row.index * size, size);
+    return std::span<const double>(parts_.numbers).subspan(row.index * size, size);
 }
 
 double RowTransformer::last_place_of(const Row& row, bool of_reference) {

@@ -38,12 +38,16 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
             figure_of(*row.report, DiagnosticKind::normalized)};
 }
 
+std::string_view without_trailing_blanks(std::string_view row, char delimiter) noexcept {
+    return row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1);
+}
+
 /// The fields that are not replaced, with the result in its place, or at the end of the row less trailing blanks.
 template <class WriteResult> void write_fields(Buffer& to, const Layout& layout, std::string_view row,
                                                std::span<const std::string_view> fields, char delimiter,
                                                const WriteResult& write_result) {
     if (layout.appends) {
-        append(to, row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1));
+        append(to, without_trailing_blanks(row, delimiter));
         to.push_back(delimiter);
         write_result();
         return;
@@ -128,6 +132,8 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
         open_end_text_ = text_of(open_end_);
         closed_end_text_ = text_of(spec->positive ? 0.0 : half_turn);
     }
+    writes_results_alone_ = options.format == Format::csv && !options.diagnostic_columns && !options.pairing &&
+                            options.operation->answers.empty() && std::isinf(open_end_);
     for (const std::string_view name : result_columns(options)) {
         Buffer key;
         append_json_string(key, name);
@@ -143,6 +149,29 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
     case Format::pretty: write_pretty(to, row); break;
     case Format::f64: write_f64(to, row); break;
     case Format::result: append_bytes(to, row.result); break;
+    }
+}
+
+void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result) const {
+    const char delimiter = layout_->delimiter.text();
+    std::string_view before(line.text.data(), numbers.data());
+    const char* const end = line.text.data() + line.text.size() + line.end.size();
+    std::string_view after(numbers.data() + numbers.size(), end);
+    if (layout_->appends) {
+        before = without_trailing_blanks(line.text, delimiter);
+        after = line.end;
+    }
+    const std::size_t size = to.size();
+    to.reserve(size + before.size() + 1 + room_for(result.size(), options_->digits) + after.size());
+    char* at = std::ranges::copy(before, to.data() + size).out;
+    if (layout_->appends) {
+        *at++ = delimiter;
+    }
+    at = write_numbers(at, result, delimiter, options_->digits);
+    at = std::ranges::copy(after, at).out;
+    to.resize(static_cast<std::size_t>(at - to.data()));
+    if (line.end.empty()) {
+        append(to, layout_->line_end);
     }
 }
 

@@ -41,6 +41,11 @@ public:
     RowWriter(const Options& options, const Layout& layout);
 
     void write(Buffer& to, const ConvertedRow& row) const;
+    /// A row without other columns of the output than the result's, which stands in the place of `numbers` in the line,
+    /// or at its end.
+    void write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result) const;
+    /// Whether such rows are all that is written where there is no failure.
+    [[nodiscard]] bool writes_results_alone() const noexcept { return writes_results_alone_; }
 
 private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
@@ -63,6 +68,7 @@ private:
     double half_a_digit_ = 0.0;                                 ///< the last that is printed of it
     std::string open_end_text_;                                 ///< as it would be printed...
     std::string closed_end_text_;                               ///< ...and the other end, which is
+    bool writes_results_alone_;
 };
 
 /// What a diagnostic of the row says beside its kind.

@@ -76,3 +76,32 @@ TEST_CASE("names in the SPEC's order are taken, and so are others") {
     CHECK(run("-f quat -t quat --columns x,y,z,w", "x,y,z,w\n1,0,0,0\n").exit_code == 0);
     CHECK(run("-f quat -t quat --columns qx,qy,qz,4", "qx,qy,qz,qw\n1,0,0,0\n").exit_code == 0);
 }
+
+TEST_CASE("numbers that are scanned where they stand come out as those whose fields are split") {
+    // Catches a field or a line end that is lost around them. The numbers of the second row of each pair have a blank,
+    // or quotes, so that its fields are split.
+    struct Case {
+        const char* options;
+        const char* row;
+        const char* split;
+        const char* out;
+    };
+    for (const Case& c :
+         {Case{"--columns 2-5", "a,1,0,0,0,b c", "a,1, 0,0,0,b c", "a,0,0,0,1,b c"},
+          Case{"--columns 2-5", "a b , 1,0,0,0", "a b , 1,0,0,0 ", "a b ,0,0,0,1"},
+          Case{"--columns 2-5", ",1,0,0,0,,", ",\"1\",0,0,0,,", ",0,0,0,1,,"},
+          Case{"--columns 4,3,2,1", "0,0,0,1,\t", "0,0,0,1 ,\t", "0,0,0,1,\t"},
+          Case{"--columns 2-5", "a\t1\t0\t0\t0\tb ", "a\t1\t0 \t0\t0\tb ", "a\t0\t0\t0\t1\tb "},
+          Case{"--columns 2-5", "a 1 0 0 0", " a  1 0 0 0 ", "a 0 0 0 1"},
+          Case{"--columns 2-5", "a 1 0 0 0 b", "a  1 0 0 0 b ", "a 0 0 0 1 b"},
+          Case{"--append", "1,0,0,0", "1,0,0,\"0\"", nullptr}, Case{"--append", "1 0 0 0", "1  0 0 0", nullptr}}) {
+        INFO(c.options << ' ' << c.row);
+        for (const std::string end : {"\n", "\r\n", ""}) {
+            for (const std::string row : {c.row, c.split}) {
+                const std::string appended = row + (row.find(',') == std::string::npos ? " 0 0 0 1" : ",0,0,0,1");
+                CHECK(run(reorder + c.options, row + end).out ==
+                      (c.out == nullptr ? appended : c.out) + (end.empty() ? "\n" : end));
+            }
+        }
+    }
+}
