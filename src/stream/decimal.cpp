@@ -1,5 +1,6 @@
 #include "decimal.hpp"
 
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -15,8 +16,12 @@ constexpr std::int64_t largest_power = 1'000'000'000'000'000'000;
 /// More digits than the longest number halfway between two doubles (767).
 constexpr std::int64_t widest_gap = 800;
 
-bool are_digits(std::string_view text) noexcept {
-    return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+std::string_view leading_digits(std::string_view text) noexcept {
+    std::size_t count = 0;
+    while (count < text.size() && text[count] >= '0' && text[count] <= '9') {
+        ++count;
+    }
+    return text.substr(0, count);
 }
 
 /// The number after the e; nothing where there is none.
@@ -33,6 +38,18 @@ std::optional<std::int64_t> read_power(std::string_view text) noexcept {
     return std::clamp(power, -largest_power, largest_power);
 }
 
+/// units times 10^power, rounded once; nothing where one of the two is no double.
+std::optional<double> exact_product(std::uint64_t units, std::int64_t power) noexcept {
+    constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    const auto size = static_cast<std::size_t>(std::abs(power));
+    if (units > std::uint64_t{1} << 53U || size >= powers.size()) {
+        return std::nullopt;
+    }
+    const auto whole = static_cast<double>(units);
+    return power < 0 ? whole / powers[size] : whole * powers[size];
+}
+
 } // namespace
 
 std::optional<Decimal> Decimal::parse(std::string_view text) {
@@ -42,18 +59,17 @@ std::optional<Decimal> Decimal::parse(std::string_view text) {
     if (number.negative_ || text.starts_with('+')) {
         text.remove_prefix(1);
     }
-    const auto* const mantissa_end = std::ranges::find_if(text, [](char c) { return c == 'e' || c == 'E'; });
-    const std::string_view mantissa(text.begin(), mantissa_end);
-    const std::string_view whole = mantissa.substr(0, mantissa.find('.'));
-    const std::string_view fraction = mantissa.substr(std::min(whole.size() + 1, mantissa.size()));
-    number.digits_.reserve(mantissa.size());
-    number.digits_.append(whole).append(fraction);
-    if (number.digits_.empty() || !are_digits(number.digits_)) {
+    const std::string_view whole = leading_digits(text);
+    text.remove_prefix(whole.size());
+    const std::string_view fraction = leading_digits(text.substr(text.starts_with('.') ? 1 : 0));
+    text.remove_prefix(fraction.size() + (text.starts_with('.') ? 1 : 0));
+    number.digits_.assign(whole).append(fraction);
+    if (number.digits_.empty()) {
         return std::nullopt;
     }
     number.point_ = static_cast<std::int64_t>(whole.size());
-    if (mantissa.size() < text.size()) {
-        const auto power = read_power(text.substr(mantissa.size() + 1));
+    if (!text.empty()) {
+        const auto power = text[0] == 'e' || text[0] == 'E' ? read_power(text.substr(1)) : std::nullopt;
         if (!power) {
             return std::nullopt;
         }
@@ -242,7 +258,39 @@ std::string Decimal::text() const {
     return negative_ ? "-" + text : text;
 }
 
+std::optional<std::uint64_t> Decimal::units(std::int64_t last) const noexcept {
+    constexpr std::int64_t most_digits = 19;
+    if (point_ - last > most_digits) {
+        return std::nullopt;
+    }
+    std::uint64_t units = 0;
+    for (const char digit : digits_) {
+        units = 10 * units + static_cast<std::uint64_t>(digit - '0');
+    }
+    for (std::int64_t place = end(); place > last; --place) {
+        units *= 10;
+    }
+    return units;
+}
+
+double Decimal::difference(const Decimal& a, const Decimal& b, std::int64_t power) {
+    const std::int64_t last = std::min(a.end(), b.end());
+    const auto p = a.units(last);
+    const auto q = b.units(last);
+    if (p && q && a.negative_ == b.negative_) { // as nearly all times
+        const bool is_negative = a.negative_ ? *p > *q : *p < *q;
+        if (const auto size = exact_product(std::max(*p, *q) - std::min(*p, *q), last + power)) {
+            return is_negative ? -*size : *size;
+        }
+    }
+    return (a - b).rounded(power);
+}
+
 double Decimal::rounded(std::int64_t power) const {
+    const auto whole = units(end());
+    if (const auto size = whole ? exact_product(*whole, end() + power) : std::nullopt) {
+        return negative_ ? -*size : *size;
+    }
     const std::string text = (negative_ ? "-0." : "0.") + digits_ + "e" + std::to_string(point_ + power);
     double value = 0.0;
     if (!digits_.empty() && read_number(text, value) == NumberError::too_large) {

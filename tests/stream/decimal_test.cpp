@@ -26,7 +26,9 @@ Decimal decimal(const std::string& text) {
 }
 
 double difference(const std::string& a, const std::string& b, int power = 0) {
-    return (decimal(a) - decimal(b)).rounded(power);
+    const double found = (decimal(a) - decimal(b)).rounded(power);
+    CHECK(Decimal::difference(decimal(a), decimal(b), power) == found);
+    return found;
 }
 
 /// A number with up to `digits` digits on each side of the point, and its value.
