@@ -17,11 +17,7 @@ constexpr std::int64_t largest_power = 1'000'000'000'000'000'000;
 constexpr std::int64_t widest_gap = 800;
 
 std::string_view leading_digits(std::string_view text) noexcept {
-    std::size_t count = 0;
-    while (count < text.size() && text[count] >= '0' && text[count] <= '9') {
-        ++count;
-    }
-    return text.substr(0, count);
+    return {text.begin(), std::ranges::find_if_not(text, [](char c) { return c >= '0' && c <= '9'; })};
 }
 
 /// The number after the e; nothing where there is none.
@@ -36,18 +32,6 @@ std::optional<std::int64_t> read_power(std::string_view text) noexcept {
         return text.starts_with('-') ? -largest_power : largest_power;
     }
     return std::clamp(power, -largest_power, largest_power);
-}
-
-/// units times 10^power, rounded once; nothing where one of the two is no double.
-std::optional<double> exact_product(std::uint64_t units, std::int64_t power) noexcept {
-    constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    const auto size = static_cast<std::size_t>(std::abs(power));
-    if (units > std::uint64_t{1} << 53U || size >= powers.size()) {
-        return std::nullopt;
-    }
-    const auto whole = static_cast<double>(units);
-    return power < 0 ? whole / powers[size] : whole * powers[size];
 }
 
 } // namespace
@@ -258,44 +242,36 @@ std::string Decimal::text() const {
     return negative_ ? "-" + text : text;
 }
 
-std::optional<std::uint64_t> Decimal::units(std::int64_t last) const noexcept {
-    constexpr std::int64_t most_digits = 19;
-    if (point_ - last > most_digits) {
-        return std::nullopt;
-    }
-    std::uint64_t units = 0;
-    for (const char digit : digits_) {
-        units = 10 * units + static_cast<std::uint64_t>(digit - '0');
-    }
-    for (std::int64_t place = end(); place > last; --place) {
-        units *= 10;
-    }
-    return units;
-}
-
 double Decimal::difference(const Decimal& a, const Decimal& b, std::int64_t power) {
+    constexpr std::int64_t most_digits = 19;
+    constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22}; // all exact
     const std::int64_t last = std::min(a.end(), b.end());
-    const auto p = a.units(last);
-    const auto q = b.units(last);
-    if (p && q && a.negative_ == b.negative_) { // as nearly all times
-        const bool is_negative = a.negative_ ? *p > *q : *p < *q;
-        if (const auto size = exact_product(std::max(*p, *q) - std::min(*p, *q), last + power)) {
-            return is_negative ? -*size : *size;
+    const auto shift = static_cast<std::size_t>(std::abs(last + power));
+    if (std::max(a.point_, b.point_) - last <= most_digits && a.negative_ == b.negative_ && shift < powers.size()) {
+        const auto units_of = [last](const Decimal& number) {
+            std::uint64_t units = 0;
+            for (const char digit : number.digits_) {
+                units = 10 * units + static_cast<std::uint64_t>(digit - '0');
+            }
+            for (std::int64_t place = number.end(); place > last; --place) {
+                units *= 10;
+            }
+            return units;
+        };
+        const auto units = static_cast<std::int64_t>(units_of(a) - units_of(b));
+        if (constexpr std::int64_t most = std::int64_t{1} << 53U; units >= -most && units <= most) {
+            const auto whole = static_cast<double>(a.negative_ ? -units : units);
+            return last + power < 0 ? whole / powers[shift] : whole * powers[shift];
         }
     }
-    return (a - b).rounded(power);
-}
-
-double Decimal::rounded(std::int64_t power) const {
-    const auto whole = units(end());
-    if (const auto size = whole ? exact_product(*whole, end() + power) : std::nullopt) {
-        return negative_ ? -*size : *size;
-    }
-    const std::string text = (negative_ ? "-0." : "0.") + digits_ + "e" + std::to_string(point_ + power);
+    const Decimal exact = a - b;
+    const std::string text =
+        (exact.negative_ ? "-0." : "0.") + exact.digits_ + "e" + std::to_string(exact.point_ + power);
     double value = 0.0;
-    if (!digits_.empty() && read_number(text, value) == NumberError::too_large) {
+    if (!exact.digits_.empty() && read_number(text, value) == NumberError::too_large) {
         value = std::numeric_limits<double>::infinity();
-        value = negative_ ? -value : value;
+        value = exact.negative_ ? -value : value;
     }
     return value;
 }

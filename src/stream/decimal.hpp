@@ -37,8 +37,8 @@ public:
     /// This times 10^power.
     [[nodiscard]] Decimal scaled(std::int64_t power) const;
     /// The double nearest to this times 10^power; infinite where that is too large.
-    [[nodiscard]] double rounded(std::int64_t power = 0) const;
-    /// a - b times 10^power, rounded once.
+    [[nodiscard]] double rounded(std::int64_t power = 0) const { return difference(*this, {}, power); }
+    /// The same of a - b.
     [[nodiscard]] static double difference(const Decimal& a, const Decimal& b, std::int64_t power);
     /// a / b, where |a| <= |b|, rounded once if both differ from whole numbers of up to 15 digits by one power of ten,
     /// otherwise three times.
@@ -53,9 +53,6 @@ private:
     static std::strong_ordering compare_magnitudes(const Decimal& a, const Decimal& b) noexcept;
     /// The place after the last digit.
     [[nodiscard]] std::int64_t end() const noexcept { return point_ - static_cast<std::int64_t>(digits_.size()); }
-    /// The digits as a whole number of 10^last; nothing where it has more than 19 digits.
-    /// @pre last <= end()
-    [[nodiscard]] std::optional<std::uint64_t> units(std::int64_t last) const noexcept;
     void strip();
 
     bool negative_ = false;

@@ -50,22 +50,21 @@ void PairReader::Side::find_key(Waiting& row) {
     parts.clear();
     const auto key_text = reader.key(row.line.text, parts);
     auto key = key_text ? reader.key_of(*key_text) : Time();
-    if (!key_text) {
-        row.error = std::make_unique<RowError>(std::move(parts.error));
-    } else if (key.error != TimeError::none) {
+    if (key_text && key.error != TimeError::none) {
         const bool is_near = key.error != TimeError::not_a_time;
-        row.error =
-            std::make_unique<RowError>(RowError{.what = is_near ? RowError::What::time : RowError::What::not_a_number,
-                                                .text = *key_text,
-                                                .time = key.error});
-    } else if (newest && key.value <= *newest) {
-        row.error = std::make_unique<RowError>(RowError{.what = RowError::What::key_order, .text = *key_text});
-    } else {
+        parts.error = {.what = is_near ? RowError::What::time : RowError::What::not_a_number,
+                       .text = *key_text,
+                       .time = key.error};
+    } else if (key_text && newest && key.value <= *newest) {
+        parts.error = {.what = RowError::What::key_order, .text = *key_text};
+    } else if (key_text) {
         newest = row.key = std::move(key.value);
         if (!oldest) {
             oldest = newest;
         }
+        return;
     }
+    row.error = std::make_unique<RowError>(std::move(parts.error));
 }
 
 PairReader::At PairReader::Side::look(std::size_t ahead) {
