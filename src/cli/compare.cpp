@@ -205,11 +205,13 @@ private:
 
     [[nodiscard]] std::string fault_of_p95() const {
         const std::size_t pairs = watch_->pairs();
+        if (watch_->beyond() * 100 <= pairs * 5) {
+            return {};
+        }
         const std::string figure =
             angles_.count() == 0 ? "" : check_.angle_in_unit_of(check_.within_p95, angles_.percentile(95.0)) + " ";
-        return watch_->beyond() * 100 > pairs * 5 ? fmt::format("p95 {}is beyond {}, {} of {} rows", figure,
-                                                                check_.within_p95.text, watch_->beyond(), pairs)
-                                                  : std::string();
+        return fmt::format("p95 {}is beyond {}, {} of {} rows", figure, check_.within_p95.text, watch_->beyond(),
+                           pairs);
     }
 
     /// What does not hold; empty if all does.

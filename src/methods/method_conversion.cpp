@@ -9,7 +9,9 @@
 
 #include <rotconv/angle.hpp>
 
-#include "../core/representations/codec.hpp"
+#include "../core/input_batch.hpp"
+#include "../core/kernels.hpp"
+#include "../core/representations/half_turn.hpp"
 #include "formulas.hpp"
 
 namespace rotconv {
@@ -67,8 +69,7 @@ void put_in_range(const Spec& to, double* angles) noexcept {
 MethodConversion::MethodConversion(const Conversion& own)
     : own_(own), turned_(own.settings().left || own.settings().right
                              ? std::optional(Conversion(own.from(), Spec{}, turns_of(own.settings())))
-                             : std::nullopt),
-      comparison_(turned_ ? Spec{} : own.from(), own.to(), {.reading = {.tolerance = any_defect}}) {}
+                             : std::nullopt) {}
 
 MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
     if (!method.serves(from().name, to().name) || method.run == nullptr) {
@@ -100,50 +101,57 @@ std::vector<std::string_view> MethodConversion::names() const {
 }
 
 void MethodConversion::run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
-                           std::vector<RowReport>& reports) const {
+                           std::vector<RowReport>& reports, bool with_angles) const {
+    const std::size_t size = to().size();
     const std::size_t rows = in.size() / from().size();
-    std::vector<double> own_numbers(rows * to().size());
+    const std::size_t count = published_.size() + (fast_ ? 2 : 0);
+    std::vector<double> numbers((published_.size() + 2) * rows * size); // of own_, of fast_, of each method
+    const auto numbers_of = [&](std::size_t i) { return std::span(numbers).subspan(i * rows * size, rows * size); };
     std::vector<RowReport> own;
-    own_.run(in, own_numbers, own);
-
-    std::vector<std::vector<double>> answers;
     if (fast_) {
-        answers = {own_numbers, rotconv::run(*fast_, in)};
+        fast_->run(in, numbers_of(1), own);
     }
-    const auto numbers = published_.empty() ? std::vector<double>() : starting_numbers(in);
-    for (const Method* method : published_) {
-        answers.push_back(answers_of(*method, numbers));
+    own_.run(in, numbers_of(0), own);
+    if (!published_.empty()) {
+        const auto starting = starting_numbers(in);
+        std::vector<double> room(rows * size);
+        for (std::size_t i = 0; i < published_.size(); ++i) {
+            answer(*published_[i], starting, room, numbers_of(2 + i));
+        }
     }
+    const auto answers = std::span<const double>(numbers).subspan((fast_ ? 0 : 2) * rows * size);
+    angles.resize(rows * count);
     const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
-    std::vector<std::vector<double>> found; // the angle of each answer
-    for (const auto& answer : answers) {
-        found.push_back(angles_of(turned_ ? std::span<const double>(turned) : in, answer));
-    }
+    measure(turned_ ? turned : in, answers, count, angles);
 
-    angles.assign(rows * answers.size(), not_a_number);
     reports.clear();
     for (std::size_t i = 0, next = 0; i < rows; ++i) {
+        static constexpr RowReport nothing{};
         const bool is_reported = next < own.size() && own[next].row == i;
-        const RowReport of_row = is_reported ? own[next++] : RowReport{};
-        const bool is_infinite = of_row.diagnostics.has(DiagnosticKind::infinite);
-        const auto numbers_of = [&, size = to().size()](std::span<const double> all) {
-            return all.subspan(i * size, size);
-        };
-        for (std::size_t a = 0; a < answers.size(); ++a) {
-            const std::size_t at = i * answers.size() + a;
-            const auto written = out.subspan(at * to().size(), to().size());
-            RowReport report = of_row;
-            report.row = at;
-            if (report.error != Error::none) {
-                std::ranges::fill(written, not_a_number);
+        const RowReport& of_row = is_reported ? own[next++] : nothing;
+        for (std::size_t a = 0; a < count; ++a) {
+            const std::size_t at = i * count + a;
+            double* const written = out.data() + at * (size + (with_angles ? 1 : 0));
+            bool is_wrong = false;
+            if (of_row.error != Error::none) {
+                std::fill_n(written, size, not_a_number);
+                angles[at] = not_a_number;
             } else {
-                std::ranges::copy(numbers_of(answers[a]), written.begin());
-                angles[at] = is_infinite && std::ranges::equal(written, numbers_of(own_numbers)) ? 0.0 : found[a][i];
-                report.diagnostics |= {DiagnosticKind::method_error, !(angles[at] <= reported_method_error)};
+                std::copy_n(answers.data() + (a * rows + i) * size, size, written);
+                if (of_row.diagnostics.has(DiagnosticKind::infinite) &&
+                    std::equal(written, written + size, numbers.data() + i * size)) {
+                    angles[at] = 0.0;
+                }
+                is_wrong = !(angles[at] <= reported_method_error);
             }
-            report.deviation = angles[at];
-            if (is_reported || !report.diagnostics.empty()) {
-                reports.push_back(report);
+            if (with_angles) {
+                written[size] = angles[at];
+            }
+            if (is_reported || is_wrong) {
+                RowReport& report = reports.emplace_back(of_row);
+                report.row = at;
+                report.diagnostics |= {DiagnosticKind::method_error, is_wrong};
+                report.deviation = angles[at];
             }
         }
     }
@@ -168,42 +176,42 @@ std::vector<double> MethodConversion::starting_numbers(std::span<const double> i
     return numbers;
 }
 
-std::vector<double> MethodConversion::answers_of(const Method& method, std::span<const double> numbers) const {
+void MethodConversion::answer(const Method& method, std::span<const double> numbers, std::span<double> room,
+                              std::span<double> written) const {
     const std::size_t rows = numbers.size() / from().size();
-    std::vector<double> own(rows * to().size());
-    method.run(to().sequence, numbers.data(), rows, own.data());
+    method.run(to().sequence, numbers.data(), rows, room.data());
     if (to().unit == AngleUnit::degrees) {
-        std::ranges::for_each(own, [](double& v) { v *= degrees_per_radian; });
+        std::ranges::for_each(room, [](double& v) { v *= degrees_per_radian; });
     }
-    for (std::size_t i = 0; i < own.size(); i += to().size()) {
+    for (std::size_t i = 0; i < room.size(); i += to().size()) {
         if (to().sequence.has_signs() || to().positive) {
-            put_in_range(to(), own.data() + i);
+            put_in_range(to(), room.data() + i);
         } else if (to().name == RepresentationId::quat) {
-            make_sign_canonical(own.data() + i);
+            make_sign_canonical(room.data() + i);
         }
     }
-    std::vector<double> written(own.size());
-    to_written_order(to(), own.data(), rows, written.data());
-    return written;
+    to_written_order(to(), room.data(), rows, written.data());
 }
 
-std::vector<double> MethodConversion::angles_of(std::span<const double> attitudes,
-                                                std::span<const double> answers) const {
-    const std::size_t size = to().size();
-    const std::size_t rows = answers.size() / size;
-    const std::size_t attitude_size = comparison_.from().size();
-    std::vector<double> pairs;
-    pairs.reserve(attitudes.size() + answers.size());
-    for (std::size_t i = 0; i < rows; ++i) {
-        const auto attitude = attitudes.subspan(attitude_size * i, attitude_size);
-        const auto answer = answers.subspan(size * i, size);
-        pairs.insert(pairs.end(), attitude.begin(), attitude.end());
-        pairs.insert(pairs.end(), answer.begin(), answer.end());
+void MethodConversion::measure(std::span<const double> attitudes, std::span<const double> answers, std::size_t count,
+                               std::span<double> angles) const {
+    const KernelTable& kernels = kernel_table();
+    const Spec spec = turned_ ? Spec{} : from();
+    const std::size_t all = attitudes.size() / spec.size();
+    AttitudeBatch<double> turns;
+    for (std::size_t first = 0; first < all; first += batch_rows) {
+        const std::size_t rows = std::min(batch_rows, all - first);
+        InputBatch attitude(spec, attitudes.data() + first * spec.size(), rows);
+        kernels.read(spec, no_turns, attitude.own(), rows, attitude.attitudes);
+        for (std::size_t a = 0; a < count; ++a) {
+            InputBatch answer(to(), answers.data() + (a * all + first) * to().size(), rows);
+            kernels.read(to(), no_turns, answer.own(), rows, answer.attitudes);
+            kernels.relate(attitude.attitudes, answer.attitudes, Frame::body, rows, turns);
+            for (std::size_t i = 0; i < rows; ++i) {
+                angles[(first + i) * count + a] = turns.error[i] == Error::none ? angle_of(turns.at(i)) : not_a_number;
+            }
+        }
     }
-    std::vector<double> angles(rows);
-    std::vector<RowReport> reports;
-    comparison_.run(pairs, angles, reports);
-    return angles;
 }
 
 } // namespace rotconv

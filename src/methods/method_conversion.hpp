@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include <rotconv/comparison.hpp>
 #include <rotconv/conversion.hpp>
 
 #include "method.hpp"
@@ -32,8 +31,9 @@ public:
     /// the index. `angles` become those from the attitude to each answer, in radians and right to 5 eps, nan where the
     /// answer describes none or the row has an error; 0 where it is infinite as it should be. RowReport::deviation is
     /// the same.
+    /// @param with_angles each answer's stands in `out` too, behind its numbers
     void run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
-             std::vector<RowReport>& reports) const;
+             std::vector<RowReport>& reports, bool with_angles = false) const;
 
 private:
     explicit MethodConversion(const Conversion& own);
@@ -41,14 +41,15 @@ private:
     /// What published methods start from: numbers in the representation's own order, active, in radians, of the
     /// rotation that is to be written.
     [[nodiscard]] std::vector<double> starting_numbers(std::span<const double> in) const;
-    [[nodiscard]] std::vector<double> answers_of(const Method& method, std::span<const double> numbers) const;
-    /// `attitudes`: as comparison_ reads them.
-    [[nodiscard]] std::vector<double> angles_of(std::span<const double> attitudes,
-                                                std::span<const double> answers) const;
+    /// @param room for as many numbers as are written
+    void answer(const Method& method, std::span<const double> numbers, std::span<double> room,
+                std::span<double> written) const;
+    /// The angles from attitudes, given or turned, to `count` answers to all of them, one answer behind the other.
+    void measure(std::span<const double> attitudes, std::span<const double> answers, std::size_t count,
+                 std::span<double> angles) const;
 
     Conversion own_;
     std::optional<Conversion> turned_; ///< to quaternions, where own_ turns the attitudes
-    Comparison comparison_;            ///< of the attitude, as it is given or turned, and an answer
     std::optional<Conversion> fast_;   ///< the answer after own_'s, where all are wanted
     std::vector<const Method*> published_;
 };

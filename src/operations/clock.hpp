@@ -21,7 +21,7 @@ public:
         }
         if (text != nullptr) {
             next_text_ = stream::read_time(*text).value;
-            return (next_text_ - last_text_).rounded(power_);
+            return stream::Decimal::difference(next_text_, last_text_, power_);
         }
         next_ = time;
         return (next_ - last_) / per_second_;

@@ -247,8 +247,9 @@ public:
         const std::size_t width = names.size();
         const std::size_t compared_width = comparison_.outputs();
         const bool has_attitudes = comparison_.settings().attitudes;
-        compared_.resize(has_attitudes ? rows.lines.size() * compared_width : 0);
-        const std::span<double> compared = has_attitudes ? std::span(compared_) : out;
+        const std::size_t numbers = has_attitudes ? rows.lines.size() * compared_width : 0;
+        compared_.resize(std::max(compared_.size(), numbers)); // what is there is not cleared
+        const std::span<double> compared = has_attitudes ? std::span(compared_).first(numbers) : out;
         std::span<const double> attitudes = rows.numbers;
         if (between_) {
             between_->run(rows.numbers, compared, reports);

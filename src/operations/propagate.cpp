@@ -33,6 +33,7 @@ public:
     std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
                           std::vector<RowReport>& reports) override {
         answered_ = 0;
+        quaternions_.clear();
         reports.clear();
         while (pushed_.size() < rows.lines.size()) {
             const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
@@ -43,60 +44,66 @@ public:
                 clock_.accept();
             }
             pushed_.push_back(pushed.refused);
-            take(pushed.answer, out, reports);
+            take(pushed.answer, reports);
             if (stop_at_error_ && pushed.refused != Error::none) {
                 flush = true;
                 break;
             }
         }
         if (flush) {
-            take(propagator_.flush(), out, reports);
+            take(propagator_.flush(), reports);
         }
+        convert(out, reports);
         pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
         return answered_;
     }
 
 private:
     /// The answer belongs to the first row that was not refused and has no answer yet.
-    void take(const std::optional<Propagated>& answer, std::span<double> out, std::vector<RowReport>& reports) {
+    void take(const std::optional<Propagated>& answer, std::vector<RowReport>& reports) {
         report_refused(reports);
         if (answer) {
-            const std::size_t size = conversion_.to().size();
-            const auto rest = rest_of(out).subspan(is_continuous ? answered_ * size : 0, is_continuous ? size : 0);
-            write(*answer, out.subspan(answered_ * size, size), rest, reports);
-            ++answered_;
+            RowReport& report = reports.emplace_back(
+                RowReport{.row = answered_, .defect = answer->attitude.defect(), .deviation = answer->step_error});
+            report.error = ended_                                ? Error::ended
+                           : report.defect > settings_.tolerance ? Error::defect
+                                                                 : answer->attitude.error();
+            ended_ = report.error != Error::none;
+            report.diagnostics = {DiagnosticKind::normalized, !ended_ && report.defect > reported_defect};
+            report.diagnostics |= {DiagnosticKind::coarse_step, !ended_ && answer->step_error > reported_step_error};
+            add(ended_ ? Rotation() : *answer->attitude);
             report_refused(reports);
         }
     }
 
     void report_refused(std::vector<RowReport>& reports) {
-        for (; answered_ < pushed_.size() && pushed_[answered_] != Error::none; ++answered_) {
+        while (answered_ < pushed_.size() && pushed_[answered_] != Error::none) {
             reports.push_back({.row = answered_, .error = pushed_[answered_]});
+            add({});
         }
     }
 
-    void write(const Propagated& answer, std::span<double> out, std::span<double> rest,
-               std::vector<RowReport>& reports) {
-        RowReport& report = reports.emplace_back(
-            RowReport{.row = answered_, .defect = answer.attitude.defect(), .deviation = answer.step_error});
-        report.error = ended_                                ? Error::ended
-                       : report.defect > settings_.tolerance ? Error::defect
-                                                             : answer.attitude.error();
-        ended_ = report.error != Error::none;
-        if (ended_) {
-            return;
+    void add(const Rotation& answer) {
+        const Eigen::Quaterniond q = quaternion::from_rotation(answer);
+        quaternions_.insert(quaternions_.end(), {q.w(), q.x(), q.y(), q.z()});
+        ++answered_;
+    }
+
+    /// All that is answered, of which each row has a report; leaves those that say something.
+    void convert(std::span<double> out, std::vector<RowReport>& reports) {
+        const auto rest = rest_of(out);
+        conversion_.run(quaternions_, out, converted_, rest);
+        for (const RowReport& converted : converted_) {
+            RowReport& report = reports[converted.row];
+            if (report.error == Error::none) {
+                report.diagnostics |= converted.diagnostics;
+                report.sensitivity = converted.sensitivity;
+            }
         }
-        const Eigen::Quaterniond q = quaternion::from_rotation(*answer.attitude);
-        const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
-        conversion_.run(numbers, out, converted_, rest);
-        if (!converted_.empty()) {
-            report.diagnostics = converted_.front().diagnostics;
-            report.sensitivity = converted_.front().sensitivity;
-        }
-        report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
-        report.diagnostics |= {DiagnosticKind::coarse_step, answer.step_error > reported_step_error};
-        if (!settings_.sensitivity && report.diagnostics.empty()) {
-            reports.pop_back();
+        if (!settings_.sensitivity) {
+            std::erase_if(reports, [](const RowReport& report) {
+                return report.error == Error::none && report.diagnostics.empty();
+            });
         }
     }
 
@@ -107,9 +114,10 @@ private:
     bool ended_ = false; ///< an answer has failed: the attitude is lost
     Propagator propagator_;
     Conversion conversion_;
-    std::vector<RowReport> converted_; ///< of one row
-    std::vector<Error> pushed_;        ///< why each row that is pushed and not answered was refused
-    std::size_t answered_ = 0;         ///< of the rows at hand
+    std::vector<double> quaternions_; ///< of the rows answered, the identity of those with errors
+    std::vector<RowReport> converted_;
+    std::vector<Error> pushed_; ///< why each row that is pushed and not answered was refused
+    std::size_t answered_ = 0;  ///< of the rows at hand
 };
 
 } // namespace

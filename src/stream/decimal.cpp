@@ -1,5 +1,6 @@
 #include "decimal.hpp"
 
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -15,8 +16,8 @@ constexpr std::int64_t largest_power = 1'000'000'000'000'000'000;
 /// More digits than the longest number halfway between two doubles (767).
 constexpr std::int64_t widest_gap = 800;
 
-bool are_digits(std::string_view text) noexcept {
-    return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+std::string_view leading_digits(std::string_view text) noexcept {
+    return {text.begin(), std::ranges::find_if_not(text, [](char c) { return c >= '0' && c <= '9'; })};
 }
 
 /// The number after the e; nothing where there is none.
@@ -42,18 +43,17 @@ std::optional<Decimal> Decimal::parse(std::string_view text) {
     if (number.negative_ || text.starts_with('+')) {
         text.remove_prefix(1);
     }
-    const auto* const mantissa_end = std::ranges::find_if(text, [](char c) { return c == 'e' || c == 'E'; });
-    const std::string_view mantissa(text.begin(), mantissa_end);
-    const std::string_view whole = mantissa.substr(0, mantissa.find('.'));
-    const std::string_view fraction = mantissa.substr(std::min(whole.size() + 1, mantissa.size()));
-    number.digits_.reserve(mantissa.size());
-    number.digits_.append(whole).append(fraction);
-    if (number.digits_.empty() || !are_digits(number.digits_)) {
+    const std::string_view whole = leading_digits(text);
+    text.remove_prefix(whole.size());
+    const std::string_view fraction = leading_digits(text.substr(text.starts_with('.') ? 1 : 0));
+    text.remove_prefix(fraction.size() + (text.starts_with('.') ? 1 : 0));
+    number.digits_.assign(whole).append(fraction);
+    if (number.digits_.empty()) {
         return std::nullopt;
     }
     number.point_ = static_cast<std::int64_t>(whole.size());
-    if (mantissa.size() < text.size()) {
-        const auto power = read_power(text.substr(mantissa.size() + 1));
+    if (!text.empty()) {
+        const auto power = text[0] == 'e' || text[0] == 'E' ? read_power(text.substr(1)) : std::nullopt;
         if (!power) {
             return std::nullopt;
         }
@@ -242,12 +242,36 @@ std::string Decimal::text() const {
     return negative_ ? "-" + text : text;
 }
 
-double Decimal::rounded(std::int64_t power) const {
-    const std::string text = (negative_ ? "-0." : "0.") + digits_ + "e" + std::to_string(point_ + power);
+double Decimal::difference(const Decimal& a, const Decimal& b, std::int64_t power) {
+    constexpr std::int64_t most_digits = 19;
+    constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22}; // all exact
+    const std::int64_t last = std::min(a.end(), b.end());
+    const auto shift = static_cast<std::size_t>(std::abs(last + power));
+    if (std::max(a.point_, b.point_) - last <= most_digits && a.negative_ == b.negative_ && shift < powers.size()) {
+        const auto units_of = [last](const Decimal& number) {
+            std::uint64_t units = 0;
+            for (const char digit : number.digits_) {
+                units = 10 * units + static_cast<std::uint64_t>(digit - '0');
+            }
+            for (std::int64_t place = number.end(); place > last; --place) {
+                units *= 10;
+            }
+            return units;
+        };
+        const auto units = static_cast<std::int64_t>(units_of(a) - units_of(b));
+        if (constexpr std::int64_t most = std::int64_t{1} << 53U; units >= -most && units <= most) {
+            const auto whole = static_cast<double>(a.negative_ ? -units : units);
+            return last + power < 0 ? whole / powers[shift] : whole * powers[shift];
+        }
+    }
+    const Decimal exact = a - b;
+    const std::string text =
+        (exact.negative_ ? "-0." : "0.") + exact.digits_ + "e" + std::to_string(exact.point_ + power);
     double value = 0.0;
-    if (!digits_.empty() && read_number(text, value) == NumberError::too_large) {
+    if (!exact.digits_.empty() && read_number(text, value) == NumberError::too_large) {
         value = std::numeric_limits<double>::infinity();
-        value = negative_ ? -value : value;
+        value = exact.negative_ ? -value : value;
     }
     return value;
 }

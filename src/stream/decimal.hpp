@@ -37,7 +37,9 @@ public:
     /// This times 10^power.
     [[nodiscard]] Decimal scaled(std::int64_t power) const;
     /// The double nearest to this times 10^power; infinite where that is too large.
-    [[nodiscard]] double rounded(std::int64_t power = 0) const;
+    [[nodiscard]] double rounded(std::int64_t power = 0) const { return difference(*this, {}, power); }
+    /// The same of a - b.
+    [[nodiscard]] static double difference(const Decimal& a, const Decimal& b, std::int64_t power);
     /// a / b, where |a| <= |b|, rounded once if both differ from whole numbers of up to 15 digits by one power of ten,
     /// otherwise three times.
     [[nodiscard]] static double ratio(const Decimal& a, const Decimal& b) {

@@ -206,6 +206,10 @@ bool scan_whole(std::string_view text, double& value) noexcept {
 } // namespace
 
 std::string_view trimmed(std::string_view text) noexcept {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    if (!text.empty() && !is_blank(text.front()) && !is_blank(text.back())) {
+        return text; // as nearly all are
+    }
     const auto first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) {
         return {};

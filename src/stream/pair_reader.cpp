@@ -34,36 +34,37 @@ void PairReader::Side::read_block(Job& job) {
 }
 
 void PairReader::Side::take_line() {
-    Waiting next{.row = Row(next_row(rest, options->width), line++), .text = text};
-    Row& row = next.row;
-    row.passes = options->width == 0 && !options->is_row(row.line.text);
-    if (!row.passes && by_key) {
+    Waiting& next = waiting.emplace_back();
+    next.text = text;
+    next.number = line++;
+    next.line = next_row(rest, options->width);
+    next.passes = options->width == 0 && !options->is_row(next.line.text);
+    if (!next.passes && by_key) {
         find_key(next);
     }
     rows_waiting += next.has_key() ? 1U : 0U;
-    bytes_waiting += row.line.text.size();
-    waiting.push_back(std::move(next));
+    bytes_waiting += next.line.text.size();
 }
 
 void PairReader::Side::find_key(Waiting& row) {
     parts.clear();
-    const auto key_text = reader.key(row.row.line.text, parts);
+    const auto key_text = reader.key(row.line.text, parts);
     auto key = key_text ? reader.key_of(*key_text) : Time();
-    if (!key_text) {
-        row.error = std::move(parts.error);
-    } else if (key.error != TimeError::none) {
+    if (key_text && key.error != TimeError::none) {
         const bool is_near = key.error != TimeError::not_a_time;
-        row.error = RowError{.what = is_near ? RowError::What::time : RowError::What::not_a_number,
-                             .text = *key_text,
-                             .time = key.error};
-    } else if (newest && key.value <= *newest) {
-        row.error = RowError{.what = RowError::What::key_order, .text = *key_text};
-    } else {
+        parts.error = {.what = is_near ? RowError::What::time : RowError::What::not_a_number,
+                       .text = *key_text,
+                       .time = key.error};
+    } else if (key_text && newest && key.value <= *newest) {
+        parts.error = {.what = RowError::What::key_order, .text = *key_text};
+    } else if (key_text) {
         newest = row.key = std::move(key.value);
         if (!oldest) {
             oldest = newest;
         }
+        return;
     }
+    row.error = std::make_unique<RowError>(std::move(parts.error));
 }
 
 PairReader::At PairReader::Side::look(std::size_t ahead) {
@@ -82,15 +83,17 @@ PairReader::At PairReader::Side::look(std::size_t ahead) {
 void PairReader::Side::drop_row(bool is_paired) {
     Waiting& first = waiting.front();
     if (!is_paired && unpaired.rows++ == 0) {
-        unpaired.first_line = first.row.number;
+        unpaired.first_line = first.number;
     }
-    disposed = std::move(first.key);
+    if (by_key) {
+        disposed = std::move(first.key);
+    }
     drop_line();
     --rows_waiting;
 }
 
 void PairReader::Side::drop_line() {
-    bytes_waiting -= waiting.front().row.line.text.size();
+    bytes_waiting -= waiting.front().line.text.size();
     waiting.pop_front();
 }
 
@@ -133,19 +136,21 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
         }
         while (!side->waiting.empty() && !side->waiting.front().has_key()) {
             Waiting& first = side->waiting.front();
+            const std::size_t error = first.error ? pairs.errors.size() : Row::no_error;
             if (first.error) {
-                first.error->line = first.row.number;
+                first.error->line = first.number;
                 first.error->of_reference = of_reference;
-                first.row.error = pairs.errors.size();
-                pairs.errors.push_back(*std::move(first.error));
+                pairs.errors.push_back(std::move(*first.error));
             }
             if (!of_reference) {
-                pairs.rows.push_back(first.row);
+                Row& row = pairs.rows.emplace_back(first.line, first.number);
+                row.passes = first.passes;
+                row.error = error;
                 hold(pairs, first.text);
-            } else if (!first.row.passes) {
-                pairs.rows.emplace_back().error = first.row.error;
+            } else if (!first.passes) {
+                pairs.rows.emplace_back().error = error;
             }
-            pairs.bytes += first.row.line.text.size() + 1;
+            pairs.bytes += first.line.text.size() + 1;
             side->drop_line();
         }
     }
@@ -155,21 +160,20 @@ void PairReader::pair(Job& job, const Waiting* later) {
     const Waiting& first = rows_.waiting.front();
     const Waiting& other = references_.waiting.front();
     any_pair_ = true;
-    Row row = first.row;
-    row.reference = other.row.line.text;
-    row.reference_number = other.row.number;
+    Row& row = job.pairs.rows.emplace_back(first.line, first.number);
+    row.reference = other.line.text;
+    row.reference_number = other.number;
     if (later != nullptr) {
-        row.later = later->row.line.text;
-        row.later_number = later->row.number;
+        row.later = later->line.text;
+        row.later_number = later->number;
         row.fraction = Decimal::ratio(first.key - other.key, later->key - other.key);
     }
-    job.pairs.rows.push_back(row);
     job.pairs.bytes += row.line.text.size() + row.reference.size();
     hold(job.pairs, first.text);
     hold(job.pairs, other.text);
     if (later != nullptr) {
         hold(job.pairs, later->text);
-        job.pairs.bytes += later->row.line.text.size();
+        job.pairs.bytes += later->line.text.size();
     }
     rows_.drop_row(true);
     if (!pairing_->interpolates) {
@@ -178,9 +182,8 @@ void PairReader::pair(Job& job, const Waiting* later) {
 }
 
 void PairReader::give_up(const Side& side) {
-    error_ = StreamError{.what = StreamError::What::far_key,
-                         .line = side.waiting.front().row.number,
-                         .of_reference = &side == &references_};
+    error_ = StreamError{
+        .what = StreamError::What::far_key, .line = side.waiting.front().number, .of_reference = &side == &references_};
 }
 
 void PairReader::compare_distance(Decimal distance) {

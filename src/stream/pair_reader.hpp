@@ -39,12 +39,14 @@ public:
 private:
     /// A line that is read and not yet disposed of.
     struct Waiting {
-        Row row;
-        std::shared_ptr<const std::string> text; ///< in which it stands
+        std::shared_ptr<const std::string> text{}; ///< in which it stands
+        Line line{};
+        std::size_t number = 0;
+        bool passes = false;
         Decimal key{};
-        std::optional<RowError> error{}; ///< of the key
+        std::unique_ptr<RowError> error{}; ///< of the key
 
-        [[nodiscard]] bool has_key() const noexcept { return !row.passes && !error; }
+        [[nodiscard]] bool has_key() const noexcept { return !passes && !error; }
     };
 
     /// Whether a row is at hand.

@@ -303,6 +303,12 @@ double RowTransformer::norm_of(const Row& row, const RowReport& report) const {
 
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
+    const bool is_clean = rows_.size() == lines_.size() && reports_.empty() && !may_have_notes_;
+    if (is_clean && options_->format == Format::result) {
+        append_bytes(output.bytes, results_);
+        output.answered += rows_.size();
+        return;
+    }
     const std::size_t size = operation_->names.size();
     for (auto row = rows_.begin(); row != rows_.end() && !output.stopped; ++row) {
         const bool is_next = next_report_ < reports_.size() && reports_[next_report_].row == row->index;

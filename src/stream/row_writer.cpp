@@ -189,8 +189,15 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
 
 void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (std::isinf(open_end_) && options_->operation->answers.empty()) {
-        append_numbers(to, row.result, delimiter, options_->digits);
+    if (std::isinf(open_end_)) {
+        const std::size_t after_name = options_->operation->answers.empty() ? 0 : 1;
+        append_numbers(to, row.result.first(row.result.size() - after_name), delimiter, options_->digits);
+        if (after_name > 0) {
+            to.push_back(delimiter);
+            append(to, row.answer);
+            to.push_back(delimiter);
+            append_numbers(to, row.result.last(after_name), delimiter, options_->digits);
+        }
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             if (i > 0) {

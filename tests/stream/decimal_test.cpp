@@ -26,7 +26,9 @@ Decimal decimal(const std::string& text) {
 }
 
 double difference(const std::string& a, const std::string& b, int power = 0) {
-    return (decimal(a) - decimal(b)).rounded(power);
+    const double found = (decimal(a) - decimal(b)).rounded(power);
+    CHECK(Decimal::difference(decimal(a), decimal(b), power) == found);
+    return found;
 }
 
 /// A number with up to `digits` digits on each side of the point, and its value.
@@ -116,6 +118,7 @@ TEST_CASE("differences and order are those of rational arithmetic") {
         CHECK(is_nearest(found.rounded(3), exact * 1000));
         const Decimal left = decimal(a.text);
         const Decimal right = decimal(b.text);
+        CHECK(is_nearest(Decimal::difference(left, right, -3), exact / 1000));
         const Rational sum = 2 * a.value - b.value * (i % 3);
         const int sign = Decimal::sign_of_sum({{&left, 2}, {&right, -(i % 3)}});
         CHECK((sign > 0 ? 1 : sign < 0 ? -1 : 0) == sum.sign());

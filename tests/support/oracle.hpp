@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 
 #include <rotconv/rotation.hpp>
 #include <rotconv/spec.hpp>
@@ -16,7 +16,9 @@
 namespace oracle {
 
 template <unsigned digits> using Digits =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<digits>, boost::multiprecision::et_off>;
+    boost::multiprecision::number<
+        boost::multiprecision::mpfr_float_backend<digits, boost::multiprecision::allocate_stack>,
+        boost::multiprecision::et_off>;
 
 using Real = Digits<36>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;
