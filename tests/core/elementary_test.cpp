@@ -8,19 +8,17 @@
 #include <vector>
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "../../src/core/numerics/elementary.hpp"
 #include "catch.hpp"
+#include "oracle.hpp"
 
 namespace {
 
 namespace exact = rotconv;
 using rotconv::AngleUnit;
+using oracle::Digits;
 using rotconv::batch_rows;
-
-template <unsigned digits> using Number =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<digits>, boost::multiprecision::et_off>;
 
 template <class Value> Value half_turn(AngleUnit unit) {
     return unit == AngleUnit::degrees ? Value(180) : boost::math::constants::pi<Value>();
@@ -40,7 +38,7 @@ template <class Value> double error_bits(exact::DoubleDouble found, const Value&
 /// The worst of many angles.
 template <unsigned digits, class T = exact::DoubleDouble>
 double worst_of_sine_cosine(const std::vector<exact::DoubleDouble>& angles, AngleUnit unit) {
-    using Value = Number<digits>;
+    using Value = Digits<digits>;
     double worst = -1e9;
     for (std::size_t first = 0; first < angles.size(); first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, angles.size() - first);
@@ -79,7 +77,7 @@ double worst_of_sine_cosine(const std::vector<exact::DoubleDouble>& angles, Angl
 template <class T> struct Vector { T x, y; };
 
 template <unsigned digits, class T> double worst_of_angles(const std::vector<Vector<T>>& vectors, AngleUnit unit) {
-    using Value = Number<digits>;
+    using Value = Digits<digits>;
     double worst = -1e9;
     for (std::size_t first = 0; first < vectors.size(); first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, vectors.size() - first);
