@@ -49,7 +49,7 @@ ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, DoubleDouble /*scalar*
 ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, double /*scalar*/) noexcept {
     const double count = (angle.hi * 0x1.45f306dc9c883p+4 + rounding) - rounding;
     const DoubleDouble first = two_prod(count, step_parts[0]);
-    // both differences are exact, because all are multiples of 2^-57 where the count is not 0
+    // both differences are exact: where the count is not 0 all are multiples of 2^-58, and the rest is below 2^-5
     const double near = (angle.hi - first.hi) - first.lo;
     const DoubleDouble rest = sloppy_sum(DoubleDouble(near), two_prod(count, -step_parts[1]));
     return {count, fast_two_sum(rest.hi, rest.lo + (angle.lo + count * -step_parts[2]))};
