@@ -59,7 +59,7 @@ namespace dcm {
 
 // The rest is inline because it is short and often called.
 
-inline Dcm from_rotation(const Rotation& rotation) noexcept {
+[[gnu::always_inline]] inline Dcm from_rotation(const Rotation& rotation) noexcept {
     ROTCONV_NO_CONTRACTION
     const double w = rotation.w();
     const double x = rotation.x();

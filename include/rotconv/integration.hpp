@@ -79,7 +79,6 @@ private:
     using Numbers = Eigen::Matrix<double, 9, 1>; // unused ones are 0
 
     void runge_kutta(double h, std::span<const Eigen::Vector3d> rates) noexcept;
-    void turn_by(const Eigen::Vector3d& turn) noexcept;
     Error renormalise() noexcept;
 
     Spec spec_;

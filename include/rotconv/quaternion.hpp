@@ -53,12 +53,11 @@ inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexce
 }
 
 inline Eigen::Quaterniond from_rotation(const Rotation& rotation) noexcept {
-    const Rotation q = rotation.canonical();
-    const double squared_norm = q.squared_norm();
+    const double squared_norm = rotation.squared_norm();
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    const double norm = std::sqrt(squared_norm);
-    const double inverse = std::fabs(squared_norm - 1.0) <= rounding ? 1.0 : 1.0 / norm;
-    return {q.w() * inverse, q.x() * inverse, q.y() * inverse, q.z() * inverse};
+    const bool is_unit = std::fabs(squared_norm - 1.0) <= rounding;
+    const double factor = is_unit ? rotation.sign() : rotation.sign() / std::sqrt(squared_norm);
+    return {rotation.w() * factor, rotation.x() * factor, rotation.y() * factor, rotation.z() * factor};
 }
 
 } // namespace rotconv::quaternion

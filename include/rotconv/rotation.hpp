@@ -32,10 +32,7 @@ public:
         if (!(square > 0x1p-900 && square < 0x1p900)) [[unlikely]] {
             return scaled(w, x, y, z);
         }
-        // times 2^-n with 4^n <= |q|^2 < 4^(n + 1)
-        const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(square) >> 52U) - 1023;
-        const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - (exponent >> 1)) << 52U);
-        return {w * factor, x * factor, y * factor, z * factor};
+        return with_square(square, w, x, y, z);
     }
 
     /// The same for a quaternion with |q|^2 in [1/4, 4).
@@ -74,10 +71,11 @@ public:
 
     /// The composition, R_ref_body = R_ref_a * R_a_body. Worst error found: 3.63 eps, limit 4.25.
     friend Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
-        return from_components((a.w() * b.w() - a.x() * b.x()) - (a.y() * b.y() + a.z() * b.z()),
-                               (a.w() * b.x() + a.x() * b.w()) + (a.y() * b.z() - a.z() * b.y()),
-                               (a.w() * b.y() + a.y() * b.w()) + (a.z() * b.x() - a.x() * b.z()),
-                               (a.w() * b.z() + a.z() * b.w()) + (a.x() * b.y() - a.y() * b.x()));
+        const double w = (a.w() * b.w() - a.x() * b.x()) - (a.y() * b.y() + a.z() * b.z());
+        const double x = (a.w() * b.x() + a.x() * b.w()) + (a.y() * b.z() - a.z() * b.y());
+        const double y = (a.w() * b.y() + a.y() * b.w()) + (a.z() * b.x() - a.x() * b.z());
+        const double z = (a.w() * b.z() + a.z() * b.w()) + (a.x() * b.y() - a.y() * b.x());
+        return with_square((w * w + x * x) + (y * y + z * z), w, x, y, z); // in [1/16, 16)
     }
 
     /// Turns a vector: v_ref = R_ref_body * v_body = v + 2 (w u x v + u x (u x v))/|q|^2 with u = (x, y, z). Worst
@@ -90,6 +88,13 @@ public:
 
 private:
     Rotation(double w, double x, double y, double z) noexcept : q_{w, x, y, z} {}
+    /// Of a quaternion whose |q|^2, `square`, does not overflow and is not tiny.
+    static Rotation with_square(double square, double w, double x, double y, double z) noexcept {
+        // times 2^-n with 4^n <= |q|^2 < 4^(n + 1)
+        const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(square) >> 52U) - 1023;
+        const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - (exponent >> 1)) << 52U);
+        return {w * factor, x * factor, y * factor, z * factor};
+    }
     static Rotation scaled(double w, double x, double y, double z) noexcept;
 
     std::array<double, 4> q_{1.0, 0.0, 0.0, 0.0};

@@ -84,7 +84,7 @@ template <auto from_quat> Ways ways() {
             {{quat, rotvec}, each<4, from_quat, 3, to_rotvec>}, {{quat, euler}, each<4, from_quat, 3, to_euler>},
             {{rotvec, dcm}, each<3, from_rotvec, 9, to_dcm>},   {{cayley, dcm}, each<3, from_cayley, 9, to_dcm>},
             {{euler, dcm}, each<3, from_euler, 9, to_dcm>},     {{dcm, euler}, each<9, as_it_is, 3, to_euler>},
-            {{rotvec, quat}, each<3, from_rotvec, 4, to_quat>}};
+            {{rotvec, quat}, each<3, from_rotvec, 4, to_quat>}, {{euler, quat}, each<3, from_euler, 4, to_quat>}};
 }
 
 } // namespace by_eigen
@@ -114,7 +114,8 @@ Ways ways() {
             {{quat, rotvec}, each<4, from_quat, 3, to_rotvec>}, {{quat, euler}, each<4, from_quat, 3, to_euler>},
             {{rotvec, dcm}, each<3, from_rotvec, 9, to_dcm>},   {{cayley, dcm}, each<3, from_cayley, 9, to_dcm>},
             {{euler, dcm}, each<3, from_euler, 9, to_dcm>},     {{dcm, euler}, each<9, from_dcm, 3, to_euler>},
-            {{rotvec, quat}, each<3, from_rotvec, 4, to_quat>}, {{two_column, dcm}, each<6, from_6d, 9, to_dcm>}};
+            {{rotvec, quat}, each<3, from_rotvec, 4, to_quat>}, {{euler, quat}, each<3, from_euler, 4, to_quat>},
+            {{two_column, dcm}, each<6, from_6d, 9, to_dcm>}};
 }
 
 } // namespace typed

@@ -80,6 +80,7 @@ std::vector<Pair> pairs() {
         found.push_back(pair_of(from, RepresentationId::dcm));
         found.back().ways.push_back({"default", nullptr, nullptr});
     }
+    found.push_back(pair_of(RepresentationId::euler, RepresentationId::quat));
     return found;
 }
 

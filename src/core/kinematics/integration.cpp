@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <rotconv/quaternion.hpp>
 #include <rotconv/rates.hpp>
 
 #include "../numerics/elementary.hpp"
@@ -42,6 +43,27 @@ Vector3d magnus6(double h, std::span<const Vector3d> w) noexcept {
     const Vector3d c1 = commutator(a1, a2);
     const Vector3d c2 = commutator(a1, 2.0 * a3 + c1) / -60.0;
     return a1 + a3 / 12.0 + commutator(-20.0 * a1 - a3 + c1, a2 + c2) / 240.0;
+}
+
+/// Without reduction where there is nothing to reduce, to the same bits.
+SineCosine<double> sine_cosine_of_step(double half) noexcept {
+    if (half > least_reduced_angle) {
+        return sine_cosine<double>(half, AngleUnit::radians);
+    }
+    const SmallAngle small(half);
+    return {half + small.sine_rest, 1.0 + small.cosine_less_1};
+}
+
+/// The quaternion at the beginning of the numbers, turned.
+void turn_by(const Vector3d& turn, Eigen::Matrix<double, 9, 1>& numbers) noexcept {
+    const double half = 0.5 * turn.norm();
+    const auto sides = sine_cosine_of_step(half);
+    const double w = sides.cosine;
+    const Vector3d v = (half == 0.0 ? 0.5 : 0.5 * (sides.sine / half)) * turn;
+    const Vector3d kept = numbers.segment<3>(1);
+    const double kept_w = numbers[0];
+    numbers[0] = kept_w * w - kept.dot(v);
+    numbers.segment<3>(1) = kept_w * v + w * kept + kept.cross(v);
 }
 
 /// The greatest rate in a step: at its nodes, or at its ends as the rates at the outer nodes and the one between them
@@ -113,15 +135,15 @@ Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
         return error_ = Error::singular;
     }
     stretch_ = reach / std::min(1.0, distance);
-    switch (integrator_) {
-    case Integrator::rk4: runge_kutta(h, rates); break;
-    case Integrator::magnus4: turn_by(magnus4(h, rates)); break;
-    case Integrator::magnus6: turn_by(magnus6(h, rates)); break;
+    if (integrator_ == Integrator::rk4) {
+        runge_kutta(h, rates);
+    } else {
+        turn_by(integrator_ == Integrator::magnus4 ? magnus4(h, rates) : magnus6(h, rates), numbers_);
     }
     if (codec.switch_chart != nullptr) {
         codec.switch_chart(numbers_.data());
     }
-    if (!numbers_.allFinite()) {
+    if ((numbers_ - numbers_).sum() != 0.0) { // or nan
         return error_ = Error::not_finite;
     }
     if (!(codec.distance(spec_, numbers_.data()) > 0.0)) {
@@ -146,17 +168,6 @@ void Stepper::runge_kutta(double h, std::span<const Vector3d> rates) noexcept {
     numbers_ += (h / 6.0) * ((first + fourth) + 2.0 * (second + third));
 }
 
-void Stepper::turn_by(const Vector3d& turn) noexcept {
-    const double half = 0.5 * turn.norm();
-    const auto sides = sine_cosine<double>(half, AngleUnit::radians);
-    const double w = sides.cosine;
-    const Vector3d v = (half == 0.0 ? 0.5 : 0.5 * (sides.sine / half)) * turn;
-    const Vector3d kept = numbers_.segment<3>(1);
-    const double kept_w = numbers_[0];
-    numbers_[0] = kept_w * w - kept.dot(v);
-    numbers_.segment<3>(1) = kept_w * v + w * kept + kept.cross(v);
-}
-
 Error Stepper::renormalise() noexcept {
     const Reading reading = read_row(spec_, numbers_.data());
     if (reading) {
@@ -170,7 +181,9 @@ Reading Stepper::attitude() const noexcept {
         return error_;
     }
     const Codec& codec = codec_of(spec_.name);
-    const Reading reading = read_row(spec_, numbers_.data());
+    const Reading reading = spec_.name == RepresentationId::quat // most often, and quicker
+                                ? quaternion::to_rotation({numbers_[0], numbers_[1], numbers_[2], numbers_[3]})
+                                : read_row(spec_, numbers_.data());
     if (!reading) {
         return reading;
     }

@@ -32,9 +32,11 @@ double angle_between(const Stepper& a, const Stepper& b) noexcept {
 /// The polynomial through up to four points, in Newton's form.
 class Polynomial {
 public:
+    explicit Polynomial(const Vector3d& at_0) noexcept { factors_[0] = at_0; }
+
     void pass_through(double t, const Vector3d& value) noexcept {
-        double product = 1.0;
-        for (std::size_t i = 0; i < count_; ++i) {
+        double product = t;
+        for (std::size_t i = 1; i < count_; ++i) {
             product *= t - at_[i];
         }
         factors_[count_] = (value - (*this)(t)) / product;
@@ -42,8 +44,8 @@ public:
     }
 
     Vector3d operator()(double t) const noexcept {
-        Vector3d value = Vector3d::Zero();
-        for (std::size_t i = count_; i > 0; --i) {
+        Vector3d value = factors_[count_ - 1];
+        for (std::size_t i = count_ - 1; i > 0; --i) {
             value = factors_[i - 1] + (t - at_[i - 1]) * value;
         }
         return value;
@@ -52,7 +54,7 @@ public:
 private:
     std::array<double, 4> at_{};
     std::array<Vector3d, 4> factors_;
-    std::size_t count_ = 0;
+    std::size_t count_ = 1;
 };
 
 } // namespace
@@ -66,29 +68,35 @@ Propagator::Propagator(const PropagationSettings& settings)
 }
 
 PushResult Propagator::push(double interval, const Vector3d& omega) noexcept {
+    PushResult result; // the only one, which is not copied
     if (std::isnan(interval) || !omega.allFinite()) {
-        return {.refused = Error::not_finite, .answer = {}};
+        result.refused = Error::not_finite;
+        return result;
     }
     if (count_ > 0 && interval < least_interval) {
-        return {.refused = Error::time_order, .answer = {}};
+        result.refused = Error::time_order;
+        return result;
     }
     samples_[count_++] = {interval, omega};
     const std::size_t late = settings_.interpolation == Interpolation::cubic ? 1 : 0;
     if (count_ <= late) {
-        return {};
+        return result;
     }
     const std::size_t answered = count_ - 1 - late;
-    std::optional<Propagated> answer;
     if (!std::exchange(flushed_, false)) {
         if (answered > 0) {
             advance(answered - 1);
         }
-        answer = {stepper_.attitude(), step_error_};
+        struct Made { // in its place, where a copy would have to wait for it
+            const Propagator& of;
+            operator Propagated() const noexcept { return {of.stepper_.attitude(), of.step_error_}; }
+        };
+        result.answer.emplace(Made{*this});
     }
     if (count_ == 2 * (late + 1)) {
         std::shift_left(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(count_--), 1);
     }
-    return {.refused = Error::none, .answer = answer};
+    return result;
 }
 
 std::optional<Propagated> Propagator::flush() noexcept {
@@ -105,8 +113,7 @@ std::optional<Propagated> Propagator::flush() noexcept {
 void Propagator::advance(std::size_t from) noexcept {
     const Sample& start = samples_[from];
     const Sample& end = samples_[from + 1];
-    Polynomial omega;
-    omega.pass_through(0.0, start.omega);
+    Polynomial omega(start.omega);
     omega.pass_through(end.interval, end.omega);
     if (from > 0) {
         omega.pass_through(-start.interval, samples_[from - 1].omega);

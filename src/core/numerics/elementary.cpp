@@ -49,8 +49,9 @@ ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, DoubleDouble /*scalar*
 ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, double /*scalar*/) noexcept {
     const double count = (angle.hi * 0x1.45f306dc9c883p+4 + rounding) - rounding;
     const DoubleDouble first = two_prod(count, step_parts[0]);
-    const DoubleDouble near = two_sum(angle.hi - first.hi, -first.lo);
-    const DoubleDouble rest = sloppy_sum(near, two_prod(count, -step_parts[1]));
+    // both differences are exact: where the count is not 0 all are multiples of 2^-58, and the rest is below 2^-5
+    const double near = (angle.hi - first.hi) - first.lo;
+    const DoubleDouble rest = sloppy_sum(DoubleDouble(near), two_prod(count, -step_parts[1]));
     return {count, fast_two_sum(rest.hi, rest.lo + (angle.lo + count * -step_parts[2]))};
 }
 
@@ -150,10 +151,9 @@ ROTCONV_INLINE SineCosine<DoubleDouble> turned(const SineCosine<DoubleDouble>& s
 ROTCONV_INLINE SineCosine<double> turned(const SineCosine<DoubleDouble>& steps, DoubleDouble rest,
                                          double /*scalar*/) noexcept {
     const double r = rest.hi;
-    const double s = r * r;
-    const double beyond =
-        rest.lo + r * s * (-0x1.5555555555555p-3 + s * (0x1.1111111111111p-7 + s * -0x1.a01a01a01a01ap-13));
-    const double less = s * (-0.5 + s * (0x1.5555555555555p-5 + s * -0x1.6c16c16c16c17p-10));
+    const SmallAngle small(r);
+    const double beyond = rest.lo + small.sine_rest;
+    const double less = small.cosine_less_1;
     const double sine = steps.sine.hi;
     const double cosine = steps.cosine.hi;
     return {sine + (cosine * r + (steps.sine.lo + (cosine * beyond + sine * less))),

@@ -37,6 +37,20 @@ template <class T> [[nodiscard]] SineCosine<T> sine_cosine(DoubleDouble angle, A
 template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::size_t rows, AngleUnit unit,
                                     Column<T>& cosines, Column<T>& sines) noexcept;
 
+/// Above this angle in radians sine_cosine() reduces it.
+inline constexpr double least_reduced_angle = 0x1.9p-6; // below half a step of pi/64
+
+/// Taylor's series of an angle up to that, to less than its last digit: sine less the angle, and cosine less 1.
+struct SmallAngle {
+    ROTCONV_INLINE explicit SmallAngle(double angle) noexcept {
+        const double s = angle * angle;
+        sine_rest = angle * s * (-0x1.5555555555555p-3 + s * (0x1.1111111111111p-7 + s * -0x1.a01a01a01a01ap-13));
+        cosine_less_1 = s * (-0.5 + s * (0x1.5555555555555p-5 + s * -0x1.6c16c16c16c17p-10));
+    }
+
+    double sine_rest, cosine_less_1;
+};
+
 /// The angle of the vector (x, y) from the x axis, in [-pi, pi] or [-180, 180]: to 2^-103 of itself, or, from doubles,
 /// to 2^-51 of itself; 0 of (0, 0).
 template <class T> [[nodiscard]] DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept;

@@ -55,10 +55,20 @@ struct Angles {
 
     static Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
         defect = 0.0;
-        const auto half_angle = [&](std::size_t i) {
-            return sine_cosine<double>(0.5 * spec.sequence.sign(i) * numbers[i], spec.unit);
-        };
-        read_by(spec, half_angle, q);
+        // All at once, by the functions of batches, whose vectors have room for four.
+        Column<DoubleDouble> half;
+        Column<double> cosine;
+        Column<double> sine;
+        for (std::size_t i = 0; i < 4; ++i) {
+            half.set(i, i < 3 ? 0.5 * spec.sequence.sign(i) * numbers[i] : 0.0);
+        }
+        sine_cosine(half, 4, spec.unit, cosine, sine);
+        read_by(
+            spec,
+            [&](std::size_t i) {
+                return SineCosine<double>{sine[i], cosine[i]};
+            },
+            q);
         return all_finite(numbers, 3) ? Error::none : Error::not_finite;
     }
 
