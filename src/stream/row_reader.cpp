@@ -13,7 +13,7 @@ namespace {
 
 /// @return the place after the last number; null if one is not finite, or something else stands in its field
 const char* scan_numbers(const char* at, const char* end, char delimiter, std::span<const std::size_t> order,
-                         double* numbers) noexcept {
+                         std::span<double> numbers) noexcept {
     for (auto next = order.begin();; ++at) {
         double& number = numbers[*next];
         at = scan_number(at, end, number);
@@ -56,7 +56,8 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) co
     }
     const std::size_t first = to.size();
     to.resize(first + layout_->count);
-    const char* const at = scan_numbers(begin, end, delimiter.text(), layout_->side_by_side, to.data() + first);
+    const char* const at =
+        scan_numbers(begin, end, delimiter.text(), layout_->side_by_side, std::span(to).subspan(first));
     bool is_plain = at != nullptr;
     if (is_plain && has_other_fields) {
         is_plain = at == end || (*at == delimiter.text() && !delimiter.is_blanks());

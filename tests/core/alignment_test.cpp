@@ -5,11 +5,12 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <rotconv/alignment.hpp>
 
 #include "catch.hpp"
+#include "dominant.hpp"
 #include "oracle.hpp"
 #include "strata.hpp"
 
@@ -117,8 +118,10 @@ Quaternion best_left(const std::vector<Pair>& pairs, const Quaternion& right) {
         const Eigen::Vector4d q = (pair.known * (pair.attitude * right).conjugate()).coeffs();
         sum += q * q.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(sum);
-    return Quaternion(Eigen::Vector4d(solver.eigenvectors().col(3)));
+    const Eigen::Matrix4d best = dominant_projector(sum);
+    Eigen::Index longest = 0;
+    best.diagonal().maxCoeff(&longest);
+    return Quaternion(Eigen::Vector4d(best.col(longest).normalized()));
 }
 
 /// The least cost to which turns on either side by turns lead from a rotation.

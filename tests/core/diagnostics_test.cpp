@@ -8,12 +8,12 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/SVD>
 
 #include <rotconv/conversion.hpp>
 
 #include "accuracy.hpp"
 #include "catch.hpp"
+#include "dominant.hpp"
 #include "oracle.hpp"
 #include "strata.hpp"
 
@@ -56,13 +56,14 @@ Eigen::VectorXd numbers_in_detail(const std::string& to, const oracle::Quaternio
 /// The largest singular value of the derivative of the numbers by a small rotation, by central differences.
 double condition_by_differences(const std::string& to, const oracle::Quaternion& q) {
     constexpr double step = 1e-5;
-    Eigen::MatrixXd jacobian(spec(to).size(), 3);
+    Eigen::Matrix<double, Eigen::Dynamic, 3> jacobian(spec(to).size(), 3);
     for (int axis = 0; axis < 3; ++axis) {
         const auto up = oracle::about(oracle::Vector3::Unit(axis), oracle::Real(step)) * q;
         const auto down = oracle::about(oracle::Vector3::Unit(axis), oracle::Real(-step)) * q;
         jacobian.col(axis) = (numbers_in_detail(to, up) - numbers_in_detail(to, down)) / (2 * step);
     }
-    return Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues()[0];
+    const Eigen::Matrix3d squared = jacobian.transpose() * jacobian;
+    return std::sqrt((squared * dominant_projector(squared)).trace());
 }
 
 } // namespace

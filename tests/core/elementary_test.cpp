@@ -16,8 +16,8 @@
 namespace {
 
 namespace exact = rotconv;
-using rotconv::AngleUnit;
 using oracle::Digits;
+using rotconv::AngleUnit;
 using rotconv::batch_rows;
 
 template <class Value> Value half_turn(AngleUnit unit) {

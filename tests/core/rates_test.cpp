@@ -71,7 +71,7 @@ Vector exact_rates(const Spec& s, const std::vector<double>& numbers, const orac
     if (numbers.size() > 3) {
         return rates_by_motion(s, oracle::attitude(s, numbers), w, frame);
     }
-    return velocity_map(s, numbers, frame).fullPivLu().solve(Vector(w));
+    return oracle::Matrix3(velocity_map(s, numbers, frame)).inverse() * w;
 }
 
 double relative_error(const std::vector<double>& found, const Vector& exact) {

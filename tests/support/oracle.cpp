@@ -385,7 +385,10 @@ std::vector<Rounded> converted(const Spec& from, const Spec& to, std::span<const
     const auto first = exactly<36>(from, to, row);
     const auto second = exactly<72>(from, to, row);
     if (!round_all(to, first, second, result)) {
-        round_all(to, second, exactly<750>(from, to, row), result);
+        const auto third = exactly<350>(from, to, row);
+        if (!round_all(to, second, third, result)) {
+            round_all(to, third, exactly<750>(from, to, row), result);
+        }
     }
     // where one overflows, all do
     if (to.name == RepresentationId::cayley &&

@@ -73,7 +73,8 @@ Steps steps_in_large_radians(double angle) noexcept {
         const int word = (first + 64) / 64 - 1;         // first / 64, rounded down
         const auto shift = static_cast<unsigned>(first - 64 * word);
         const std::uint64_t high = word < 0 ? 0 : inverse_of_pi[word];
-        const std::uint64_t low = inverse_of_pi[word + 1];
+        const std::uint64_t low =
+            inverse_of_pi[word + 1]; // NOLINT(clang-analyzer-core.uninitialized.Assign): it has all
         fraction[i] = shift == 0 ? high : (high << shift) | (low >> (64U - shift));
     }
     __extension__ using Uint128 = unsigned __int128;
@@ -290,6 +291,7 @@ template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::siz
     }
 }
 
+// NOLINTBEGIN(misc-no-recursion): the one calls the other where a ratio is small, and is called where it is not
 template <class T> DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept {
     const Tangent<T> tangent = tangent_from_nearer_axis(x, y);
     if (to_double(tangent.near) != 0.0 && to_double(tangent.near) < linear * to_double(tangent.far)) {
@@ -326,6 +328,7 @@ ScaledDoubleDouble angle_of(const ScaledDoubleDouble& x, const ScaledDoubleDoubl
     }
     return ScaledDoubleDouble(scaled(half_turn, y.is_negative() ? -1.0 : 1.0)) + small;
 }
+// NOLINTEND(misc-no-recursion)
 
 template <class T> void angles_of(const Column<T>& x, const Column<T>& y, std::size_t rows, AngleUnit unit,
                                   Column<DoubleDouble>& angles) noexcept {

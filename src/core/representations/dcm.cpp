@@ -151,7 +151,7 @@ Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
         const double columns[4][4] = {
             {k.ww, k.wx, k.wy, k.wz}, {k.wx, k.xx, k.xy, k.xz}, {k.wy, k.xy, k.yy, k.yz}, {k.wz, k.xz, k.yz, k.zz}};
         // by places, for branches would be mispredicted
-        const std::size_t w_or_x = static_cast<std::size_t>(k.ww < k.xx);
+        const auto w_or_x = static_cast<std::size_t>(k.ww < k.xx);
         const std::size_t y_or_z = 2 + static_cast<std::size_t>(k.yy < k.zz);
         const bool later = columns[w_or_x][w_or_x] < columns[y_or_z][y_or_z];
         const auto& pivot = columns[w_or_x + (y_or_z - w_or_x) * static_cast<std::size_t>(later)];
