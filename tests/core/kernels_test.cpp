@@ -30,7 +30,7 @@ using rotconv::batch_rows;
 using rotconv::KernelTable;
 using rotconv::Spec;
 
-constexpr std::size_t all_rows = tried(10'000'000);
+constexpr std::size_t all_rows = tried(5'000'000);
 
 bool has_fma() { return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0; }
 

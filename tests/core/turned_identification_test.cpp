@@ -26,7 +26,7 @@ using oracle::Real;
 using oracle::Vector3;
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr int runs = is_sanitized ? 40 : 1000; // of each case
+constexpr int runs = is_sanitized ? 40 : 500; // of each case
 
 /// A convention against another: rows of an attitude written in the one, and turned and written in the other.
 struct Case {

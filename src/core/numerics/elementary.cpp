@@ -73,8 +73,8 @@ Steps steps_in_large_radians(double angle) noexcept {
         const int word = (first + 64) / 64 - 1;         // first / 64, rounded down
         const auto shift = static_cast<unsigned>(first - 64 * word);
         const std::uint64_t high = word < 0 ? 0 : inverse_of_pi[word];
-        const std::uint64_t low =
-            inverse_of_pi[word + 1]; // NOLINT(clang-analyzer-core.uninitialized.Assign): it has all
+        // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): it has all
+        const std::uint64_t low = inverse_of_pi[word + 1];
         fraction[i] = shift == 0 ? high : (high << shift) | (low >> (64U - shift));
     }
     __extension__ using Uint128 = unsigned __int128;
