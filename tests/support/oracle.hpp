@@ -15,10 +15,9 @@
 /// matrices are multiplied, inverted and exponentiated; the polar factor comes from Newton's iteration.
 namespace oracle {
 
-template <unsigned digits> using Digits =
-    boost::multiprecision::number<
-        boost::multiprecision::mpfr_float_backend<digits, boost::multiprecision::allocate_stack>,
-        boost::multiprecision::et_off>;
+template <unsigned digits> using Digits = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<digits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
 
 using Real = Digits<36>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;
