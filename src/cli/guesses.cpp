@@ -27,7 +27,7 @@ struct Meaning {
     std::string_view words; ///< each between blanks, in lower case, without marks
 };
 
-constexpr auto names = std::to_array<Meaning>({
+constexpr auto other_names = std::to_array<Meaning>({
     {"axis-angle", " aa angleaxis "},
     {"dcm", " rotmat rotationmatrix rotation rot mat r so3 "},
     {"quat", " q ep eulerparameters "},
@@ -39,7 +39,7 @@ constexpr auto names = std::to_array<Meaning>({
     {"6d", " rot6d "},
 });
 
-constexpr auto modifiers = std::to_array<Meaning>({
+constexpr auto other_modifiers = std::to_array<Meaning>({
     {"xyzw", " scalarlast last "},
     {"wxyz", " scalarfirst first hamilton "},
     {"passive", " inverse inv transpose transposed t conjugate conj "},
@@ -50,7 +50,7 @@ constexpr auto modifiers = std::to_array<Meaning>({
     {"", " nb active rad radians rowmajor row numpy euroc kitti px4 gtsam "},
 });
 
-constexpr auto options = std::to_array<Meaning>({
+constexpr auto other_options = std::to_array<Meaning>({
     {"--format json", " json "},
     {"--format pretty", " pretty "},
     {"--diagnostics off", " quiet q "},
@@ -238,12 +238,12 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
     if (auto guess = guess_kind(word, "column", has_column)) {
         return guess;
     }
-    const auto meaning = find(names, word);
+    const auto meaning = find(other_names, word);
     return meaning ? meaning : guess_sequence(word);
 }
 
 std::optional<Guess> guess_modifier(std::string_view word, const Representation& entry) {
-    auto meaning = find(modifiers, word);
+    auto meaning = find(other_modifiers, word);
     if (meaning && (meaning->text.empty() || is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
         return meaning;
     }
@@ -258,7 +258,7 @@ std::optional<Guess> guess_letters(std::string_view word) {
     if (word == representation(RepresentationId::rpy).text) {
         return Guess{std::string(word)};
     }
-    const auto meaning = find(names, word);
+    const auto meaning = find(other_names, word);
     return meaning && meaning->text.starts_with("euler:") ? meaning : guess_sequence(word);
 }
 
@@ -313,7 +313,7 @@ std::optional<Guess> guess_option(std::string_view text, const std::vector<std::
     if (is_preset(word) || is_modifier(word)) {
         return Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)};
     }
-    const auto meaning = find(options, text);
+    const auto meaning = find(other_options, text);
     return meaning ? meaning : guess_by_spelling(text, legal);
 }
 

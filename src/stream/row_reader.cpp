@@ -74,7 +74,6 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) co
 }
 
 bool RowReader::read(std::string_view row, RowParts& to) const {
-    using What = RowError::What;
     if (options_->width > 0) {
         read_doubles(row, to.numbers);
         return true;
@@ -85,7 +84,8 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
     }
     const std::size_t count = to.fields.size() - first_field;
     if (layout_->positions.empty() && count != layout_->count) {
-        to.error = {.what = What::wrong_count, .text = std::string(row), .found = count, .expected = layout_->count};
+        to.error = {
+            .what = RowError::What::wrong_count, .text = std::string(row), .found = count, .expected = layout_->count};
         return false;
     }
     const std::size_t first_number = to.numbers.size();
@@ -104,9 +104,9 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
             time_error = time.error;
         }
         if (error != NumberError::none && time_error != TimeError::none) {
-            to.error = {.what = error == NumberError::too_large       ? What::too_large
-                                : time_error == TimeError::not_a_time ? What::not_a_number
-                                                                      : What::time,
+            to.error = {.what = error == NumberError::too_large       ? RowError::What::too_large
+                                : time_error == TimeError::not_a_time ? RowError::What::not_a_number
+                                                                      : RowError::What::time,
                         .text = std::string(field),
                         .time = time_error};
             to.numbers.resize(first_number);
