@@ -308,11 +308,15 @@ template <class Real> struct Definitions {
 
 using Own = Definitions<Real>;
 
+bool is_outer_angle(const Spec& spec, std::size_t place) {
+    return rotconv::representation(spec.name).has_gimbal_lock && place != 1;
+}
+
 /// The double of the number in the range that the contract gives.
 template <class Real> double rounded(const Spec& spec, std::size_t place, const Real& number) {
     double value = static_cast<double>(number) + 0.0;
     const double half = spec.unit == AngleUnit::degrees ? 180.0 : 3.141592653589793;
-    const bool outer = rotconv::representation(spec.name).has_gimbal_lock && place != 1;
+    const bool outer = is_outer_angle(spec, place);
     return outer && value == -half ? half : outer && spec.positive && value == 2 * half ? 0.0 : value;
 }
 
@@ -344,7 +348,12 @@ template <class Rough, class Fine> bool round_all(const Spec& to, const std::vec
         if (!isfinite(fine[i])) {
             out[i].certain = false; // more digits may tell the attitude from a half-turn
         } else if (fine[i] != Fine(rough[i])) {
-            const Fine doubt = 100 * abs(Fine(fine[i] - Fine(rough[i])));
+            Fine difference = abs(Fine(fine[i] - Fine(rough[i])));
+            const Fine half_turn = to.unit == AngleUnit::degrees ? Fine(180) : boost::math::constants::pi<Fine>();
+            if (is_outer_angle(to, i) && difference > half_turn) { // from the other side of the half-turn
+                difference = abs(Fine(difference - 2 * half_turn));
+            }
+            const Fine doubt = 100 * difference;
             out[i].certain = rounded(to, i, Fine(fine[i] - doubt)) == out[i].value &&
                              rounded(to, i, Fine(fine[i] + doubt)) == out[i].value;
         }
