@@ -311,8 +311,8 @@ void RowTransformer::write(Output& output) {
     }
     const std::size_t size = operation_->names.size();
     for (auto row = rows_.begin(); row != rows_.end() && !output.stopped; ++row) {
-        const bool is_next = next_report_ < reports_.size() && reports_[next_report_].row == row->index;
-        if (row->is_scanned() && !is_next && !may_have_notes_ && writer_.writes_results_alone()) {
+        if (row->is_scanned() && !is_reported_next(*row, row->index) && !may_have_notes_ &&
+            writer_.writes_results_alone()) {
             writer_.write(output.bytes, row->line, row->numbers, std::span(results_).subspan(row->index * size, size));
             ++output.answered;
         } else if (!row->passes) {
@@ -508,11 +508,11 @@ void RowTransformer::hold_against_digits(const Row& row, RowReport& report) {
 
 const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) {
     static constexpr RowReport nothing{};
-    const bool is_next = row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == answer;
-    if (is_next) {
-        hold_against_digits(row, reports_[next_report_]);
+    if (!is_reported_next(row, answer)) {
+        return nothing;
     }
-    return is_next ? reports_[next_report_++] : nothing;
+    hold_against_digits(row, reports_[next_report_]);
+    return reports_[next_report_++];
 }
 
 } // namespace rotconv::stream

@@ -68,6 +68,10 @@ private:
     /// Whether a row at hand has a number that may need a note: one look at each number, because most have none.
     void look_for_notes();
     void tell_notes(const Row& row, Output& output);
+    /// Whether the report that comes next is of the row's answer of that index.
+    [[nodiscard]] bool is_reported_next(const Row& row, std::size_t answer) const noexcept {
+        return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == answer;
+    }
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
     [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer);
     /// Removes from the report what the digits of the row's numbers do not bear out.
