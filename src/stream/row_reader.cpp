@@ -11,9 +11,10 @@
 namespace rotconv::stream {
 namespace {
 
+/// Flat, for fast_float is not inlined of itself where its callers stand in one source.
 /// @return the place after the last number; null if one is not finite, or something else stands in its field
-const char* scan_numbers(const char* at, const char* end, char delimiter, std::span<const std::size_t> order,
-                         std::span<double> numbers) noexcept {
+[[gnu::flatten]] const char* scan_numbers(const char* at, const char* end, char delimiter,
+                                          std::span<const std::size_t> order, std::span<double> numbers) noexcept {
     for (auto next = order.begin();; ++at) {
         double& number = numbers[*next];
         at = scan_number(at, end, number);
