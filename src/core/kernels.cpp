@@ -95,13 +95,13 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
 
 // Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
 
-/// No branch: the loop vectorises.
+/// No branch, and no type of another width: the loop vectorises.
 template <bool (*is_plain)(double) noexcept> bool all(const double* numbers, std::size_t count) noexcept {
-    bool found = true;
+    double others = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        found = found & is_plain(numbers[i]);
+        others = is_plain(numbers[i]) ? others : 1.0;
     }
-    return found;
+    return others == 0.0;
 }
 
 bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows) noexcept {
@@ -223,6 +223,9 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
 void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
                     std::size_t rows, AttitudeBatch<double>& relative) noexcept {
     relate(attitudes, references, frame, rows, relative);
+    if (all_plain(attitudes, 0, rows) && all_plain(references, 0, rows)) {
+        return;
+    }
     for (std::size_t i = 0; i < rows; ++i) {
         if (!all_plain(attitudes, i, 1) || !all_plain(references, i, 1)) {
             Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};

@@ -33,7 +33,7 @@ constexpr int most_digits = 17;
 constexpr double smallest_plain = 1e-4;
 // and smaller than
 constexpr double plain_end = 1e15;
-// fmt writes the others, in the same form.
+// fmt writes the others, in the same form, but for small ones in their shortest.
 
 constexpr int lowest_point = -3; // digits before the point, less zeros behind it
 
@@ -89,7 +89,7 @@ char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noe
 /// The shortest digits in the form of fmt's {}.
 char* write_shortest(char* to, double value) {
     const double magnitude = std::abs(value);
-    if (!is_plain(magnitude)) {
+    if (!(magnitude > 0.0 && magnitude < plain_end)) {
         return fmt::format_to(to, FMT_COMPILE("{}"), without_sign_of_nan(value));
     }
     namespace policy = jkj::dragonbox::policy;
@@ -98,7 +98,13 @@ char* write_shortest(char* to, double value) {
     int count = static_cast<int>(std::bit_width(digits)) * 1233 >> 12; // log10(2) is 1233 / 4096
     count += digits >= powers_of_ten[static_cast<std::size_t>(count)] ? 1 : 0;
     digits *= powers_of_ten[static_cast<std::size_t>(most_digits - count)];
-    return write_digits(to, digits, count + exponent, std::signbit(value));
+    const int point = count + exponent;
+    if (magnitude >= smallest_plain) {
+        return write_digits(to, digits, point, std::signbit(value));
+    }
+    to = std::ranges::copy(std::string_view("e-0"), write_digits(to, digits, 1, std::signbit(value))).out;
+    const int power = 1 - point; // of two digits or three
+    return std::to_chars(power < 10 ? to : to - 1, to + 3, power).ptr;
 }
 
 /// A power of ten that is significand 2^exponent.
