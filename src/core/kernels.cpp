@@ -29,7 +29,11 @@ template <class T> const BatchKernel<T>& batch_kernel_of(RepresentationId name) 
 /// b q or q b.
 template <class T> ROTCONV_INLINE void turn(const T (&by)[4], bool from_the_left, T (&q)[4]) noexcept {
     const T own[4] = {q[0], q[1], q[2], q[3]};
-    multiply(from_the_left ? by : own, from_the_left ? own : by, q);
+    if (from_the_left) {
+        multiply(by, own, q);
+    } else {
+        multiply(own, by, q);
+    }
 }
 template <class T> ROTCONV_INLINE void turn(const ExactQuaternion& by, bool from_the_left, T (&q)[4]) noexcept {
     T constant[4];
@@ -78,6 +82,8 @@ template <class T> void relate(const AttitudeBatch<T>& attitudes, const Attitude
         references.get(i, reference);
         relate(reference, frame, q);
         relative.set(i, q);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
         relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
     }
 }

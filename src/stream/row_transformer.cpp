@@ -310,10 +310,15 @@ void RowTransformer::write(Output& output) {
         return;
     }
     const std::size_t size = operation_->names.size();
+    const std::size_t answers = operation_->answers_of_row();
     for (auto row = rows_.begin(); row != rows_.end() && !output.stopped; ++row) {
-        if (row->is_scanned() && !is_reported_next(*row, row->index) && !may_have_notes_ &&
+        const std::size_t first = row->index * answers;
+        if (row->is_scanned() && !is_reported_before(*row, first + answers) && !may_have_notes_ &&
             writer_.writes_results_alone()) {
-            writer_.write(output.bytes, row->line, row->numbers, std::span(results_).subspan(row->index * size, size));
+            for (std::size_t i = 0; i < answers; ++i) {
+                writer_.write(output.bytes, row->line, row->numbers,
+                              std::span(results_).subspan((first + i) * size, size), name_of_answer(i));
+            }
             ++output.answered;
         } else if (!row->passes) {
             write_row(*row, output);
@@ -366,7 +371,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
              .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
              .report = &report,
              .failed = failed,
-             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i],
+             .answer = name_of_answer(i),
              .partner = partner_});
         if (!failed) {
             output.answered += i == 0 ? 1 : 0;
@@ -508,7 +513,7 @@ void RowTransformer::hold_against_digits(const Row& row, RowReport& report) {
 
 const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) {
     static constexpr RowReport nothing{};
-    if (!is_reported_next(row, answer)) {
+    if (!is_reported_before(row, answer + 1)) {
         return nothing;
     }
     hold_against_digits(row, reports_[next_report_]);

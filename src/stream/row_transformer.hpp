@@ -68,9 +68,12 @@ private:
     /// Whether a row at hand has a number that may need a note: one look at each number, because most have none.
     void look_for_notes();
     void tell_notes(const Row& row, Output& output);
-    /// Whether the report that comes next is of the row's answer of that index.
-    [[nodiscard]] bool is_reported_next(const Row& row, std::size_t answer) const noexcept {
-        return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == answer;
+    /// Whether the report that comes next is of one of the row's answers before that index.
+    [[nodiscard]] bool is_reported_before(const Row& row, std::size_t answer) const noexcept {
+        return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < answer;
+    }
+    [[nodiscard]] std::string_view name_of_answer(std::size_t i) const noexcept {
+        return operation_->answers.empty() ? std::string_view() : operation_->answers[i];
     }
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
     [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer);

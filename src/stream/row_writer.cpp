@@ -133,7 +133,7 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
         closed_end_text_ = text_of(spec->positive ? 0.0 : half_turn);
     }
     writes_results_alone_ = options.format == Format::csv && !options.diagnostic_columns && !options.pairing &&
-                            options.operation->answers.empty() && std::isinf(open_end_);
+                            std::isinf(open_end_);
     for (const std::string_view name : result_columns(options)) {
         Buffer key;
         append_json_string(key, name);
@@ -152,7 +152,8 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
     }
 }
 
-void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result) const {
+void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result,
+                      std::string_view answer) const {
     const char delimiter = layout_->delimiter.text();
     std::string_view before(line.text.data(), numbers.data());
     const char* const end = line.text.data() + line.text.size() + line.end.size();
@@ -162,12 +163,19 @@ void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, st
         after = line.end;
     }
     const std::size_t size = to.size();
-    to.reserve(size + before.size() + 1 + room_for(result.size(), options_->digits) + after.size());
+    to.reserve(size + before.size() + room_for(result.size(), options_->digits) + answer.size() + 3 + after.size());
     char* at = std::ranges::copy(before, to.data() + size).out;
     if (layout_->appends) {
         *at++ = delimiter;
     }
-    at = write_numbers(at, result, delimiter, options_->digits);
+    const std::size_t after_name = answer.empty() ? 0 : 1;
+    at = write_numbers(at, result.first(result.size() - after_name), delimiter, options_->digits);
+    if (after_name > 0) {
+        *at++ = delimiter;
+        at = std::ranges::copy(answer, at).out;
+        *at++ = delimiter;
+        at = write_numbers(at, result.last(after_name), delimiter, options_->digits);
+    }
     at = std::ranges::copy(after, at).out;
     to.resize(static_cast<std::size_t>(at - to.data()));
     if (line.end.empty()) {
@@ -189,15 +197,8 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
 
 void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (std::isinf(open_end_)) {
-        const std::size_t after_name = options_->operation->answers.empty() ? 0 : 1;
-        append_numbers(to, row.result.first(row.result.size() - after_name), delimiter, options_->digits);
-        if (after_name > 0) {
-            to.push_back(delimiter);
-            append(to, row.answer);
-            to.push_back(delimiter);
-            append_numbers(to, row.result.last(after_name), delimiter, options_->digits);
-        }
+    if (std::isinf(open_end_) && row.answer.empty()) {
+        append_numbers(to, row.result, delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             if (i > 0) {

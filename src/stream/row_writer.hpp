@@ -42,8 +42,9 @@ public:
 
     void write(Buffer& to, const ConvertedRow& row) const;
     /// A row without other columns of the output than the result's, which stands in the place of `numbers` in the line,
-    /// or at its end.
-    void write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result) const;
+    /// or at its end. `answer`: its name, of several to the row.
+    void write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result,
+               std::string_view answer) const;
     /// Whether such rows are all that is written where there is no failure.
     [[nodiscard]] bool writes_results_alone() const noexcept { return writes_results_alone_; }
 
