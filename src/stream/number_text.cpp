@@ -89,7 +89,8 @@ char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noe
 /// The shortest digits in the form of fmt's {}.
 char* write_shortest(char* to, double value) {
     const double magnitude = std::abs(value);
-    if (!(magnitude > 0.0 && magnitude < plain_end)) {
+    constexpr auto end = std::bit_cast<std::uint64_t>(plain_end);
+    if (std::bit_cast<std::uint64_t>(magnitude) - 1 >= end - 1) { // 0, or not below it
         return fmt::format_to(to, FMT_COMPILE("{}"), without_sign_of_nan(value));
     }
     namespace policy = jkj::dragonbox::policy;
@@ -99,7 +100,7 @@ char* write_shortest(char* to, double value) {
     count += digits >= powers_of_ten[static_cast<std::size_t>(count)] ? 1 : 0;
     digits *= powers_of_ten[static_cast<std::size_t>(most_digits - count)];
     const int point = count + exponent;
-    if (magnitude >= smallest_plain) {
+    if (point >= lowest_point) {
         return write_digits(to, digits, point, std::signbit(value));
     }
     to = std::ranges::copy(std::string_view("e-0"), write_digits(to, digits, 1, std::signbit(value))).out;

@@ -315,10 +315,8 @@ void RowTransformer::write(Output& output) {
         const std::size_t first = row->index * answers;
         if (row->is_scanned() && !is_reported_before(*row, first + answers) && !may_have_notes_ &&
             writer_.writes_results_alone()) {
-            for (std::size_t i = 0; i < answers; ++i) {
-                writer_.write(output.bytes, row->line, row->numbers,
-                              std::span(results_).subspan((first + i) * size, size), name_of_answer(i));
-            }
+            writer_.write(output.bytes, row->line, row->numbers,
+                          std::span(results_).subspan(first * size, answers * size));
             ++output.answered;
         } else if (!row->passes) {
             write_row(*row, output);
@@ -371,7 +369,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
              .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
              .report = &report,
              .failed = failed,
-             .answer = name_of_answer(i),
+             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i],
              .partner = partner_});
         if (!failed) {
             output.answered += i == 0 ? 1 : 0;

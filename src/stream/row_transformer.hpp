@@ -72,9 +72,6 @@ private:
     [[nodiscard]] bool is_reported_before(const Row& row, std::size_t answer) const noexcept {
         return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < answer;
     }
-    [[nodiscard]] std::string_view name_of_answer(std::size_t i) const noexcept {
-        return operation_->answers.empty() ? std::string_view() : operation_->answers[i];
-    }
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
     [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer);
     /// Removes from the report what the digits of the row's numbers do not bear out.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -152,34 +153,59 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
     }
 }
 
-void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result,
-                      std::string_view answer) const {
-    const char delimiter = layout_->delimiter.text();
+template <class WriteResult> void RowWriter::write_around(Buffer& to, const Line& line, std::string_view numbers,
+                                                           std::size_t room, const WriteResult& write_result) const {
     std::string_view before(line.text.data(), numbers.data());
     const char* const end = line.text.data() + line.text.size() + line.end.size();
     std::string_view after(numbers.data() + numbers.size(), end);
     if (layout_->appends) {
-        before = without_trailing_blanks(line.text, delimiter);
+        before = without_trailing_blanks(line.text, layout_->delimiter.text());
         after = line.end;
     }
     const std::size_t size = to.size();
-    to.reserve(size + before.size() + room_for(result.size(), options_->digits) + answer.size() + 3 + after.size());
+    to.reserve(size + before.size() + 1 + room + after.size());
     char* at = std::ranges::copy(before, to.data() + size).out;
     if (layout_->appends) {
-        *at++ = delimiter;
+        *at++ = layout_->delimiter.text();
     }
-    const std::size_t after_name = answer.empty() ? 0 : 1;
-    at = write_numbers(at, result.first(result.size() - after_name), delimiter, options_->digits);
-    if (after_name > 0) {
-        *at++ = delimiter;
-        at = std::ranges::copy(answer, at).out;
-        *at++ = delimiter;
-        at = write_numbers(at, result.last(after_name), delimiter, options_->digits);
-    }
+    at = write_result(at);
     at = std::ranges::copy(after, at).out;
     to.resize(static_cast<std::size_t>(at - to.data()));
     if (line.end.empty()) {
         append(to, layout_->line_end);
+    }
+}
+
+void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> results) const {
+    const char delimiter = layout_->delimiter.text();
+    const Digits digits = options_->digits;
+    const auto& answers = options_->operation->answers;
+    if (answers.empty()) {
+        write_around(to, line, numbers, room_for(results.size(), digits),
+                     [&](char* at) { return write_numbers(at, results, delimiter, digits); });
+        return;
+    }
+    const std::size_t width = results.size() / answers.size();
+    struct Text {
+        std::size_t place, size;
+    };
+    std::vector<Text> texts(width); // of the last answer's numbers, with which many are equal
+    const double* number = results.data();
+    for (const std::string_view answer : answers) {
+        write_around(to, line, numbers, room_for(width, digits) + answer.size() + 2, [&](char* at) {
+            for (std::size_t k = 0; k + 1 < width; ++k, ++number) {
+                Text& text = texts[k];
+                const bool is_equal = text.size > 0 && std::memcmp(number, number - width, sizeof *number) == 0;
+                char* const end = is_equal ? std::copy_n(to.data() + text.place, text.size, at)
+                                           : write_numbers(at, {number, 1}, delimiter, digits);
+                text = {static_cast<std::size_t>(at - to.data()), static_cast<std::size_t>(end - at)};
+                at = end;
+                *at++ = delimiter;
+            }
+            at = std::ranges::copy(answer, at).out;
+            *at++ = delimiter;
+            return write_numbers(at, {number++, 1}, delimiter, digits);
+        });
     }
 }
 

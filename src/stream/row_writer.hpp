@@ -42,13 +42,15 @@ public:
 
     void write(Buffer& to, const ConvertedRow& row) const;
     /// A row without other columns of the output than the result's, which stands in the place of `numbers` in the line,
-    /// or at its end. `answer`: its name, of several to the row.
-    void write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> result,
-               std::string_view answer) const;
+    /// or at its end; each answer to it.
+    void write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> results) const;
     /// Whether such rows are all that is written where there is no failure.
     [[nodiscard]] bool writes_results_alone() const noexcept { return writes_results_alone_; }
 
 private:
+    /// What of such a row is not the result, and that where `write_result` writes it, in room for so many bytes.
+    template <class WriteResult> void write_around(Buffer& to, const Line& line, std::string_view numbers,
+                                                   std::size_t room, const WriteResult& write_result) const;
     void write_csv(Buffer& to, const ConvertedRow& row) const;
     void write_json(Buffer& to, const ConvertedRow& row) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
