@@ -96,11 +96,4 @@ void quaternion(const double* m, double* r) noexcept {
     quat_to_rotvec::atan2(q, r);
 }
 
-/// Davenport 1968 to the quaternion, then its logarithm, both with products after Dekker 1971.
-void compensated(const double* m, double* r) noexcept {
-    double q[4];
-    dcm_to_quat::compensated(m, q);
-    quat_to_rotvec::compensated(q, r);
-}
-
 } // namespace rotconv::formula::dcm_to_rotvec

@@ -53,7 +53,7 @@ Formula trace, baruh, four_roots, klumpp, shepperd, markley, first_order, cayley
 Eigen::Matrix4d products(const double* m) noexcept;
 } // namespace dcm_to_quat
 namespace dcm_to_rotvec {
-Formula acos, atan2, polynomial, nurlanov, gtsam, hertzberg, quaternion, compensated;
+Formula acos, atan2, polynomial, nurlanov, gtsam, hertzberg, quaternion;
 }
 namespace dcm_to_euler {
 EulerFormula asin, slabaugh, shoemake, shuster_markley, eigen;
@@ -71,13 +71,13 @@ namespace quat_to_rotvec {
 Formula acos, atan2, compensated;
 }
 namespace quat_to_euler {
-EulerFormula classic, matrix_threshold, bernardes_arccos, bernardes_atan2;
+EulerFormula bernardes_arccos, bernardes_atan2;
 }
 namespace rotvec_to_quat {
 Formula half_angle, taylor, branchless;
 }
 namespace rotvec_to_dcm {
-Formula rodrigues, half_angle, quaternion, compensated;
+Formula rodrigues, half_angle, compensated;
 }
 namespace cayley_to_dcm {
 Formula inverse, closed;

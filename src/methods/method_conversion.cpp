@@ -105,8 +105,11 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     const std::size_t size = to().size();
     const std::size_t rows = in.size() / from().size();
     const std::size_t count = published_.size() + (fast_ ? 2 : 0);
-    std::vector<double> numbers((published_.size() + 2) * rows * size); // of own_, of fast_, of each method
-    const auto numbers_of = [&](std::size_t i) { return std::span(numbers).subspan(i * rows * size, rows * size); };
+    const std::size_t all = (published_.size() + 3) * rows * size; // of own_, of fast_, of each method, and room
+    Eigen::ArrayXd numbers(static_cast<Eigen::Index>(all));        // not set at first
+    const auto numbers_of = [&](std::size_t i) {
+        return std::span(numbers.data(), all).subspan(i * rows * size, rows * size);
+    };
     std::vector<RowReport> own;
     if (fast_) {
         fast_->run(in, numbers_of(1), own);
@@ -114,12 +117,11 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     own_.run(in, numbers_of(0), own);
     if (!published_.empty()) {
         const auto starting = starting_numbers(in);
-        std::vector<double> room(rows * size);
         for (std::size_t i = 0; i < published_.size(); ++i) {
-            answer(*published_[i], starting, room, numbers_of(2 + i));
+            answer(*published_[i], starting, numbers_of(2 + published_.size()), numbers_of(2 + i));
         }
     }
-    const auto answers = std::span<const double>(numbers).subspan((fast_ ? 0 : 2) * rows * size);
+    const auto answers = std::span<const double>(numbers.data(), all).subspan((fast_ ? 0 : 2) * rows * size);
     angles.resize(rows * count);
     const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
     measure(turned_ ? turned : in, answers, count, angles);

@@ -28,9 +28,12 @@ struct Halves {
             c = qj + q[0];
             d = qk - qi;
         }
+        half_sum = std::atan2(b, a);
+        half_difference = std::atan2(d, c);
     }
 
     double a, b, c, d;
+    double half_sum, half_difference; ///< of the outer angles
     double sign;
 };
 
@@ -45,20 +48,6 @@ void set_halves(EulerSequence sequence, const Halves& h, MovingAngles moving, do
 
 } // namespace
 
-/// Diebel 2006, the twelve sequences: of the matrix, atan2 for the outer angles, asin or acos for the middle one.
-void classic(EulerSequence sequence, const double* q, double* angles) noexcept {
-    double m[9];
-    quat_to_dcm::unit(q, m);
-    dcm_to_euler::asin(sequence, m, angles);
-}
-
-/// Shoemake 1994, Graphics Gems IV, Eul_FromQuat: of the matrix as Eul_FromHMatrix.
-void matrix_threshold(EulerSequence sequence, const double* q, double* angles) noexcept {
-    double m[9];
-    quat_to_dcm::two_over_norm(q, m);
-    dcm_to_euler::shoemake(sequence, m, angles);
-}
-
 /// Bernardes and Viollet 2022: middle angle by arccos; within 1e-7 of lock, SciPy's threshold, one outer angle is free,
 /// and the third of the sequence set to 0.
 void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) noexcept {
@@ -67,13 +56,11 @@ void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) n
     const double cosine_square = h.a * h.a + h.b * h.b;
     const double sine_square = h.c * h.c + h.d * h.d;
     const double middle = std::acos(2.0 * cosine_square / (cosine_square + sine_square) - 1.0);
-    const double half_sum = std::atan2(h.b, h.a);
-    const double half_difference = std::atan2(h.d, h.c);
-    MovingAngles moving{half_sum + half_difference, middle, half_sum - half_difference};
+    MovingAngles moving{h.half_sum + h.half_difference, middle, h.half_sum - h.half_difference};
     const bool sum_only = std::fabs(middle) < lock;
     const bool difference_only = std::fabs(middle - pi) < lock;
     if (sum_only || difference_only) {
-        const double free = sum_only ? 2.0 * half_sum : 2.0 * half_difference;
+        const double free = sum_only ? 2.0 * h.half_sum : 2.0 * h.half_difference;
         if (sequence.intrinsic()) {
             moving = {free, middle, 0.0};
         } else { // the first of the sequence is the third about moving axes
@@ -87,9 +74,7 @@ void bernardes_arccos(EulerSequence sequence, const double* q, double* angles) n
 void bernardes_atan2(EulerSequence sequence, const double* q, double* angles) noexcept {
     const Halves h(sequence, q);
     const double middle = 2.0 * std::atan2(std::hypot(h.c, h.d), std::hypot(h.a, h.b));
-    const double half_sum = std::atan2(h.b, h.a);
-    const double half_difference = std::atan2(h.d, h.c);
-    set_halves(sequence, h, {half_sum + half_difference, middle, half_sum - half_difference}, angles);
+    set_halves(sequence, h, {h.half_sum + h.half_difference, middle, h.half_sum - h.half_difference}, angles);
 }
 
 } // namespace rotconv::formula::quat_to_euler

@@ -32,13 +32,6 @@ void half_angle(const double* r, double* m) noexcept {
     second_degree(r, std::sin(t) / t, 2.0 * (half_sine * half_sine) / (t * t), m);
 }
 
-/// Euler-Rodrigues parameters (cos t/2, sin t/2 n), then Stuelpnagel 1964, section 5.
-void quaternion(const double* r, double* m) noexcept {
-    double q[4];
-    rotvec_to_quat::half_angle(r, q);
-    quat_to_dcm::unit(q, m);
-}
-
 /// Euler-Rodrigues parameters times t, t (cos t/2, sin t/2 n), over their squared norm; t by Dekker's products of 1971:
 /// its rounding times t would be an error of the attitude.
 void compensated(const double* r, double* m) noexcept {

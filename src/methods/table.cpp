@@ -15,15 +15,28 @@ constexpr std::size_t size_of(RepresentationId name) noexcept {
     return name == dcm ? 9 : name == two_column ? 6 : name == quat ? 4 : 3;
 }
 
-/// The function of a batch for a formula for one row, which takes the Euler sequence first where it needs it.
+/// A formula for one row, which takes the Euler sequence first where it needs it.
+template <auto formula> void apply([[maybe_unused]] EulerSequence sequence, const double* in, double* out) noexcept {
+    if constexpr (std::is_invocable_v<decltype(formula), EulerSequence, const double*, double*>) {
+        formula(sequence, in, out);
+    } else {
+        formula(in, out);
+    }
+}
+
+/// A formula of two, by way of another representation.
+template <RepresentationId middle, formula::Formula* first, auto second>
+void by_way_of(EulerSequence sequence, const double* in, double* out) noexcept {
+    std::array<double, size_of(middle)> numbers;
+    first(in, numbers.data());
+    apply<second>(sequence, numbers.data(), out);
+}
+
+/// The function of a batch.
 template <std::size_t in_size, std::size_t out_size, auto one_row>
-void each_row([[maybe_unused]] EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
+void each_row(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
     for (std::size_t i = 0; i < rows; ++i, in += in_size, out += out_size) {
-        if constexpr (std::is_invocable_v<decltype(one_row), EulerSequence, const double*, double*>) {
-            one_row(sequence, in, out);
-        } else {
-            one_row(in, out);
-        }
+        apply<one_row>(sequence, in, out);
     }
 }
 
@@ -80,8 +93,8 @@ constexpr std::array table{
     row<dcm, rotvec, dr::gtsam>("gtsam", "GTSAM 4.2, SO3::Logmap", "theta away from 0 and 180 deg"),
     row<dcm, rotvec, dr::hertzberg>("hertzberg", "GTSAM 2026; Hertzberg et al. 2013", "orthogonal matrices"),
     row<dcm, rotvec, dr::quaternion>("quaternion", "Shepperd 1978, then Sola 2017", "orthogonal matrices"),
-    row<dcm, rotvec, dr::compensated>("compensated", "Davenport 1968, with Dekker 1971",
-                                      "near rotations, defect to 1e-8"),
+    row<dcm, rotvec, by_way_of<quat, dq::compensated, qr::compensated>>(
+        "compensated", "Davenport 1968, with Dekker 1971", "near rotations, defect to 1e-8"),
 
     own(dcm, euler),
     row<dcm, euler, de::asin>("asin", "Diebel 2006, the twelve sequences", "orthogonal, away from lock"),
@@ -110,9 +123,10 @@ constexpr std::array table{
                                        "norms from 1e-150 to 1e150"),
 
     own(quat, euler),
-    row<quat, euler, qe::classic>("classic", "Diebel 2006, the twelve sequences", "unit quaternions away from lock"),
-    row<quat, euler, qe::matrix_threshold>("matrix-threshold", "Shoemake 1994, threshold 1.9e-6",
-                                           "to 4e-6 rad near lock"),
+    row<quat, euler, by_way_of<dcm, qd::unit, de::asin>>("classic", "Diebel 2006, the twelve sequences",
+                                                         "unit quaternions away from lock"),
+    row<quat, euler, by_way_of<dcm, qd::two_over_norm, de::shoemake>>(
+        "matrix-threshold", "Shoemake 1994, threshold 1.9e-6", "to 4e-6 rad near lock"),
     row<quat, euler, qe::bernardes_arccos>("bernardes-arccos", "Bernardes, Viollet 2022, limit 1e-7",
                                            "to 2e-7 rad near lock"),
     row<quat, euler, qe::bernardes_atan2>("bernardes-atan2", "Bernardes, Viollet 2022, by atan2",
@@ -126,7 +140,8 @@ constexpr std::array table{
     own(rotvec, dcm),
     row<rotvec, dcm, rd::rodrigues>("rodrigues", "Rodrigues 1840; Stuelpnagel 1964", "theta away from 0, moderate"),
     row<rotvec, dcm, rd::half_angle>("half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate"),
-    row<rotvec, dcm, rd::quaternion>("quaternion", "Stuelpnagel 1964, section 5", "theta above 0, moderate"),
+    row<rotvec, dcm, by_way_of<quat, rq::half_angle, qd::unit>>("quaternion", "Stuelpnagel 1964, section 5",
+                                                                "theta above 0, moderate"),
     row<rotvec, dcm, rd::compensated>("compensated", "Stuelpnagel 1964, with Dekker 1971", "lengths below 1e15"),
 
     own(cayley, dcm),

@@ -133,8 +133,8 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
         open_end_text_ = text_of(open_end_);
         closed_end_text_ = text_of(spec->positive ? 0.0 : half_turn);
     }
-    writes_results_alone_ = options.format == Format::csv && !options.diagnostic_columns && !options.pairing &&
-                            std::isinf(open_end_);
+    writes_results_alone_ =
+        options.format == Format::csv && !options.diagnostic_columns && !options.pairing && std::isinf(open_end_);
     for (const std::string_view name : result_columns(options)) {
         Buffer key;
         append_json_string(key, name);
@@ -154,7 +154,7 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
 }
 
 template <class WriteResult> void RowWriter::write_around(Buffer& to, const Line& line, std::string_view numbers,
-                                                           std::size_t room, const WriteResult& write_result) const {
+                                                          std::size_t room, const WriteResult& write_result) const {
     std::string_view before(line.text.data(), numbers.data());
     const char* const end = line.text.data() + line.text.size() + line.end.size();
     std::string_view after(numbers.data() + numbers.size(), end);
@@ -186,22 +186,18 @@ void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, st
         return;
     }
     const std::size_t width = results.size() / answers.size();
-    struct Text {
-        std::size_t place, size;
-    };
-    std::vector<Text> texts(width); // of the last answer's numbers, with which many are equal
+    std::vector<std::size_t> places(width); // of the last answer's numbers, which many repeat, and of its name
     const double* number = results.data();
     for (const std::string_view answer : answers) {
         write_around(to, line, numbers, room_for(width, digits) + answer.size() + 2, [&](char* at) {
             for (std::size_t k = 0; k + 1 < width; ++k, ++number) {
-                Text& text = texts[k];
-                const bool is_equal = text.size > 0 && std::memcmp(number, number - width, sizeof *number) == 0;
-                char* const end = is_equal ? std::copy_n(to.data() + text.place, text.size, at)
-                                           : write_numbers(at, {number, 1}, delimiter, digits);
-                text = {static_cast<std::size_t>(at - to.data()), static_cast<std::size_t>(end - at)};
-                at = end;
+                const bool repeats = places[k + 1] > 0 && std::memcmp(number, number - width, sizeof *number) == 0;
+                const std::size_t last = std::exchange(places[k], static_cast<std::size_t>(at - to.data()));
+                at = repeats ? std::copy(to.data() + last, to.data() + places[k + 1] - 1, at)
+                             : write_numbers(at, {number, 1}, delimiter, digits);
                 *at++ = delimiter;
             }
+            places[width - 1] = static_cast<std::size_t>(at - to.data());
             at = std::ranges::copy(answer, at).out;
             *at++ = delimiter;
             return write_numbers(at, {number++, 1}, delimiter, digits);
