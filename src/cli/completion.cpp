@@ -44,7 +44,7 @@ std::string lines_of(const OptionSet& options) {
 } // namespace
 
 std::string completion_words() {
-    std::vector<std::string_view> method_names{fast_method, all_methods};
+    std::vector<std::string_view> method_names{fast_method, all_methods, default_method};
     for (const Method& method : methods()) {
         if (std::ranges::find(method_names, method.name) == method_names.end()) {
             method_names.push_back(method.name);

@@ -356,9 +356,10 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
         return fmt::format("{}: from {} only default, fast and all are known", quoted(text), pair);
     }
     auto legal = mapped(rows, &Method::name);
+    legal.insert(legal.begin(), default_method);
     legal.insert(legal.end(), {fast_method, all_methods});
-    std::string message = fmt::format("{} is not a known method from {}{}; legal:", quoted(text), pair,
-                                      suggestion(text, guess_by_spelling(text, legal)));
+    std::string message = fmt::format("{} is not a known method from {}{}; legal:\n  {:<18} {}", quoted(text), pair,
+                                      suggestion(text, guess_by_spelling(text, legal)), default_method, every_input);
     for (const Method& method : rows) {
         message += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }

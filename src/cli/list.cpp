@@ -113,12 +113,10 @@ std::string list_pair(std::string_view from, std::string_view to, std::span<cons
     const auto line = [&text](std::string_view name, std::string_view domain, std::string_view reference) {
         text += fmt::format("  {:<16}  {:<40}  {}\n", name, domain, reference);
     };
-    line(default_method, every_input, own_reference);
+    line(default_method, every_input, "rotconv, each number rounded once");
     line(fast_method, every_input, "rotconv, in plain doubles");
     for (const Method& method : rows) {
-        if (method.run != nullptr) {
-            line(method.name, method.domain, method.reference);
-        }
+        line(method.name, method.domain, method.reference);
     }
     return text;
 }
@@ -132,10 +130,9 @@ std::string list_methods(const std::vector<std::string>& pair) {
     }
     std::string text;
     for (const Method& method : methods()) {
-        if (method.run == nullptr && from.value_or(method.from) == method.from) {
-            text += list_pair(representation(method.from).text, representation(method.to).text,
-                              methods_of(method.from, method.to)) +
-                    "\n";
+        const auto rows = methods_of(method.from, method.to);
+        if (&method == &rows.front() && from.value_or(method.from) == method.from) {
+            text += list_pair(representation(method.from).text, representation(method.to).text, rows) + "\n";
         }
     }
     return text + list_pair(from ? representation(*from).text : "any", text.empty() ? "any" : "any other", {});

@@ -90,9 +90,7 @@ void hertzberg(const double* m, double* r) noexcept {
 void quaternion(const double* m, double* r) noexcept {
     double q[4];
     dcm_to_quat::shepperd(m, q);
-    if (q[0] < 0.0) {
-        Eigen::Map<Eigen::Vector4d>{q} *= -1.0;
-    }
+    Eigen::Map<Eigen::Vector4d>{q} *= q[0] < 0.0 ? -1.0 : 1.0;
     quat_to_rotvec::atan2(q, r);
 }
 

@@ -12,9 +12,8 @@ namespace rotconv {
 /// A method's answer that is further than this (radians) from the attitude is reported.
 inline constexpr double reported_method_error = 1e-6;
 
-/// Where rotconv's own two hold, and what stands for the reference of the default.
+/// Where rotconv's own two hold.
 inline constexpr std::string_view every_input = "every input that describes an attitude";
-inline constexpr std::string_view own_reference = "rotconv, each number rounded once";
 
 /// Every pair has it: rotconv's own way, each number rounded once.
 inline constexpr std::string_view default_method = "default";
@@ -25,8 +24,7 @@ inline constexpr std::string_view all_methods = "all";
 /// The method of every pair that is rotconv's own way in plain double arithmetic: ConversionSettings::fast.
 inline constexpr std::string_view fast_method = "fast";
 
-/// A published way from one representation to another, written as it was published, weaknesses included. rotconv's own
-/// way is the row `default` of each pair, whose function is null.
+/// A published way from one representation to another, written as it was published, weaknesses included.
 struct Method {
     RepresentationId from;
     RepresentationId to;
@@ -44,7 +42,7 @@ struct Method {
 /// All rows, in the order of their pairs.
 [[nodiscard]] std::span<const Method> methods() noexcept;
 
-/// The rows of a pair, see Method::serves(); empty where only rotconv's own way is known.
+/// The rows of a pair, see Method::serves(); empty where none is known.
 [[nodiscard]] std::span<const Method> methods_of(RepresentationId from, RepresentationId to) noexcept;
 
 /// The method of that name, or null.

@@ -72,7 +72,7 @@ MethodConversion::MethodConversion(const Conversion& own)
                              : std::nullopt) {}
 
 MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
-    if (!method.serves(from().name, to().name) || method.run == nullptr) {
+    if (!method.serves(from().name, to().name)) {
         throw std::invalid_argument("not a published method of this pair");
     }
     published_.push_back(&method);
@@ -84,9 +84,7 @@ MethodConversion MethodConversion::all(const Conversion& own) {
     fast.fast = true;
     conversion.fast_.emplace(own.from(), own.to(), fast);
     for (const Method& method : methods_of(own.from().name, own.to().name)) {
-        if (method.run != nullptr) {
-            conversion.published_.push_back(&method);
-        }
+        conversion.published_.push_back(&method);
     }
     return conversion;
 }
@@ -105,11 +103,9 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     const std::size_t size = to().size();
     const std::size_t rows = in.size() / from().size();
     const std::size_t count = published_.size() + (fast_ ? 2 : 0);
-    const std::size_t all = (published_.size() + 3) * rows * size; // of own_, of fast_, of each method, and room
-    Eigen::ArrayXd numbers(static_cast<Eigen::Index>(all));        // not set at first
-    const auto numbers_of = [&](std::size_t i) {
-        return std::span(numbers.data(), all).subspan(i * rows * size, rows * size);
-    };
+    // Of own_, of fast_, of each method, and room; not set at first.
+    Eigen::ArrayXXd numbers(rows * size, published_.size() + 3);
+    const auto numbers_of = [&](std::size_t i) { return std::span(numbers.col(i).data(), rows * size); };
     std::vector<RowReport> own;
     if (fast_) {
         fast_->run(in, numbers_of(1), own);
@@ -121,7 +117,7 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
             answer(*published_[i], starting, numbers_of(2 + published_.size()), numbers_of(2 + i));
         }
     }
-    const auto answers = std::span<const double>(numbers.data(), all).subspan((fast_ ? 0 : 2) * rows * size);
+    const std::span<const double> answers(numbers_of(fast_ ? 0 : 2).data(), count * rows * size);
     angles.resize(rows * count);
     const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
     measure(turned_ ? turned : in, answers, count, angles);

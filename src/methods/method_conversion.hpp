@@ -16,7 +16,7 @@ namespace rotconv {
 /// Thread-safe: running it changes nothing in it.
 class MethodConversion {
 public:
-    /// Throws std::invalid_argument where the method is one of another pair, or rotconv's own.
+    /// Throws std::invalid_argument where the method is one of another pair.
     MethodConversion(const Conversion& own, const Method& method);
 
     /// rotconv's own two, default and fast, which every pair has, and all that are published.

@@ -32,21 +32,14 @@ void by_way_of(EulerSequence sequence, const double* in, double* out) noexcept {
     apply<second>(sequence, numbers.data(), out);
 }
 
-/// The function of a batch.
-template <std::size_t in_size, std::size_t out_size, auto one_row>
-void each_row(EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
-    for (std::size_t i = 0; i < rows; ++i, in += in_size, out += out_size) {
-        apply<one_row>(sequence, in, out);
-    }
-}
-
-constexpr Method own(RepresentationId from, RepresentationId to) noexcept {
-    return {from, to, default_method, own_reference, every_input, nullptr};
-}
-
 template <RepresentationId from, RepresentationId to, auto one_row>
 constexpr Method row(std::string_view name, std::string_view reference, std::string_view domain) noexcept {
-    return {from, to, name, reference, domain, each_row<size_of(from), size_of(to), one_row>};
+    const auto each_row = [](EulerSequence sequence, const double* in, std::size_t rows, double* out) noexcept {
+        for (std::size_t i = 0; i < rows; ++i, in += size_of(from), out += size_of(to)) {
+            apply<one_row>(sequence, in, out);
+        }
+    };
+    return {from, to, name, reference, domain, each_row};
 }
 
 namespace dq = formula::dcm_to_quat;
@@ -61,9 +54,8 @@ namespace rd = formula::rotvec_to_dcm;
 namespace cd = formula::cayley_to_dcm;
 namespace td = formula::two_column_to_dcm;
 
-// The rows of a pair stand together, its default first.
+// The rows of a pair stand together.
 constexpr std::array table{
-    own(dcm, quat),
     row<dcm, quat, dq::trace>("trace", "Baruh 1999, Eqs 1-4", "theta below 180 deg"),
     row<dcm, quat, dq::baruh>("baruh", "Baruh 1999, Eqs 2-8", "theta below 180 deg"),
     row<dcm, quat, dq::four_roots>("four-roots", "Chiaverini and Siciliano 1999",
@@ -83,7 +75,6 @@ constexpr std::array table{
     row<dcm, quat, dq::compensated>("compensated", "Davenport 1968, with Dekker 1971",
                                     "near rotations, defect to 1e-8"),
 
-    own(dcm, rotvec),
     row<dcm, rotvec, dr::acos>("acos", "Shuster 1993, Euler axis and angle", "theta away from 0 and 180 deg"),
     row<dcm, rotvec, dr::atan2>("atan2", "common property, the angle by atan2", "theta above 0, below 180 deg"),
     row<dcm, rotvec, dr::polynomial>("polynomial", "Stuelpnagel 1964, section 6, corrected",
@@ -96,7 +87,6 @@ constexpr std::array table{
     row<dcm, rotvec, by_way_of<quat, dq::compensated, qr::compensated>>(
         "compensated", "Davenport 1968, with Dekker 1971", "near rotations, defect to 1e-8"),
 
-    own(dcm, euler),
     row<dcm, euler, de::asin>("asin", "Diebel 2006, the twelve sequences", "orthogonal, away from lock"),
     row<dcm, euler, de::slabaugh>("slabaugh", "Slabaugh 1999, for all sequences", "orthogonal, away from lock"),
     row<dcm, euler, de::shoemake>("shoemake", "Shoemake 1994, threshold 1.9e-6", "orthogonal, to 4e-6 rad near lock"),
@@ -104,25 +94,21 @@ constexpr std::array table{
                                          "orthogonal, to 2e-7 rad near lock"),
     row<dcm, euler, de::eigen>("eigen", "Eigen 3.4, eulerAngles", "orthogonal matrices"),
 
-    own(dcm, cayley),
     row<dcm, cayley, dc::lu>("lu", "Stuelpnagel 1964, section 6", "theta below 180 deg"),
     row<dcm, cayley, dc::polynomial>("polynomial", "Shuster 1993, Rodrigues vector", "theta below 180 deg"),
     row<dcm, cayley, dc::quaternion>("quaternion", "Shepperd 1978, then v/w", "orthogonal matrices"),
 
-    own(quat, dcm),
     row<quat, dcm, qd::unit>("unit", "Stuelpnagel 1964, section 5", "unit quaternions"),
     row<quat, dcm, qd::two_over_norm>("two-over-norm", "Shoemake 1994, Eul_FromQuat", "norms from 1e-150 to 1e150"),
     row<quat, dcm, qd::homogeneous>("homogeneous", "Baruh 1999, over the squared norm", "norms from 1e-150 to 1e150"),
     row<quat, dcm, qd::normalise_first>("normalise-first", "Stuelpnagel 1964, section 5, of q/|q|",
                                         "norms from 1e-150 to 1e150"),
 
-    own(quat, rotvec),
     row<quat, rotvec, qr::acos>("acos", "Shuster 1993", "unit quaternions, theta away from 0"),
     row<quat, rotvec, qr::atan2>("atan2", "Sola 2017, logarithmic map", "norms from 1e-150 to 1e150"),
     row<quat, rotvec, qr::compensated>("compensated", "logarithm, products after Dekker 1971",
                                        "norms from 1e-150 to 1e150"),
 
-    own(quat, euler),
     row<quat, euler, by_way_of<dcm, qd::unit, de::asin>>("classic", "Diebel 2006, the twelve sequences",
                                                          "unit quaternions away from lock"),
     row<quat, euler, by_way_of<dcm, qd::two_over_norm, de::shoemake>>(
@@ -132,23 +118,19 @@ constexpr std::array table{
     row<quat, euler, qe::bernardes_atan2>("bernardes-atan2", "Bernardes, Viollet 2022, by atan2",
                                           "any quaternion but 0"),
 
-    own(rotvec, quat),
     row<rotvec, quat, rq::half_angle>("half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate"),
     row<rotvec, quat, rq::taylor>("taylor", "the same, series to 1e-3 as in SciPy", "theta moderate"),
     row<rotvec, quat, rq::branchless>("branchless", "the same, 2^-1022 added to theta", "theta moderate"),
 
-    own(rotvec, dcm),
     row<rotvec, dcm, rd::rodrigues>("rodrigues", "Rodrigues 1840; Stuelpnagel 1964", "theta away from 0, moderate"),
     row<rotvec, dcm, rd::half_angle>("half-angle", "Rodrigues 1840, by the half angle", "theta above 0, moderate"),
     row<rotvec, dcm, by_way_of<quat, rq::half_angle, qd::unit>>("quaternion", "Stuelpnagel 1964, section 5",
                                                                 "theta above 0, moderate"),
     row<rotvec, dcm, rd::compensated>("compensated", "Stuelpnagel 1964, with Dekker 1971", "lengths below 1e15"),
 
-    own(cayley, dcm),
     row<cayley, dcm, cd::inverse>("inverse", "Stuelpnagel 1964, section 6", "lengths far below 1e16"),
     row<cayley, dcm, cd::closed>("closed", "Shuster 1993, Rodrigues vector", "lengths below 1e150"),
 
-    own(two_column, dcm),
     row<two_column, dcm, td::gram_schmidt>("gram-schmidt", "Zhou et al. 2019", "lengths from 1e-150 to 1e150"),
     row<two_column, dcm, td::symmetric>("symmetric", "Loewdin 1950, of two columns", "columns at right angles"),
 };

@@ -37,8 +37,6 @@ constexpr double plain_end = 1e15;
 
 constexpr int lowest_point = -3; // digits before the point, less zeros behind it
 
-bool is_plain(double magnitude) noexcept { return magnitude >= smallest_plain && magnitude < plain_end; }
-
 double without_sign_of_nan(double value) noexcept { return std::isnan(value) ? std::abs(value) : value; }
 
 /// The digits of a number below 10^8, one in a byte, the first of them in the lowest: it is halved until each has its
@@ -162,7 +160,7 @@ std::uint64_t round_to_units(double magnitude, int decimals) noexcept {
 /// Significant digits in the form of fmt's {:g}.
 char* write_rounded(char* to, double value, int precision) {
     const double magnitude = std::abs(value);
-    if (is_plain(magnitude) && precision <= most_digits) {
+    if (magnitude >= smallest_plain && magnitude < plain_end && precision <= most_digits) {
         int point = point_of(magnitude);
         std::uint64_t digits = point <= precision ? round_to_units(magnitude, precision - point) : 0;
         digits *= powers_of_ten[static_cast<std::size_t>(most_digits - precision)];

@@ -309,14 +309,12 @@ void RowTransformer::write(Output& output) {
         output.answered += rows_.size();
         return;
     }
-    const std::size_t size = operation_->names.size();
     const std::size_t answers = operation_->answers_of_row();
+    const std::size_t size = answers * operation_->names.size();
     for (auto row = rows_.begin(); row != rows_.end() && !output.stopped; ++row) {
-        const std::size_t first = row->index * answers;
-        if (row->is_scanned() && !is_reported_before(*row, first + answers) && !may_have_notes_ &&
+        if (row->is_scanned() && !is_reported_before(*row, (row->index + 1) * answers) && !may_have_notes_ &&
             writer_.writes_results_alone()) {
-            writer_.write(output.bytes, row->line, row->numbers,
-                          std::span(results_).subspan(first * size, answers * size));
+            writer_.write(output.bytes, row->line, row->numbers, std::span(results_).subspan(row->index * size, size));
             ++output.answered;
         } else if (!row->passes) {
             write_row(*row, output);

@@ -70,6 +70,31 @@ template <class WriteResult> void write_fields(Buffer& to, const Layout& layout,
     for_each_output(layout, fields.size(), other, result);
 }
 
+/// A line with what `write_result` writes, in room for so many bytes, in the place of `numbers` in it, or at its end.
+template <class WriteResult> void write_around(Buffer& to, const Layout& layout, const Line& line,
+                                               std::string_view numbers, std::size_t room,
+                                               const WriteResult& write_result) {
+    std::string_view before(line.text.data(), numbers.data());
+    const char* const end = line.text.data() + line.text.size() + line.end.size();
+    std::string_view after(numbers.data() + numbers.size(), end);
+    if (layout.appends) {
+        before = without_trailing_blanks(line.text, layout.delimiter.text());
+        after = line.end;
+    }
+    const std::size_t size = to.size();
+    to.reserve(size + before.size() + 1 + room + after.size());
+    char* at = std::ranges::copy(before, to.data() + size).out;
+    if (layout.appends) {
+        *at++ = layout.delimiter.text();
+    }
+    at = write_result(at);
+    at = std::ranges::copy(after, at).out;
+    to.resize(static_cast<std::size_t>(at - to.data()));
+    if (line.end.empty()) {
+        append(to, layout.line_end);
+    }
+}
+
 } // namespace
 
 std::vector<std::string_view> result_columns(const Options& options) {
@@ -153,35 +178,12 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
     }
 }
 
-template <class WriteResult> void RowWriter::write_around(Buffer& to, const Line& line, std::string_view numbers,
-                                                          std::size_t room, const WriteResult& write_result) const {
-    std::string_view before(line.text.data(), numbers.data());
-    const char* const end = line.text.data() + line.text.size() + line.end.size();
-    std::string_view after(numbers.data() + numbers.size(), end);
-    if (layout_->appends) {
-        before = without_trailing_blanks(line.text, layout_->delimiter.text());
-        after = line.end;
-    }
-    const std::size_t size = to.size();
-    to.reserve(size + before.size() + 1 + room + after.size());
-    char* at = std::ranges::copy(before, to.data() + size).out;
-    if (layout_->appends) {
-        *at++ = layout_->delimiter.text();
-    }
-    at = write_result(at);
-    at = std::ranges::copy(after, at).out;
-    to.resize(static_cast<std::size_t>(at - to.data()));
-    if (line.end.empty()) {
-        append(to, layout_->line_end);
-    }
-}
-
 void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> results) const {
     const char delimiter = layout_->delimiter.text();
     const Digits digits = options_->digits;
     const auto& answers = options_->operation->answers;
     if (answers.empty()) {
-        write_around(to, line, numbers, room_for(results.size(), digits),
+        write_around(to, *layout_, line, numbers, room_for(results.size(), digits),
                      [&](char* at) { return write_numbers(at, results, delimiter, digits); });
         return;
     }
@@ -189,7 +191,7 @@ void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, st
     std::vector<std::size_t> places(width); // of the last answer's numbers, which many repeat, and of its name
     const double* number = results.data();
     for (const std::string_view answer : answers) {
-        write_around(to, line, numbers, room_for(width, digits) + answer.size() + 2, [&](char* at) {
+        write_around(to, *layout_, line, numbers, room_for(width, digits) + answer.size() + 2, [&](char* at) {
             for (std::size_t k = 0; k + 1 < width; ++k, ++number) {
                 const bool repeats = places[k + 1] > 0 && std::memcmp(number, number - width, sizeof *number) == 0;
                 const std::size_t last = std::exchange(places[k], static_cast<std::size_t>(at - to.data()));

@@ -48,9 +48,6 @@ public:
     [[nodiscard]] bool writes_results_alone() const noexcept { return writes_results_alone_; }
 
 private:
-    /// What of such a row is not the result, and that where `write_result` writes it, in room for so many bytes.
-    template <class WriteResult> void write_around(Buffer& to, const Line& line, std::string_view numbers,
-                                                   std::size_t room, const WriteResult& write_result) const;
     void write_csv(Buffer& to, const ConvertedRow& row) const;
     void write_json(Buffer& to, const ConvertedRow& row) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;

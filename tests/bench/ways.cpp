@@ -71,6 +71,7 @@ std::vector<Pair> pairs() {
     for (const Method& method : methods()) {
         if (found.empty() || found.back().from != method.from || found.back().to != method.to) {
             found.push_back(pair_of(method.from, method.to));
+            found.back().ways.push_back({"default", nullptr, nullptr});
         }
         found.back().ways.push_back({std::string(method.name), method.run, method.run});
     }
