@@ -104,8 +104,8 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     const std::size_t rows = in.size() / from().size();
     const std::size_t count = published_.size() + (fast_ ? 2 : 0);
     // Of own_, of fast_, of each method, and room; not set at first.
-    Eigen::ArrayXXd numbers(rows * size, published_.size() + 3);
-    const auto numbers_of = [&](std::size_t i) { return std::span(numbers.col(i).data(), rows * size); };
+    Eigen::ArrayXd numbers(static_cast<Eigen::Index>((published_.size() + 3) * rows * size));
+    const auto numbers_of = [&](std::size_t i) { return std::span(numbers.data() + i * rows * size, rows * size); };
     std::vector<RowReport> own;
     if (fast_) {
         fast_->run(in, numbers_of(1), own);
