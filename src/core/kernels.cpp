@@ -29,11 +29,7 @@ template <class T> const BatchKernel<T>& batch_kernel_of(RepresentationId name) 
 /// b q or q b.
 template <class T> ROTCONV_INLINE void turn(const T (&by)[4], bool from_the_left, T (&q)[4]) noexcept {
     const T own[4] = {q[0], q[1], q[2], q[3]};
-    if (from_the_left) {
-        multiply(by, own, q);
-    } else {
-        multiply(own, by, q);
-    }
+    multiply(from_the_left ? by : own, from_the_left ? own : by, q);
 }
 template <class T> ROTCONV_INLINE void turn(const ExactQuaternion& by, bool from_the_left, T (&q)[4]) noexcept {
     T constant[4];
@@ -82,8 +78,6 @@ template <class T> void relate(const AttitudeBatch<T>& attitudes, const Attitude
         references.get(i, reference);
         relate(reference, frame, q);
         relative.set(i, q);
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
         relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
     }
 }
@@ -101,13 +95,13 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
 
 // Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
 
-/// No branch, and no type of another width: the loop vectorises.
+/// No branch: the loop vectorises.
 template <bool (*is_plain)(double) noexcept> bool all(const double* numbers, std::size_t count) noexcept {
-    double others = 0.0;
+    bool found = true;
     for (std::size_t i = 0; i < count; ++i) {
-        others = is_plain(numbers[i]) ? others : 1.0;
+        found = found & is_plain(numbers[i]);
     }
-    return others == 0.0;
+    return found;
 }
 
 bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows) noexcept {
@@ -229,8 +223,7 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
 void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
                     std::size_t rows, AttitudeBatch<double>& relative) noexcept {
     relate(attitudes, references, frame, rows, relative);
-    const bool are_plain = all_plain(attitudes, 0, rows) && all_plain(references, 0, rows);
-    for (std::size_t i = 0; i < rows && !are_plain; ++i) {
+    for (std::size_t i = 0; i < rows; ++i) {
         if (!all_plain(attitudes, i, 1) || !all_plain(references, i, 1)) {
             Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};
             const Careful other[4] = {references[0][i], references[1][i], references[2][i], references[3][i]};
