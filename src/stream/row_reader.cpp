@@ -33,7 +33,7 @@ namespace {
 } // namespace
 
 std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) const {
-    if (options_->width > 0 || layout_->side_by_side.empty()) {
+    if (options_->width > 0 || layout_->number_of_field.empty()) {
         return std::nullopt;
     }
     const Delimiter delimiter = layout_->delimiter;
@@ -58,7 +58,7 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) co
     const std::size_t first = to.size();
     to.resize(first + layout_->count);
     const char* const at =
-        scan_numbers(begin, end, delimiter.text(), layout_->side_by_side, std::span(to).subspan(first));
+        scan_numbers(begin, end, delimiter.text(), layout_->number_of_field, std::span(to).subspan(first));
     bool is_plain = at != nullptr;
     if (is_plain && has_other_fields) {
         is_plain = at == end || (*at == delimiter.text() && !delimiter.is_blanks());
