@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
@@ -101,15 +100,9 @@ Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<Fix
 }
 
 double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept {
-    const auto own = numbers.first(spec.size());
-    const double squares = std::inner_product(own.begin(), own.end(), own.begin(), 0.0);
-    switch (spec.name) {
-    case RepresentationId::quat: return 2.0 * error;
-    case RepresentationId::mrp: return 4.0 * error;
-    case RepresentationId::cayley: return 2.0 / std::sqrt(1.0 + squares) * error;
-    case RepresentationId::five_d: return 2.0 * std::numbers::sqrt2 / (1.0 + squares) * error; // (sqrt 2 - r11) error
-    default: return spec.unit == AngleUnit::degrees ? radians_per_degree * error : error;
-    }
+    const auto turn_per_error = codec_of(spec.name).turn_per_error;
+    const double unit = spec.unit == AngleUnit::degrees ? radians_per_degree : 1.0;
+    return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
 }
 
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)

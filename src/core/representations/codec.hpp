@@ -20,6 +20,9 @@ struct Codec {
 
     /// The defect in full, where reading returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;
+    /// The angle, in radians, by which an error in the numbers turns the attitude, over that error; null where they are
+    /// angles or entries of a matrix, of which it is the unit or 1.
+    double (*turn_per_error)(const double* numbers) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
 
     /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones, or
