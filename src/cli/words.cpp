@@ -6,6 +6,7 @@
 
 #include "../stream/file.hpp"
 #include "../stream/fmt.hpp"
+#include "../stream/json.hpp"
 #include "../stream/utf8.hpp"
 
 namespace rotconv::cli {
@@ -78,6 +79,12 @@ std::string in_shell(std::string_view word) {
 }
 
 std::string file_in_shell(const std::string& file) { return in_shell((file.starts_with('-') ? "./" : "") + file); }
+
+JsonValue::JsonValue(const std::string& value) {
+    stream::Buffer to;
+    stream::append_json_string(to, value);
+    text = fmt::to_string(to);
+}
 
 JsonValue::JsonValue(double value) : text(fmt::to_string(value)) {
     text = std::isfinite(value) ? text : JsonValue(text).text;

@@ -172,7 +172,7 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
     }
     const std::size_t width = to_.size();
     for (std::size_t i = 0; i < rows; ++i) {
-        if (attitudes.defect[i] <= largest_defect && attitudes.error[i] == Error::none && diagnostics[i].empty()) {
+        if (diagnostics[i].empty() && !input.is_remarkable(i, settings_)) {
             continue;
         }
         RowReport found = input.report(i, settings_);

@@ -1,5 +1,9 @@
 #include "kernels.hpp"
 
+#include <limits>
+
+#include "representations/half_turn.hpp"
+
 namespace rotconv {
 
 extern const KernelTable kernels_of_any_processor;
@@ -32,5 +36,17 @@ DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numb
 }
 
 // NOLINTEND(*-avoid-c-arrays)
+
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
+            std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept {
+    kernel_table().relate(attitudes, references, frame, rows, relative, angles);
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (relative.error[i] != Error::none) {
+            angles[i] = std::numeric_limits<double>::quiet_NaN();
+        } else if (!(angles[i] >= 0x1p-100)) {
+            angles[i] = angle_of(relative.at(i));
+        }
+    }
+}
 
 } // namespace rotconv

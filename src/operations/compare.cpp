@@ -169,20 +169,18 @@ public:
               return Comparison({}, {}, settings);
           }()) {}
 
-    /// @param compared an angle, nan where there is none, and both attitudes: of each row the last of
-    /// `compared_width` numbers
-    void compare(std::span<const double> compared, std::size_t compared_width, std::span<double> out,
-                 std::size_t out_width, std::vector<RowReport>& reports) {
-        const std::size_t rows = compared.size() / compared_width;
-        std::ranges::fill(out.first(rows * out_width), no_angle);
+    /// @param compared of each row an angle, nan where there is none, and both attitudes
+    void compare(std::span<const double> compared, std::span<double> out, std::size_t out_width,
+                 std::vector<RowReport>& reports) {
+        std::ranges::fill(out, no_angle);
         turns_.clear();
-        for (std::size_t row = 0; row < rows; ++row) {
-            const double* end = compared.data() + (row + 1) * compared_width;
-            if (std::isnan(compared[row * compared_width])) {
+        for (std::size_t row = 0; row < compared.size() / numbers_of_pair; ++row) {
+            const double* numbers = compared.data() + row * numbers_of_pair;
+            if (std::isnan(numbers[0])) {
                 continue;
             }
             Pair& place = kept_.size() < delta_ ? kept_.emplace_back() : kept_[next_++ % delta_];
-            const Pair pair{rotation_at(end - 8), rotation_at(end - 4)};
+            const Pair pair{rotation_at(numbers + 1), rotation_at(numbers + 5)};
             if (next_ > 0) {
                 for (const std::size_t side : {0U, 1U}) {
                     const Eigen::Quaterniond turn = quaternion::from_rotation(place[side].inverse() * pair[side]);
@@ -230,9 +228,11 @@ public:
             turns_.emplace(rows.delta, settings);
             in_order = true;
             settings.within = std::numeric_limits<double>::infinity();
+        }
+        if (rows.as_numbers || rows.delta > 0) {
+            settings.attitudes = true;
             settings.relative.reset();
         }
-        settings.attitudes = rows.as_numbers || rows.delta > 0;
         comparison_ = Comparison(comparison.from(), comparison.reference(), settings);
         if (rows.interpolates) {
             between_.emplace(comparison_);
@@ -244,16 +244,12 @@ public:
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compare>(*this); }
 
     void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        const std::size_t width = names.size();
-        const std::size_t compared_width = comparison_.outputs();
-        const bool has_attitudes = comparison_.settings().attitudes;
-        const std::size_t numbers = has_attitudes ? rows.lines.size() * compared_width : 0;
-        compared_.resize(std::max(compared_.size(), numbers)); // what is there is not cleared
-        const std::span<double> compared = has_attitudes ? std::span(compared_).first(numbers) : out;
+        compared_.resize(turns_ ? rows.lines.size() * comparison_.outputs() : 0);
+        const std::span<double> compared = turns_ ? std::span(compared_) : out;
         std::span<const double> attitudes = rows.numbers;
         if (between_) {
             between_->run(rows.numbers, compared, reports);
-            attitudes = has_attitudes ? with_quaternions(rows) : attitudes;
+            attitudes = comparison_.settings().attitudes ? with_quaternions(rows, compared) : attitudes;
         } else {
             if (rows_.by_key) {
                 attitudes_ = without_keys(rows.numbers, comparison_.from().size(), comparison_.reference().size());
@@ -262,28 +258,19 @@ public:
             comparison_.run(attitudes, compared, reports);
         }
         if (turns_) {
-            turns_->compare(compared, compared_width, out, width, reports);
+            turns_->compare(compared, out, names.size(), reports);
         }
-        for (std::size_t i = 0; rows_.as_numbers && i < rows.lines.size(); ++i) {
-            double* const result = out.data() + i * width;
-            const double* const end = compared_.data() + (i + 1) * compared_width;
-            result[0] = turns_ ? result[0] : *(end - static_cast<std::ptrdiff_t>(compared_width));
-            std::copy_n(end - 8, 8, result + 1);
-            result[numbers_of_pair - 1] = static_cast<double>(rows.lines[i]);
-        }
-        watch_->add(rows, attitudes, rows_.by_key ? 1 + comparison_.from().size() : 0, out, width);
+        watch_->add(rows, attitudes, rows_.by_key ? 1 + comparison_.from().size() : 0, out, names.size());
     }
 
 private:
     /// The numbers of each attitude, and the quaternion between those of the reference.
-    std::span<const double> with_quaternions(const stream::NumberRows& rows) {
+    std::span<const double> with_quaternions(const stream::NumberRows& rows, std::span<const double> compared) {
         attitudes_.clear();
         for (std::size_t i = 0; i < rows.lines.size(); ++i) {
             const auto row = rows.numbers.subspan(i * (rows.numbers.size() / rows.lines.size()) + 1);
-            const auto own = row.first(comparison_.from().size());
-            const auto q = std::span(compared_).subspan((i + 1) * comparison_.outputs() - 4, 4);
-            append(attitudes_, own);
-            append(attitudes_, q);
+            append(attitudes_, row.first(comparison_.from().size()));
+            append(attitudes_, compared.subspan((i + 1) * comparison_.outputs() - 4, 4));
         }
         return attitudes_;
     }
@@ -293,11 +280,22 @@ private:
     std::shared_ptr<PairWatch> watch_;
     std::optional<ComparisonBetween> between_; ///< where the reference is interpolated
     std::optional<ComparisonOfTurns> turns_;   ///< where there is a delta
-    std::vector<double> compared_;
+    std::vector<double> compared_;             ///< before the turns
     std::vector<double> attitudes_;
 };
 
 } // namespace
+
+int PairStatistics::write(std::string_view rows) {
+    for_each_pair(rows, [this](double angle, const Rotation& attitude, const Rotation& reference) {
+        angles_.add(angle);
+        if (finds_turns_) {
+            left_.add(reference * attitude.inverse());
+            right_.add(attitude.inverse() * reference);
+        }
+    });
+    return 0;
+}
 
 void PairWatch::add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t second_key,
                     std::span<const double> results, std::size_t width) {

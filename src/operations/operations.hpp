@@ -1,15 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <rotconv/alignment.hpp>
 #include <rotconv/comparison.hpp>
 #include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
@@ -20,7 +24,9 @@
 #include <rotconv/survey.hpp>
 
 #include "../methods/method_conversion.hpp"
+#include "../stream/file.hpp"
 #include "../stream/row_operation.hpp"
+#include "angle_statistics.hpp"
 
 /// What commands do with rows of numbers: for each the numbers that it takes of a row, and the operation, in a source
 /// of its name.
@@ -112,12 +118,47 @@ struct PropagationRows {
 struct ComparisonRows {
     bool paired = false;       ///< the second attitude comes from a reference...
     bool by_key = false;       ///< ...and each of the two has its key before it
-    bool as_numbers = false;   ///< rows for a sink, see `numbers_of_pair`, instead of the relative attitude
+    bool as_numbers = false;   ///< rows are those of ComparedPair, for a sink, instead of the relative attitude
     bool interpolates = false; ///< by key: the second attitude lies between two of the reference, see stream::Pairing
     std::size_t delta = 0;     ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
 };
-/// For a sink: the angle, both attitudes as quaternions, and the line. An angle of nan is none.
-inline constexpr std::size_t numbers_of_pair = 10;
+/// The numbers of a row for a sink. An angle of nan is none. With a delta there are no attitudes.
+struct ComparedPair {
+    double angle;
+    std::array<double, 4> attitude, reference; ///< quaternions of norm 1/2 to 2
+};
+inline constexpr std::size_t numbers_of_pair = sizeof(ComparedPair) / sizeof(double);
+
+/// Calls `take(angle, attitude, reference)` for the rows that have an angle.
+template <class Take> void for_each_pair(std::string_view rows, const Take& take) {
+    const auto rotation = [](const std::array<double, 4>& q) { return Rotation::near_unit(q[0], q[1], q[2], q[3]); };
+    ComparedPair pair{};
+    for (; !rows.empty(); rows.remove_prefix(sizeof pair)) {
+        std::memcpy(&pair, rows.data(), sizeof pair);
+        if (!std::isnan(pair.angle)) {
+            take(pair.angle, rotation(pair.attitude), rotation(pair.reference));
+        }
+    }
+}
+
+/// A sink for such rows: what their pairs are like together.
+class PairStatistics final : public stream::Sink {
+public:
+    /// @param finds_turns the mean turns are wanted
+    explicit PairStatistics(bool finds_turns) : finds_turns_(finds_turns) {}
+    int write(std::string_view rows) override;
+
+    [[nodiscard]] const AngleStatistics& angles() const noexcept { return angles_; }
+    /// Of the turns that bring each attitude to its reference, from the left and from the right.
+    [[nodiscard]] const MeanTurn& left() const noexcept { return left_; }
+    [[nodiscard]] const MeanTurn& right() const noexcept { return right_; }
+
+private:
+    bool finds_turns_;
+    AngleStatistics angles_;
+    MeanTurn left_;
+    MeanTurn right_;
+};
 
 /// A pair among those that differ most: the worst are first, of equals the earlier.
 struct WorstPair {

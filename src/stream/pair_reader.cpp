@@ -14,20 +14,13 @@ constexpr std::size_t most_texts = 8;
 constexpr std::size_t most_lines_ahead = 4096;
 constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
-/// The block holds the text for as long as its rows are used.
-void hold(PairBlock& pairs, const std::shared_ptr<const std::string>& text) {
-    if (std::ranges::find(pairs.texts, text) == pairs.texts.end()) {
-        pairs.texts.push_back(text);
-    }
-}
-
 } // namespace
 
 void PairReader::Side::read_block(Job& job) {
     ended = !blocks.read(job);
     if (!job.rest.empty()) {
-        text = std::make_shared<const std::string>(std::exchange(job.rest, {})); // no longer than need be: it may wait
-        rest = *text;
+        // no longer than need be: it may wait
+        rest = *texts.emplace_back(std::make_shared<const std::string>(std::exchange(job.rest, {})));
         line = job.line;
     }
     job.block.text = {};
@@ -35,9 +28,9 @@ void PairReader::Side::read_block(Job& job) {
 
 void PairReader::Side::take_line() {
     Waiting& next = waiting.emplace_back();
-    next.text = text;
     next.number = line++;
     next.line = next_row(rest, options->width);
+    next.ends_text = rest.empty();
     next.passes = options->width == 0 && !options->is_row(next.line.text);
     if (!next.passes && by_key) {
         find_key(next);
@@ -58,7 +51,7 @@ void PairReader::Side::find_key(Waiting& row) {
     } else if (key_text && newest && key.value <= *newest) {
         parts.error = {.what = RowError::What::key_order, .text = *key_text};
     } else if (key_text) {
-        newest = row.key = std::move(key.value);
+        newest = keys.emplace_back(std::move(key.value));
         if (!oldest) {
             oldest = newest;
         }
@@ -81,12 +74,12 @@ PairReader::At PairReader::Side::look(std::size_t ahead) {
 }
 
 void PairReader::Side::drop_row(bool is_paired) {
-    Waiting& first = waiting.front();
     if (!is_paired && unpaired.rows++ == 0) {
-        unpaired.first_line = first.number;
+        unpaired.first_line = waiting.front().number;
     }
     if (by_key) {
-        disposed = std::move(first.key);
+        disposed = std::move(keys.front());
+        keys.pop_front();
     }
     drop_line();
     --rows_waiting;
@@ -94,7 +87,17 @@ void PairReader::Side::drop_row(bool is_paired) {
 
 void PairReader::Side::drop_line() {
     bytes_waiting -= waiting.front().line.text.size();
+    if (waiting.front().ends_text) {
+        texts.pop_front();
+        held -= std::min<std::size_t>(held, 1);
+    }
     waiting.pop_front();
+}
+
+void PairReader::Side::hold(std::size_t count, PairBlock& pairs) {
+    for (; held < count; ++held) {
+        pairs.texts.push_back(texts[held]);
+    }
 }
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
@@ -102,6 +105,7 @@ PairReader::PairReader(Source& source, Source& reference, const Options& options
       references_(reference, pairing_->reference, nullptr, pairing_->by_key, block_size) {}
 
 bool PairReader::read(Job& job) {
+    rows_.held = references_.held = 0;
     for (bool has_read = false; !error_;) {
         const At row = rows_.look(0);
         const At reference = references_.look(0);
@@ -146,7 +150,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
                 Row& row = pairs.rows.emplace_back(first.line, first.number);
                 row.passes = first.passes;
                 row.error = error;
-                hold(pairs, first.text);
+                side->hold(1, pairs);
             } else if (!first.passes) {
                 pairs.rows.emplace_back().error = error;
             }
@@ -166,15 +170,11 @@ void PairReader::pair(Job& job, const Waiting* later) {
     if (later != nullptr) {
         row.later = later->line.text;
         row.later_number = later->number;
-        row.fraction = Decimal::ratio(first.key - other.key, later->key - other.key);
+        row.fraction = Decimal::ratio(rows_.keys[0] - references_.keys[0], references_.keys[1] - references_.keys[0]);
     }
-    job.pairs.bytes += row.line.text.size() + row.reference.size();
-    hold(job.pairs, first.text);
-    hold(job.pairs, other.text);
-    if (later != nullptr) {
-        hold(job.pairs, later->text);
-        job.pairs.bytes += later->line.text.size();
-    }
+    job.pairs.bytes += row.line.text.size() + row.reference.size() + row.later.size();
+    rows_.hold(1, job.pairs);
+    references_.hold(later == nullptr ? 1 : references_.texts.size(), job.pairs);
     rows_.drop_row(true);
     if (!pairing_->interpolates) {
         references_.drop_row(true);
@@ -200,15 +200,15 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     if (pairing_->interpolates) {
         return match_between(job);
     }
-    const auto order = rows_.waiting.front().key <=> references_.waiting.front().key;
-    if (!pairing_->by_key || std::is_eq(order)) {
+    if (!pairing_->by_key || rows_.keys[0] == references_.keys[0]) {
         pair(job);
         return nullptr;
     }
-    Side& low = std::is_lt(order) ? rows_ : references_;
-    const Side& high = std::is_lt(order) ? references_ : rows_;
-    const Decimal& low_key = low.waiting.front().key;
-    const Decimal& high_key = high.waiting.front().key;
+    const bool is_before = rows_.keys[0] < references_.keys[0];
+    Side& low = is_before ? rows_ : references_;
+    const Side& high = is_before ? references_ : rows_;
+    const Decimal& low_key = low.keys[0];
+    const Decimal& high_key = high.keys[0];
     const auto sign = Decimal::sign_of_sum;
     if (!any_pair_) {
         compare_distance(high_key - low_key);
@@ -226,7 +226,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
         give_up(low);
         return nullptr;
     }
-    if (next == At::row && sign({{&low.second().key, 1}, {&low_key, 1}, {&high_key, -2}}) < 0) {
+    if (next == At::row && sign({{&low.keys[1], 1}, {&low_key, 1}, {&high_key, -2}}) < 0) {
         low.drop_row(false);
     } else {
         pair(job);
@@ -235,8 +235,8 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
 }
 
 PairReader::Side* PairReader::match_between(Job& job) {
-    const Decimal& key = rows_.waiting.front().key;
-    const Decimal& earlier = references_.waiting.front().key;
+    const Decimal& key = rows_.keys[0];
+    const Decimal& earlier = references_.keys[0];
     const auto order = key <=> earlier;
     if (std::is_eq(order)) {
         pair(job);
@@ -257,10 +257,10 @@ PairReader::Side* PairReader::match_between(Job& job) {
         error_->of_reference = true;
     } else if (next == At::end) {
         rows_.drop_row(false);
-    } else if (const Waiting& later = references_.second(); later.key <= key) {
+    } else if (const Decimal& later = references_.keys[1]; later <= key) {
         references_.drop_row(true);
-    } else if (Decimal distance = later.key - earlier; distance <= pairing_->within) {
-        pair(job, &later);
+    } else if (Decimal distance = later - earlier; distance <= pairing_->within) {
+        pair(job, &references_.second());
     } else {
         compare_distance(std::move(distance));
         rows_.drop_row(false);

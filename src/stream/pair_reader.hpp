@@ -39,11 +39,10 @@ public:
 private:
     /// A line that is read and not yet disposed of.
     struct Waiting {
-        std::shared_ptr<const std::string> text{}; ///< in which it stands
         Line line{};
         std::size_t number = 0;
         bool passes = false;
-        Decimal key{};
+        bool ends_text = false;            ///< it is the last line of a text
         std::unique_ptr<RowError> error{}; ///< of the key
 
         [[nodiscard]] bool has_key() const noexcept { return !passes && !error; }
@@ -66,6 +65,8 @@ private:
         void find_key(Waiting& row);
         void drop_row(bool is_paired);
         void drop_line();
+        /// Has the block hold the first texts for as long as its rows are used.
+        void hold(std::size_t count, PairBlock& pairs);
         /// The row after the first.
         /// @pre look(1) is At::row
         [[nodiscard]] const Waiting& second() const {
@@ -79,11 +80,13 @@ private:
         RowBlocks blocks;
         RowReader reader;
         RowParts parts;
-        std::shared_ptr<const std::string> text; ///< the rows of the last block...
-        std::string_view rest;                   ///< ...those that do not wait yet
+        std::deque<std::shared_ptr<const std::string>> texts; ///< the blocks of the lines at hand...
+        std::size_t held = 0;                                 ///< ...the first ones that the job holds...
+        std::string_view rest;                                ///< ...and the lines that do not wait yet
         std::size_t line = 1;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
+        std::deque<Decimal> keys;      ///< of the rows among them, where they have keys
         std::size_t bytes_waiting = 0; ///< of those lines
         std::size_t rows_waiting = 0;  ///< that may be paired
         std::optional<Decimal> oldest; ///< of the keys that increased

@@ -64,8 +64,12 @@ ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 
 [[nodiscard]] const Codec& codec_of(RepresentationId name) noexcept;
 
-/// Rows from the order in which they are written to the representation's own.
-void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own) noexcept;
+/// Rows from the order in which they are written, each at the beginning of one of that width, to the representation's
+/// own.
+void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own, std::size_t width) noexcept;
+inline void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own) noexcept {
+    to_own_order(spec, written, rows, own, spec.size());
+}
 /// And back; -0 becomes 0.
 void to_written_order(const Spec& spec, const double* own, std::size_t rows, double* written) noexcept;
 

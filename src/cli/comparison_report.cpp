@@ -1,0 +1,309 @@
+#include "comparison_report.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include <rotconv/axis_angle.hpp>
+#include <rotconv/quaternion.hpp>
+
+#include "../stream/fmt.hpp"
+#include "../stream/json.hpp"
+#include "messages.hpp"
+
+namespace rotconv::cli {
+
+TurnOptions::TurnOptions(const ConstantTurns& found, const ConversionSettings& given) {
+    const FixedRotation none{Rotation{}};
+    add("left", found.left, FixedRotation(found.left) * given.left.value_or(none));
+    add("right", found.right, given.right.value_or(none) * FixedRotation(found.right));
+}
+
+void TurnOptions::add(std::string_view name, const Rotation& found, const FixedRotation& all) {
+    if (all.rotation.vector_length() > 0.0) {
+        const Eigen::Quaterniond q = quaternion::from_rotation(all.rotation);
+        sides_.push_back({name,
+                          {q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0}, // no -0
+                          axis_angle::from_rotation(found).angle});
+    }
+}
+
+ConversionSettings TurnOptions::replaced_in(ConversionSettings settings) const {
+    settings.left.reset();
+    settings.right.reset();
+    for (const Side& side : sides_) {
+        (side.name == "left" ? settings.left : settings.right) = FixedRotation::of_numbers(Spec{}, side.q);
+    }
+    return settings;
+}
+
+std::string TurnOptions::Side::text() const { return fmt::format("quat: {}", fmt::join(q, " ")); }
+
+namespace {
+
+class ComparisonConclusion final : public Conclusion {
+public:
+    ComparisonConclusion(Check check, std::shared_ptr<operations::PairWatch> watch,
+                         std::shared_ptr<const TurnOptions> aligned)
+        : check_(std::move(check)), unit_(check_.degrees ? "deg" : "rad"), watch_(std::move(watch)),
+          aligned_(std::move(aligned)), pairs_(!check_.turns) {}
+
+    [[nodiscard]] stream::Sink* rows() override { return check_.format == Check::Format::csv ? nullptr : &pairs_; }
+    [[nodiscard]] bool is_check() const override { return true; }
+
+    [[nodiscard]] Answer answer(const RowsResult& result) override {
+        const std::size_t pairs = watch_->pairs();
+        if (pairs == 0 && result.code == ExitCode::done) {
+            print_error(check_.by_key && !result.keys.any_pair && result.unpaired[0].rows + result.unpaired[1].rows > 0
+                            ? messages::no_key_met(result.keys)
+                        : check_.turns && result.answered > 0 ? "no pair has one after it at the distance of --delta"
+                                                              : std::string(messages::nothing_read));
+        }
+        const std::string fault = fault_of(result);
+        const bool is_checked = !check_.within.text.empty() || !check_.within_p95.text.empty();
+        const std::string verdict = !is_checked ? "not checked" : fault.empty() ? "pass" : "fail: " + fault;
+        if (const std::string of_p95 = fault_of_p95(); check_.format == Check::Format::csv && !of_p95.empty()) {
+            print_error(of_p95); // of which the rows say nothing
+        }
+        return {.text = check_.format == Check::Format::csv    ? ""
+                        : check_.format == Check::Format::json ? in_json(result, is_checked ? verdict : JsonValue())
+                                                               : in_lines(result, verdict),
+                .holds = fault.empty()};
+    }
+
+private:
+    [[nodiscard]] std::string number(double value) const {
+        stream::Buffer text;
+        stream::append_number(text, value, check_.digits);
+        return fmt::to_string(text);
+    }
+    /// With its unit.
+    [[nodiscard]] std::string angle(double value) const { return fmt::format("{} {}", number(value), unit_); }
+    [[nodiscard]] std::string in_unit_of(const Limit& limit, double value) const {
+        const double radians = check_.degrees ? radians_per_degree * value : value;
+        return fmt::format("{} {}",
+                           number(limit.unit == unit_    ? value
+                                  : limit.unit == "deg"  ? degrees_per_radian * radians
+                                  : limit.unit == "mrad" ? 1000.0 * radians
+                                                         : radians),
+                           limit.unit);
+    }
+
+    [[nodiscard]] std::string fault_of_p95() const {
+        const std::size_t pairs = watch_->pairs();
+        if (watch_->beyond() * 100 <= pairs * 5) {
+            return {};
+        }
+        const std::string figure =
+            pairs_.angles().count() == 0 ? "" : in_unit_of(check_.within_p95, pairs_.angles().percentile(95.0)) + " ";
+        return fmt::format("p95 {}is beyond {}, {} of {} rows", figure, check_.within_p95.text, watch_->beyond(),
+                           pairs);
+    }
+
+    /// What does not hold; empty if all does.
+    [[nodiscard]] std::string fault_of(const RowsResult& result) const {
+        std::vector<std::string> faults;
+        const std::size_t pairs = watch_->pairs();
+        if (pairs == 0) {
+            faults.emplace_back("no pairs");
+        }
+        if (result.beyond > 0) {
+            faults.push_back(fmt::format("max {} is beyond {}, {} of {} rows, first at line {}",
+                                         in_unit_of(check_.within, watch_->worst().begin()->angle), check_.within.text,
+                                         result.beyond, pairs, result.first_beyond));
+        }
+        if (const std::string fault = fault_of_p95(); !fault.empty()) {
+            faults.push_back(fault);
+        }
+        for (const std::size_t side : {0U, 1U}) {
+            const std::size_t rows = result.unpaired.at(side).rows;
+            if (rows > 0 && !check_.allow_unpaired.at(side)) {
+                faults.push_back(
+                    fmt::format("{} of {} unpaired", counted(rows, "row"), side == 0 ? "FILE" : "REFERENCE"));
+            }
+        }
+        if (result.failed > 0 && !check_.allow_failed) {
+            faults.push_back(counted(result.failed, "row") + " failed");
+        } else if (result.code == ExitCode::completed_with_failures) {
+            faults.emplace_back("--strict met a diagnostic");
+        }
+        return fmt::format("{}", fmt::join(faults, "; "));
+    }
+
+    /// The turns on one side that leave less than a hundredth, if there are such, and what they leave, in radians.
+    [[nodiscard]] std::optional<std::pair<TurnOptions, double>> constant() const {
+        if (check_.turns || pairs_.angles().count() < 2) {
+            return std::nullopt;
+        }
+        const double all = pairs_.angles().root_mean_square() / check_.in_unit(1.0);
+        const double left = pairs_.left().rms();
+        const double right = pairs_.right().rms();
+        constexpr double rounding = 0x1p-50;
+        const bool is_left = left <= std::max(1.01 * right, rounding); // of equals
+        const double rest = is_left ? left : right;
+        if (!(rest < 0.01 * all) || all < rounding) {
+            return std::nullopt;
+        }
+        const ConstantTurns turns =
+            is_left ? ConstantTurns{pairs_.left().mean(), {}} : ConstantTurns{{}, pairs_.right().mean()};
+        return std::pair(TurnOptions(turns, check_.reading), rest);
+    }
+
+    /// The figures of all angles by their names.
+    [[nodiscard]] std::vector<std::pair<std::string, double>> figures() const {
+        std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles().root_mean_square()},
+                                                        {"mean", pairs_.angles().mean()},
+                                                        {"std", pairs_.angles().standard_deviation()}};
+        for (const auto& [name, percent] : check_.percentiles) {
+            all.emplace_back(name, pairs_.angles().percentile(percent));
+        }
+        return all;
+    }
+
+    [[nodiscard]] std::string attitude(const operations::WorstPair& pair, bool of_reference,
+                                       std::string_view separator = " ") const {
+        const auto numbers = std::span(pair.numbers);
+        const auto own = of_reference ? numbers.subspan(check_.own_size) : numbers.first(check_.own_size);
+        return fmt::format("{}", fmt::join(own, separator));
+    }
+
+    [[nodiscard]] std::string in_lines(const RowsResult& result, const std::string& verdict) const {
+        const auto line = [](std::string_view name, const auto& value) {
+            return fmt::format("{:9} {}\n", name, value);
+        };
+        std::string text = line("rows", watch_->pairs());
+        if (!check_.within.text.empty()) {
+            text += line("beyond", result.beyond);
+        }
+        const auto& [own, other] = result.unpaired;
+        text +=
+            line("unpaired",
+                 own.rows + other.rows == 0 ? "0" : fmt::format("{} of FILE, {} of REFERENCE", own.rows, other.rows));
+        text += line("failed", result.failed);
+        const auto where = [this](const operations::WorstPair& pair) {
+            return fmt::format("{} at {}{}", angle(pair.angle), pair.line,
+                               check_.by_key ? fmt::format(" (key {})", pair.keys[0]) : "");
+        };
+        if (aligned_) {
+            text += line("aligned", in_words(*aligned_));
+        }
+        if (pairs_.angles().count() > 0) {
+            text += line("max", where(*watch_->worst().begin()));
+            for (const auto& [name, value] : figures()) {
+                text += line(name, angle(value));
+            }
+        }
+        if (const auto found = constant()) {
+            text += line("constant", fmt::format("{}, which leaves {}", in_words(found->first),
+                                                 angle(check_.in_unit(found->second))));
+        }
+        std::size_t shown = 0;
+        for (const operations::WorstPair& pair : watch_->worst()) {
+            if (shown++ == check_.worst) {
+                break;
+            }
+            std::string reference;
+            if (pair.reference_line > 0) {
+                reference = fmt::format(", reference {}{}", pair.reference_line,
+                                        check_.by_key ? fmt::format(" (key {})", pair.keys[1]) : "");
+            }
+            text += line(fmt::format("worst {}", shown), fmt::format("{}{}: {} against {}", where(pair), reference,
+                                                                     attitude(pair, false), attitude(pair, true)));
+        }
+        return text + verdict + "\n";
+    }
+
+    [[nodiscard]] std::string in_words(const TurnOptions& turns) const {
+        std::string sizes;
+        std::string options;
+        for (const TurnOptions::Side& side : turns.sides()) {
+            sizes += (sizes.empty() ? "" : " and ") + angle(check_.in_unit(side.size));
+            options += fmt::format(" --{} '{}'", side.name, side.text());
+        }
+        return options.empty() ? "by nothing" : fmt::format("by {}:{}", sizes, options);
+    }
+    [[nodiscard]] JsonValue in_json(const TurnOptions& turns) const {
+        std::vector<std::pair<std::string_view, JsonValue>> object;
+        for (const TurnOptions::Side& side : turns.sides()) {
+            object.emplace_back(side.name, side.text());
+            object.emplace_back(side.name == "left" ? "left_angle" : "right_angle",
+                                JsonValue::as_written(number(check_.in_unit(side.size))));
+        }
+        return json_object(object);
+    }
+    /// The key of a row or, from 1, of its partner.
+    [[nodiscard]] JsonValue key(const operations::WorstPair& pair, std::size_t side) const {
+        const std::string& text = pair.keys.at(side);
+        return !check_.by_key ? JsonValue() : stream::is_json_number(text) ? JsonValue::as_written(text) : text;
+    }
+
+    [[nodiscard]] JsonValue worst_in_json() const {
+        std::vector<std::string> pairs;
+        for (const operations::WorstPair& pair : watch_->worst()) {
+            const auto list = [&](bool of_reference) {
+                return JsonValue::as_written(fmt::format("[{}]", attitude(pair, of_reference, ", ")));
+            };
+            pairs.push_back(
+                json_object({{"angle", JsonValue::as_written(number(pair.angle))},
+                             {"line", pair.line},
+                             {"reference_line", pair.reference_line > 0 ? JsonValue(pair.reference_line) : JsonValue()},
+                             {"key", key(pair, 0)},
+                             {"reference_key", key(pair, 1)},
+                             {"attitude", list(false)},
+                             {"reference", list(true)}})
+                    .text);
+        }
+        return check_.worst == 0 ? JsonValue() : JsonValue::as_written(fmt::format("[{}]", fmt::join(pairs, ", ")));
+    }
+
+    [[nodiscard]] std::string in_json(const RowsResult& result, const JsonValue& verdict) const {
+        const bool has_pairs = pairs_.angles().count() > 0;
+        const auto value_if = [](bool is_there, JsonValue value) { return is_there ? std::move(value) : JsonValue(); };
+        const auto figure = [&](double value) { return value_if(has_pairs, JsonValue::as_written(number(value))); };
+        const auto limit = [&](const Limit& given) { return value_if(!given.text.empty(), given.angle); };
+        const operations::WorstPair worst = has_pairs ? *watch_->worst().begin() : operations::WorstPair();
+        std::vector<std::pair<std::string_view, JsonValue>> object{
+            {"rows", watch_->pairs()},
+            {"unit", std::string(unit_)},
+            {"file", check_.file},
+            {"reference", value_if(!check_.reference.empty(), check_.reference)},
+            {"version", ROTCONV_VERSION},
+            {"within", limit(check_.within)},
+            {"beyond", value_if(!check_.within.text.empty(), result.beyond)},
+            {"first_beyond", value_if(result.beyond > 0, result.first_beyond)},
+            {"within_p95", limit(check_.within_p95)},
+            {"beyond_p95", value_if(!check_.within_p95.text.empty(), watch_->beyond())},
+            {"unpaired", result.unpaired[0].rows + result.unpaired[1].rows},
+            {"unpaired_file", result.unpaired[0].rows},
+            {"unpaired_reference", result.unpaired[1].rows},
+            {"failed", result.failed},
+            {"max", figure(worst.angle)},
+            {"max_line", value_if(has_pairs, worst.line)},
+            {"max_key", value_if(has_pairs, key(worst, 0))}};
+        const auto all = figures();
+        for (const auto& [name, value] : all) {
+            object.emplace_back(name, figure(value));
+        }
+        const auto found = constant();
+        object.emplace_back("constant", found ? in_json(found->first) : JsonValue());
+        object.emplace_back("aligned", aligned_ ? in_json(*aligned_) : JsonValue());
+        object.emplace_back("worst", worst_in_json());
+        object.emplace_back("verdict", verdict);
+        return json_line(object);
+    }
+
+    Check check_;
+    std::string_view unit_; ///< of angles
+    std::shared_ptr<operations::PairWatch> watch_;
+    std::shared_ptr<const TurnOptions> aligned_; ///< null: they are not
+    operations::PairStatistics pairs_;
+};
+
+} // namespace
+
+std::shared_ptr<Conclusion> comparison_conclusion(Check check, std::shared_ptr<operations::PairWatch> watch,
+                                                  std::shared_ptr<const TurnOptions> aligned) {
+    return std::make_shared<ComparisonConclusion>(std::move(check), std::move(watch), std::move(aligned));
+}
+
+} // namespace rotconv::cli
