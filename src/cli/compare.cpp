@@ -61,19 +61,6 @@ std::vector<std::pair<std::string, double>> percentiles_of(const std::string& li
     return percentiles;
 }
 
-/// A sink that estimates constant turns.
-struct AlignedPairs final : stream::Sink {
-    explicit AlignedPairs(AlignedSide side) : alignment(side) {}
-    int write(std::string_view rows) override {
-        operations::for_each_pair(rows, [this](double /*angle*/, const Rotation& attitude, const Rotation& known) {
-            alignment.add(attitude, known);
-        });
-        return 0;
-    }
-
-    Alignment alignment;
-};
-
 /// Has the command find the turns of --align first.
 /// @return where they will be
 std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, const Comparison& comparison,
@@ -91,18 +78,24 @@ std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, con
     operations::ComparisonRows as_they_are = rows;
     as_they_are.as_numbers = true;
     as_they_are.delta = 0;
-    const auto pairs = std::make_shared<AlignedPairs>(side);
+    const auto pairs = std::make_shared<operations::PairStatistics>();
+    pairs->alignment.emplace(side);
     auto found = std::make_shared<TurnOptions>();
     command.first_pass = {
         operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle)), pairs,
         [=]() -> std::variant<operations::Operation, std::string> {
-            const auto turns = pairs->alignment.turns();
+            const auto turns = pairs->alignment->turns();
             if (!turns) {
                 return "the pairs do not determine the turn of --align";
             }
             ComparisonSettings turned = comparison.settings();
-            *found = TurnOptions(*turns, turned.reading);
-            turned.reading = found->replaced_in(turned.reading);
+            *found = turn_options(*turns, turned.reading);
+            turned.reading.left.reset();
+            turned.reading.right.reset();
+            for (const TurnOption& turn : *found) { // as the options have it
+                (turn.side == "left" ? turned.reading.left : turned.reading.right) =
+                    FixedRotation::of_numbers(Spec{}, turn.q);
+            }
             return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
         }};
     return found;

@@ -13,31 +13,23 @@
 
 namespace rotconv::cli {
 
-TurnOptions::TurnOptions(const ConstantTurns& found, const ConversionSettings& given) {
+std::string TurnOption::text() const { return fmt::format("quat: {}", fmt::join(q, " ")); }
+
+TurnOptions turn_options(const ConstantTurns& found, const ConversionSettings& given) {
+    TurnOptions options;
+    const auto add = [&](std::string_view side, const Rotation& turn, const FixedRotation& all) {
+        if (all.rotation.vector_length() > 0.0) {
+            const Eigen::Quaterniond q = quaternion::from_rotation(all.rotation);
+            options.push_back({side,
+                               {q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0}, // no -0
+                               axis_angle::from_rotation(turn).angle});
+        }
+    };
     const FixedRotation none{Rotation{}};
     add("left", found.left, FixedRotation(found.left) * given.left.value_or(none));
     add("right", found.right, given.right.value_or(none) * FixedRotation(found.right));
+    return options;
 }
-
-void TurnOptions::add(std::string_view name, const Rotation& found, const FixedRotation& all) {
-    if (all.rotation.vector_length() > 0.0) {
-        const Eigen::Quaterniond q = quaternion::from_rotation(all.rotation);
-        sides_.push_back({name,
-                          {q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0}, // no -0
-                          axis_angle::from_rotation(found).angle});
-    }
-}
-
-ConversionSettings TurnOptions::replaced_in(ConversionSettings settings) const {
-    settings.left.reset();
-    settings.right.reset();
-    for (const Side& side : sides_) {
-        (side.name == "left" ? settings.left : settings.right) = FixedRotation::of_numbers(Spec{}, side.q);
-    }
-    return settings;
-}
-
-std::string TurnOptions::Side::text() const { return fmt::format("quat: {}", fmt::join(q, " ")); }
 
 namespace {
 
@@ -46,7 +38,9 @@ public:
     ComparisonConclusion(Check check, std::shared_ptr<operations::PairWatch> watch,
                          std::shared_ptr<const TurnOptions> aligned)
         : check_(std::move(check)), unit_(check_.degrees ? "deg" : "rad"), watch_(std::move(watch)),
-          aligned_(std::move(aligned)), pairs_(!check_.turns) {}
+          aligned_(std::move(aligned)) {
+        pairs_.finds_turns = !check_.turns;
+    }
 
     [[nodiscard]] stream::Sink* rows() override { return check_.format == Check::Format::csv ? nullptr : &pairs_; }
     [[nodiscard]] bool is_check() const override { return true; }
@@ -95,7 +89,7 @@ private:
             return {};
         }
         const std::string figure =
-            pairs_.angles().count() == 0 ? "" : in_unit_of(check_.within_p95, pairs_.angles().percentile(95.0)) + " ";
+            pairs_.angles.count() == 0 ? "" : in_unit_of(check_.within_p95, pairs_.angles.percentile(95.0)) + " ";
         return fmt::format("p95 {}is beyond {}, {} of {} rows", figure, check_.within_p95.text, watch_->beyond(),
                            pairs);
     }
@@ -132,12 +126,12 @@ private:
 
     /// The turns on one side that leave less than a hundredth, if there are such, and what they leave, in radians.
     [[nodiscard]] std::optional<std::pair<TurnOptions, double>> constant() const {
-        if (check_.turns || pairs_.angles().count() < 2) {
+        if (check_.turns || pairs_.angles.count() < 2) {
             return std::nullopt;
         }
-        const double all = pairs_.angles().root_mean_square() / check_.in_unit(1.0);
-        const double left = pairs_.left().rms();
-        const double right = pairs_.right().rms();
+        const double all = pairs_.angles.root_mean_square() / check_.in_unit(1.0);
+        const double left = pairs_.left.rms();
+        const double right = pairs_.right.rms();
         constexpr double rounding = 0x1p-50;
         const bool is_left = left <= std::max(1.01 * right, rounding); // of equals
         const double rest = is_left ? left : right;
@@ -145,17 +139,17 @@ private:
             return std::nullopt;
         }
         const ConstantTurns turns =
-            is_left ? ConstantTurns{pairs_.left().mean(), {}} : ConstantTurns{{}, pairs_.right().mean()};
-        return std::pair(TurnOptions(turns, check_.reading), rest);
+            is_left ? ConstantTurns{pairs_.left.mean(), {}} : ConstantTurns{{}, pairs_.right.mean()};
+        return std::pair(turn_options(turns, check_.reading), rest);
     }
 
     /// The figures of all angles by their names.
     [[nodiscard]] std::vector<std::pair<std::string, double>> figures() const {
-        std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles().root_mean_square()},
-                                                        {"mean", pairs_.angles().mean()},
-                                                        {"std", pairs_.angles().standard_deviation()}};
+        std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles.root_mean_square()},
+                                                        {"mean", pairs_.angles.mean()},
+                                                        {"std", pairs_.angles.standard_deviation()}};
         for (const auto& [name, percent] : check_.percentiles) {
-            all.emplace_back(name, pairs_.angles().percentile(percent));
+            all.emplace_back(name, pairs_.angles.percentile(percent));
         }
         return all;
     }
@@ -187,7 +181,7 @@ private:
         if (aligned_) {
             text += line("aligned", in_words(*aligned_));
         }
-        if (pairs_.angles().count() > 0) {
+        if (pairs_.angles.count() > 0) {
             text += line("max", where(*watch_->worst().begin()));
             for (const auto& [name, value] : figures()) {
                 text += line(name, angle(value));
@@ -216,18 +210,18 @@ private:
     [[nodiscard]] std::string in_words(const TurnOptions& turns) const {
         std::string sizes;
         std::string options;
-        for (const TurnOptions::Side& side : turns.sides()) {
-            sizes += (sizes.empty() ? "" : " and ") + angle(check_.in_unit(side.size));
-            options += fmt::format(" --{} '{}'", side.name, side.text());
+        for (const TurnOption& turn : turns) {
+            sizes += (sizes.empty() ? "" : " and ") + angle(check_.in_unit(turn.size));
+            options += fmt::format(" --{} '{}'", turn.side, turn.text());
         }
         return options.empty() ? "by nothing" : fmt::format("by {}:{}", sizes, options);
     }
     [[nodiscard]] JsonValue in_json(const TurnOptions& turns) const {
         std::vector<std::pair<std::string_view, JsonValue>> object;
-        for (const TurnOptions::Side& side : turns.sides()) {
-            object.emplace_back(side.name, side.text());
-            object.emplace_back(side.name == "left" ? "left_angle" : "right_angle",
-                                JsonValue::as_written(number(check_.in_unit(side.size))));
+        for (const TurnOption& turn : turns) {
+            object.emplace_back(turn.side, turn.text());
+            object.emplace_back(turn.side == "left" ? "left_angle" : "right_angle",
+                                JsonValue::as_written(number(check_.in_unit(turn.size))));
         }
         return json_object(object);
     }
@@ -257,7 +251,7 @@ private:
     }
 
     [[nodiscard]] std::string in_json(const RowsResult& result, const JsonValue& verdict) const {
-        const bool has_pairs = pairs_.angles().count() > 0;
+        const bool has_pairs = pairs_.angles.count() > 0;
         const auto value_if = [](bool is_there, JsonValue value) { return is_there ? std::move(value) : JsonValue(); };
         const auto figure = [&](double value) { return value_if(has_pairs, JsonValue::as_written(number(value))); };
         const auto limit = [&](const Limit& given) { return value_if(!given.text.empty(), given.angle); };

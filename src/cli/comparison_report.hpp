@@ -52,30 +52,17 @@ struct Check {
     [[nodiscard]] double in_unit(double radians) const { return degrees ? degrees_per_radian * radians : radians; }
 };
 
-/// Constant turns as options, and their sizes.
-class TurnOptions {
-public:
-    TurnOptions() = default;
-    /// @param found turns of attitudes that were turned as `given`
-    TurnOptions(const ConstantTurns& found, const ConversionSettings& given);
+/// A constant turn as an option, --left or --right.
+struct TurnOption {
+    std::string_view side;
+    std::array<double, 4> q;
+    double size; ///< of what was found, radians
 
-    /// The settings with the turns as the options have them.
-    [[nodiscard]] ConversionSettings replaced_in(ConversionSettings settings) const;
-
-    struct Side {
-        std::string_view name;
-        std::array<double, 4> q;
-        double size; ///< of what was found, radians
-
-        [[nodiscard]] std::string text() const;
-    };
-    [[nodiscard]] const std::vector<Side>& sides() const noexcept { return sides_; }
-
-private:
-    void add(std::string_view name, const Rotation& found, const FixedRotation& all);
-
-    std::vector<Side> sides_;
+    [[nodiscard]] std::string text() const;
 };
+using TurnOptions = std::vector<TurnOption>;
+/// @param found turns of attitudes that were turned as `given`
+[[nodiscard]] TurnOptions turn_options(const ConstantTurns& found, const ConversionSettings& given);
 
 /// @param aligned null: the attitudes are not aligned
 [[nodiscard]] std::shared_ptr<Conclusion> comparison_conclusion(Check check,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -66,14 +67,12 @@ public:
         const std::size_t m = at_.comparison.reference().size();
         const std::size_t width = 1 + n + 1 + m + m + 1;
         const std::size_t count = rows.size() / width;
-        for (Neighbour* neighbour : {&earlier_, &later_}) {
-            numbers_.clear();
-            for (std::size_t i = 0; i < count; ++i) {
-                append(numbers_, rows.subspan(i * width + 2 + n + (neighbour == &later_ ? m : 0), m));
-            }
-            neighbour->attitudes.resize(4 * count);
-            reading_.run(numbers_, neighbour->attitudes, neighbour->reports);
+        numbers_.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            append(numbers_, rows.subspan(i * width + 2 + n, 2 * m));
         }
+        neighbours_.resize(8 * count);
+        reading_.run(numbers_, neighbours_, neighbour_reports_);
         at_.clear();
         between_.clear();
         found_.assign(count, {});
@@ -97,23 +96,22 @@ public:
                 found = found.error != Error::none && report.error == Error::none ? found : report;
             }
         }
-        for (const Neighbour* neighbour : {&earlier_, &later_}) {
-            for (const RowReport& report : neighbour->reports) {
-                RowReport& found = found_[report.row];
-                const bool is_between = rows[(report.row + 1) * width - 1] > 0.0;
-                if (!is_between || found.error != Error::none) {
-                    continue;
-                }
-                if (report.error != Error::none) {
-                    found = {.row = report.row,
-                             .error = report.error,
-                             .of_reference = true,
-                             .of_later = neighbour == &later_,
-                             .defect = report.defect};
-                } else if (neighbour == &earlier_) { // the row after it tells of the later
-                    found.reference_defect = report.defect;
-                    found.diagnostics |= report.diagnostics;
-                }
+        for (const RowReport& report : neighbour_reports_) {
+            RowReport& found = found_[report.row / 2];
+            const bool is_later = report.row % 2 == 1;
+            const bool is_between = rows[(found.row + 1) * width - 1] > 0.0;
+            if (!is_between || found.error != Error::none) {
+                continue;
+            }
+            if (report.error != Error::none) {
+                found = {.row = found.row,
+                         .error = report.error,
+                         .of_reference = true,
+                         .of_later = is_later,
+                         .defect = report.defect};
+            } else if (!is_later) { // the row after it tells of the later
+                found.reference_defect = report.defect;
+                found.diagnostics |= report.diagnostics;
             }
         }
         reports.clear();
@@ -128,15 +126,10 @@ public:
     }
 
 private:
-    struct Neighbour {
-        std::vector<double> attitudes; ///< quaternions
-        std::vector<RowReport> reports;
-    };
-
     /// The quaternion at the fraction; the identity where there is none.
     [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction) {
-        const Rotation earlier = rotation_at(earlier_.attitudes.data() + 4 * row);
-        const Rotation later = rotation_at(later_.attitudes.data() + 4 * row);
+        const Rotation earlier = rotation_at(neighbours_.data() + 8 * row);
+        const Rotation later = rotation_at(neighbours_.data() + 8 * row + 4);
         if (std::isnan(earlier.w()) || std::isnan(later.w())) {
             return {1.0}; // which is reported of them
         }
@@ -152,8 +145,8 @@ private:
     SomeRows between_;   ///< with the quaternion between the neighbours
     Conversion reading_; ///< of the neighbours
     std::vector<double> numbers_;
-    Neighbour earlier_;
-    Neighbour later_;
+    std::vector<double> neighbours_; ///< of each row the earlier and the later, as quaternions
+    std::vector<RowReport> neighbour_reports_;
     std::vector<RowReport> found_; ///< of each row
 };
 
@@ -287,13 +280,22 @@ private:
 } // namespace
 
 int PairStatistics::write(std::string_view rows) {
-    for_each_pair(rows, [this](double angle, const Rotation& attitude, const Rotation& reference) {
-        angles_.add(angle);
-        if (finds_turns_) {
-            left_.add(reference * attitude.inverse());
-            right_.add(attitude.inverse() * reference);
+    std::array<double, numbers_of_pair> pair{};
+    for (; !rows.empty(); rows.remove_prefix(sizeof pair)) {
+        std::memcpy(pair.data(), rows.data(), sizeof pair);
+        if (std::isnan(pair[0])) {
+            continue;
         }
-    });
+        angles.add(pair[0]);
+        const Rotation attitude = rotation_at(pair.data() + 1);
+        const Rotation reference = rotation_at(pair.data() + 5);
+        if (alignment) {
+            alignment->add(attitude, reference);
+        } else if (finds_turns) {
+            left.add(reference * attitude.inverse());
+            right.add(attitude.inverse() * reference);
+        }
+    }
     return 0;
 }
 

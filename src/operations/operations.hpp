@@ -1,12 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -122,42 +121,19 @@ struct ComparisonRows {
     bool interpolates = false; ///< by key: the second attitude lies between two of the reference, see stream::Pairing
     std::size_t delta = 0;     ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
 };
-/// The numbers of a row for a sink. An angle of nan is none. With a delta there are no attitudes.
-struct ComparedPair {
-    double angle;
-    std::array<double, 4> attitude, reference; ///< quaternions of norm 1/2 to 2
-};
-inline constexpr std::size_t numbers_of_pair = sizeof(ComparedPair) / sizeof(double);
+/// For a sink: the angle and both attitudes as quaternions. An angle of nan is none. With a delta there are no
+/// attitudes.
+inline constexpr std::size_t numbers_of_pair = 9;
 
-/// Calls `take(angle, attitude, reference)` for the rows that have an angle.
-template <class Take> void for_each_pair(std::string_view rows, const Take& take) {
-    const auto rotation = [](const std::array<double, 4>& q) { return Rotation::near_unit(q[0], q[1], q[2], q[3]); };
-    ComparedPair pair{};
-    for (; !rows.empty(); rows.remove_prefix(sizeof pair)) {
-        std::memcpy(&pair, rows.data(), sizeof pair);
-        if (!std::isnan(pair.angle)) {
-            take(pair.angle, rotation(pair.attitude), rotation(pair.reference));
-        }
-    }
-}
-
-/// A sink for such rows: what their pairs are like together.
-class PairStatistics final : public stream::Sink {
-public:
-    /// @param finds_turns the mean turns are wanted
-    explicit PairStatistics(bool finds_turns) : finds_turns_(finds_turns) {}
+/// A sink for such rows: what the pairs that have an angle are like together.
+struct PairStatistics final : stream::Sink {
     int write(std::string_view rows) override;
 
-    [[nodiscard]] const AngleStatistics& angles() const noexcept { return angles_; }
-    /// Of the turns that bring each attitude to its reference, from the left and from the right.
-    [[nodiscard]] const MeanTurn& left() const noexcept { return left_; }
-    [[nodiscard]] const MeanTurn& right() const noexcept { return right_; }
-
-private:
-    bool finds_turns_;
-    AngleStatistics angles_;
-    MeanTurn left_;
-    MeanTurn right_;
+    AngleStatistics angles{};
+    bool finds_turns = true; ///< those that bring each attitude to its reference...
+    MeanTurn left{};         ///< ...from the left...
+    MeanTurn right{};        ///< ...and from the right
+    std::optional<Alignment> alignment{};
 };
 
 /// A pair among those that differ most: the worst are first, of equals the earlier.

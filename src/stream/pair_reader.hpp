@@ -67,11 +67,6 @@ private:
         void drop_line();
         /// Has the block hold the first texts for as long as its rows are used.
         void hold(std::size_t count, PairBlock& pairs);
-        /// The row after the first.
-        /// @pre look(1) is At::row
-        [[nodiscard]] const Waiting& second() const {
-            return *std::find_if(waiting.begin() + 1, waiting.end(), [](const auto& row) { return row.has_key(); });
-        }
         [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || blocks.is_ready(); }
 
@@ -80,9 +75,9 @@ private:
         RowBlocks blocks;
         RowReader reader;
         RowParts parts;
-        std::deque<std::shared_ptr<const std::string>> texts; ///< the blocks of the lines at hand...
-        std::size_t held = 0;                                 ///< ...the first ones that the job holds...
-        std::string_view rest;                                ///< ...and the lines that do not wait yet
+        std::deque<std::shared_ptr<const Buffer>> texts; ///< the blocks of the lines at hand...
+        std::size_t held = 0;                            ///< ...the first ones that the job holds...
+        std::string_view rest;                           ///< ...and the lines that do not wait yet
         std::size_t line = 1;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
@@ -98,13 +93,14 @@ private:
     /// Pairs the first rows of both, or disposes of one of them.
     /// @return the side whose next row must be known first, or null
     Side* match(Job& job, At row, At reference);
-    /// The same, where the partner lies between rows of the reference.
-    Side* match_between(Job& job);
-    /// `later`: the row of the reference after its first, or null.
-    void pair(Job& job, const Waiting* later = nullptr);
-    /// The first row of the side has no partner until too far behind it. Ends the run.
-    void give_up(const Side& side);
+    /// Whether the row with the lower key has no partner, because the other is too far from it or has a nearer one.
+    [[nodiscard]] bool is_alone(const Side& low, const Side& high) const;
+    /// The row lies behind the first of the reference. `next`: whether the next one is at hand.
+    void match_between(Job& job, At next);
+    /// `is_between`: it lies between the first two of the reference.
+    void pair(Job& job, bool is_between = false);
     void compare_distance(Decimal distance);
+    [[nodiscard]] std::optional<StreamError> reference_error() const;
     /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,
     /// which come after all of the stream that stand before its next row.
     void hand_on_alone(Job& job, bool of_both);
