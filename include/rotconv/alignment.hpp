@@ -38,7 +38,7 @@ private:
     double count_ = 0.0;
     Rotation first_;
     Eigen::Vector3d products_ = Eigen::Vector3d::Zero(); ///< sum of w v
-    Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();  ///< sum of v v', its lower half
+    Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();  ///< sum of v v'
 };
 
 /// The sides of the attitudes on which constant turns are estimated.

@@ -172,17 +172,12 @@ void MeanTurn::add(const Rotation& turn) noexcept {
     const Vector3d v(q.x(), q.y(), q.z());
     count_ += 1.0;
     products_ += v * (q.w() / square);
-    for (Index i = 0; i < 3; ++i) {
-        for (Index k = 0; k <= i; ++k) {
-            squares_(i, k) += v[i] * v[k] / square;
-        }
-    }
+    squares_ += v * v.transpose() / square;
 }
 
 Matrix4d MeanTurn::squared_sines() const noexcept {
-    const Matrix3d squares = squares_.selfadjointView<Eigen::Lower>();
     Matrix4d matrix;
-    matrix << squares.trace(), -products_.transpose(), -products_, count_ * Matrix3d::Identity() - squares;
+    matrix << squares_.trace(), -products_.transpose(), -products_, count_ * Matrix3d::Identity() - squares_;
     return matrix;
 }
 

@@ -139,7 +139,7 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
 
 void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::size_t first, std::size_t rows,
                            double* out, double* rest, std::vector<RowReport>& reports) const {
-    InputBatch input(from_, in, rows);
+    InputBatch input(from_, in, rows, from_.size());
     std::array<DiagnosticSet, batch_rows> diagnostics;
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     if (to_.is_reordered()) { // such a representation has no Codec::nearest, which alone wants `rest`

@@ -19,7 +19,7 @@ namespace rotconv {
 class InputBatch {
 public:
     /// @param in as written, at most `batch_rows` rows, which must outlive this
-    /// @param width of a row, which these numbers begin
+    /// @param width numbers of a row, of which these are the first
     InputBatch(const Spec& spec, const double* in, std::size_t rows, std::size_t width) noexcept
         : codec_(&codec_of(spec.name)), own_(in), size_(spec.size()) {
         if (spec.is_reordered() || width != size_) {
@@ -27,8 +27,6 @@ public:
             own_ = own_order_.data();
         }
     }
-    InputBatch(const Spec& spec, const double* in, std::size_t rows) noexcept
-        : InputBatch(spec, in, rows, spec.size()) {}
 
     /// The numbers in the representation's own order.
     [[nodiscard]] const double* own() const noexcept { return own_; }

@@ -25,6 +25,12 @@ Rotation rotation_at(const double* q) noexcept { return Rotation::near_unit(q[0]
 
 std::array<double, 4> components_of(const Rotation& q) noexcept { return {q.w(), q.x(), q.y(), q.z()}; }
 
+/// The report on the row among reports in the order of the rows; an empty one is added if there is none.
+RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
+    const auto place = std::ranges::lower_bound(reports, row, {}, &RowReport::row);
+    return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
+}
+
 /// The comparison of some of the rows at hand.
 struct SomeRows {
     explicit SomeRows(const Comparison& comparison_) : comparison(comparison_) {}
@@ -75,15 +81,14 @@ public:
         reading_.run(numbers_, neighbours_, neighbour_reports_);
         at_.clear();
         between_.clear();
-        found_.assign(count, {});
+        reports.clear();
         for (std::size_t i = 0; i < count; ++i) {
             const auto row = rows.subspan(i * width, width);
             SomeRows& some = row.back() > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
-            found_[i].row = i;
             some.rows.push_back(i);
             append(some.numbers, row.subspan(1, n));
             if (row.back() > 0.0) {
-                append(some.numbers, attitude_between(i, row.back()));
+                append(some.numbers, attitude_between(i, row.back(), reports));
             } else {
                 append(some.numbers, row.subspan(2 + n, m));
             }
@@ -92,42 +97,40 @@ public:
         for (SomeRows* some : {&at_, &between_}) {
             some->run(out, size);
             for (const RowReport& report : some->reports) { // its own error counts before those of the neighbours
-                RowReport& found = found_[report.row];
+                RowReport& found = report_of(report.row, reports);
                 found = found.error != Error::none && report.error == Error::none ? found : report;
             }
         }
         for (const RowReport& report : neighbour_reports_) {
-            RowReport& found = found_[report.row / 2];
+            const std::size_t row = report.row / 2;
             const bool is_later = report.row % 2 == 1;
-            const bool is_between = rows[(found.row + 1) * width - 1] > 0.0;
-            if (!is_between || found.error != Error::none) {
+            const bool is_between = rows[(row + 1) * width - 1] > 0.0;
+            if (!is_between || (is_later && report.error == Error::none)) { // the row after it tells of the later
                 continue;
             }
-            if (report.error != Error::none) {
-                found = {.row = found.row,
+            RowReport& found = report_of(row, reports);
+            if (found.error == Error::none && report.error != Error::none) {
+                found = {.row = row,
                          .error = report.error,
                          .of_reference = true,
                          .of_later = is_later,
                          .defect = report.defect};
-            } else if (!is_later) { // the row after it tells of the later
+            } else if (found.error == Error::none) {
                 found.reference_defect = report.defect;
                 found.diagnostics |= report.diagnostics;
             }
         }
-        reports.clear();
-        for (const RowReport& found : found_) {
-            if (found.error != Error::none) {
-                std::fill_n(out.data() + found.row * size, size, no_angle);
-            }
-            if (found.error != Error::none || !found.diagnostics.empty() || reading_.settings().sensitivity) {
-                reports.push_back(found);
+        for (const RowReport& report : reports) {
+            if (report.error != Error::none) {
+                std::fill_n(out.data() + report.row * size, size, no_angle);
             }
         }
     }
 
 private:
     /// The quaternion at the fraction; the identity where there is none.
-    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction) {
+    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction,
+                                                         std::vector<RowReport>& reports) const {
         const Rotation earlier = rotation_at(neighbours_.data() + 8 * row);
         const Rotation later = rotation_at(neighbours_.data() + 8 * row + 4);
         if (std::isnan(earlier.w()) || std::isnan(later.w())) {
@@ -135,8 +138,7 @@ private:
         }
         const auto found = interpolated(earlier, later, fraction);
         if (!found) {
-            found_[row].error = Error::past_half_turn;
-            found_[row].of_reference = true;
+            reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
         }
         return components_of(found.value_or(Rotation()));
     }
@@ -147,7 +149,6 @@ private:
     std::vector<double> numbers_;
     std::vector<double> neighbours_; ///< of each row the earlier and the later, as quaternions
     std::vector<RowReport> neighbour_reports_;
-    std::vector<RowReport> found_; ///< of each row
 };
 
 /// Compares the turns from pairs of attitudes to the N-th pair after them. Remembers N pairs.
@@ -185,15 +186,11 @@ public:
         }
         turns_.run(out, out_width);
         for (RowReport& report : turns_.reports) {
-            const auto place = std::ranges::lower_bound(reports, report.row, {}, &RowReport::row);
-            if (place == reports.end() || place->row != report.row) {
-                reports.insert(place, report);
-            } else { // what was said of its attitudes
-                report.diagnostics |= place->diagnostics;
-                report.defect = place->defect;
-                report.reference_defect = place->reference_defect;
-                *place = report;
-            }
+            RowReport& of_attitudes = report_of(report.row, reports);
+            report.diagnostics |= of_attitudes.diagnostics;
+            report.defect = of_attitudes.defect;
+            report.reference_defect = of_attitudes.reference_defect;
+            of_attitudes = report;
         }
     }
 
@@ -286,14 +283,15 @@ int PairStatistics::write(std::string_view rows) {
         if (std::isnan(pair[0])) {
             continue;
         }
-        angles.add(pair[0]);
         const Rotation attitude = rotation_at(pair.data() + 1);
         const Rotation reference = rotation_at(pair.data() + 5);
+        angles.add(pair[0]);
         if (alignment) {
             alignment->add(attitude, reference);
         } else if (finds_turns) {
-            left.add(reference * attitude.inverse());
-            right.add(attitude.inverse() * reference);
+            const Rotation inverse = attitude.inverse();
+            left.add(reference * inverse);
+            right.add(inverse * reference);
         }
     }
     return 0;

@@ -22,8 +22,8 @@ struct Layout {
     /// Positions of the selected fields, in the order of the operation's numbers; empty where --columns selects none
     /// and a row is its numbers.
     std::vector<std::size_t> positions{};
-    /// If the selected fields are adjacent and no number is kept (see RowNumbers): the number that field `first_field`
-    /// + i holds. Else empty.
+    /// If the selected fields are adjacent, those first that are kept (see RowNumbers): the number that field
+    /// `first_field` + i holds. Else empty.
     std::vector<std::size_t> number_of_field{};
     std::size_t first_field = 0;
     std::vector<std::size_t> replaced{}; ///< those in whose place the result stands, sorted; empty: the whole row is
@@ -47,10 +47,10 @@ struct Layout {
         }
         std::ranges::sort(replaced);
         first_field = positions.empty() ? 0 : std::ranges::min(positions);
-        number_of_field.assign(kept == 0 ? count : 0, count);
+        number_of_field.assign(count, count);
         for (std::size_t i = 0; i < number_of_field.size(); ++i) {
             const std::size_t place = positions.empty() ? i : positions[i] - first_field;
-            if (place >= count || number_of_field[place] != count) {
+            if (place >= count || number_of_field[place] != count || (i < kept && place != i)) {
                 number_of_field.clear();
                 return;
             }
