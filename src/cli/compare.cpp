@@ -24,22 +24,24 @@ Limit limit_of(const Given& given, std::string_view option) {
     if (text.empty()) {
         return {};
     }
-    constexpr std::array<std::string_view, 3> units{"mrad", "rad", "deg"};
-    const auto* const unit = std::ranges::find_if(units, [&](std::string_view end) { return text.ends_with(end); });
-    const bool has_unit = unit != units.end();
-    const std::string number = text.substr(0, text.size() - (has_unit ? unit->size() : 0));
+    static constexpr std::array<std::pair<std::string_view, double>, 3> units{
+        {{"mrad", 1000.0}, {"rad", 1.0}, {"deg", degrees_per_radian}}};
+    const auto* unit = std::ranges::find_if(units, [&](const auto& each) { return text.ends_with(each.first); });
+    const std::string number = text.substr(0, text.size() - (unit != units.end() ? unit->first.size() : 0));
     double value = 0.0;
     if (stream::trimmed(number) != number || stream::read_number(number, value) != stream::NumberError::none ||
         !(value >= 0.0)) {
         throw Usage(fmt::format("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option,
                                 quoted(text)));
     }
-    const std::string_view unit_name = has_unit ? *unit : degrees ? "deg" : "rad";
-    value = unit_name == "mrad" ? value / 1000.0 : value;
-    const bool is_degrees = unit_name == "deg";
-    return {.text = fmt::format("{} {}", number, unit_name),
+    unit = unit != units.end() ? unit : degrees ? &units[2] : &units[1];
+    const auto [name, per_radian] = *unit;
+    const bool is_degrees = name == "deg";
+    value = is_degrees ? value : value / per_radian;
+    return {.text = fmt::format("{} {}", number, name),
             .angle = is_degrees == degrees ? value : value * (degrees ? degrees_per_radian : radians_per_degree),
-            .unit = unit_name};
+            .unit = name,
+            .per_radian = per_radian};
 }
 
 /// "50,95.5" with names such as "p95.5".
@@ -93,8 +95,7 @@ std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, con
             turned.reading.left.reset();
             turned.reading.right.reset();
             for (const TurnOption& turn : *found) { // as the options have it
-                (turn.side == "left" ? turned.reading.left : turned.reading.right) =
-                    FixedRotation::of_numbers(Spec{}, turn.q);
+                (turn.side == "left" ? turned.reading.left : turned.reading.right) = turn.turn;
             }
             return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
         }};
@@ -123,11 +124,11 @@ Command compare(const Given& given) {
                 .allow_failed = given.has("--allow-failed"),
                 .percentiles = percentiles_of(given.text("--percentiles")),
                 .worst = count_of(given, "--worst", 1'000'000),
-                .degrees = given.has("--degrees"),
-                .turns = given.has("--delta"),
-                .by_key = is_by_key(given),
-                .own_size = from.size(),
-                .reading = attitude_settings_of(given)};
+                .rows = {.paired = is_paired(given),
+                         .by_key = is_by_key(given),
+                         .interpolates = given.has("--interpolate") && is_paired(given)},
+                .comparing = {.reading = attitude_settings_of(given),
+                              .unit = given.has("--degrees") ? AngleUnit::degrees : AngleUnit::radians}};
     if (given.has("--allow-unpaired")) {
         check.allow_unpaired = one_of<std::array<bool, 2>>(
             "kind of rows for --allow-unpaired", given.text("--allow-unpaired"),
@@ -140,29 +141,26 @@ Command compare(const Given& given) {
     if (!given.has("--as") && given.has("--frame")) {
         throw Usage("--frame is about the relative attitude, and needs --as SPEC");
     }
-    ComparisonSettings comparing{.reading = check.reading,
-                                 .within = check.within.angle,
-                                 .unit = check.degrees ? AngleUnit::degrees : AngleUnit::radians,
-                                 .frame = frame_of(given)};
+    ComparisonSettings& comparing = check.comparing;
+    comparing.within = check.within.angle;
+    comparing.frame = frame_of(given);
     if (given.has("--as")) {
         comparing.relative = spec_of(given, "--as");
     }
     const Comparison comparison(from, reference, comparing);
 
-    operations::ComparisonRows rows{.paired = is_paired(given),
-                                    .by_key = check.by_key,
-                                    .as_numbers = !as_rows,
-                                    .interpolates = given.has("--interpolate") && is_paired(given),
-                                    .delta = count_of(given, "--delta", 1'000'000)};
+    operations::ComparisonRows& rows = check.rows;
+    rows.as_numbers = !as_rows;
+    rows.delta = count_of(given, "--delta", 1'000'000);
     messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
     if (!rows.paired) {
         subject.text += given.has("--to") ? fmt::format(" with {}", representation(reference.name).text) : " twice";
         subject.count = comparison.inputs();
     }
-    const auto watch =
+    check.watch =
         std::make_shared<operations::PairWatch>(std::max<std::size_t>(check.worst, 1), check.within_p95.angle);
     RowsCommand command = rows_command(given, columns_of_file(given), operations::comparison_numbers(comparison, rows),
-                                       operations::compare(comparison, rows, watch), std::move(subject));
+                                       operations::compare(comparison, rows, check.watch), std::move(subject));
     command.options.append = as_rows;
     command.options.format = as_rows ? stream::Format::csv : stream::Format::result;
     command.allow_failed = check.allow_failed;
@@ -170,15 +168,16 @@ Command compare(const Given& given) {
         pair(given, command, operations::attitude_numbers(reference, rows.by_key),
              messages::subject_of(reference, comparing.reading.tolerance));
     }
-    if (!check.degrees && (from.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees)) {
+    if (comparing.unit == AngleUnit::radians &&
+        (from.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees)) {
         note_unit(given, "--within", check.within.angle, command);
         note_unit(given, "--within-p95", check.within_p95.angle, command);
     }
     check.digits = command.options.digits;
     check.file = command.has_values ? "argument" : command.input;
     check.reference = command.reference;
-    const auto aligned = given.has("--align") ? align(given, command, comparison, rows, watch) : nullptr;
-    command.conclusion = comparison_conclusion(std::move(check), watch, aligned);
+    check.aligned = given.has("--align") ? align(given, command, comparison, rows, check.watch) : nullptr;
+    command.conclusion = std::make_shared<ComparisonConclusion>(std::move(check));
     return command;
 }
 

@@ -250,7 +250,7 @@ public:
         if (turns_) {
             turns_->compare(compared, out, names.size(), reports);
         }
-        watch_->add(rows, attitudes, rows_.by_key ? 1 + comparison_.from().size() : 0, out, names.size());
+        watch_->add(rows, attitudes, comparison_.from().size(), rows_.by_key, out, names.size());
     }
 
 private:
@@ -297,7 +297,7 @@ int PairStatistics::write(std::string_view rows) {
     return 0;
 }
 
-void PairWatch::add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t second_key,
+void PairWatch::add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t size, bool by_key,
                     std::span<const double> results, std::size_t width) {
     const std::lock_guard lock(mutex_);
     const std::size_t count = rows.lines.size();
@@ -316,11 +316,11 @@ void PairWatch::add(const stream::NumberRows& rows, std::span<const double> atti
             continue;
         }
         pair.reference_line = rows.reference_lines.empty() ? 0 : rows.reference_lines[i];
-        const auto own = attitudes.subspan(i * attitudes.size() / count, attitudes.size() / count);
-        pair.numbers.assign(own.begin(), own.end());
+        const auto both = attitudes.subspan(i * attitudes.size() / count, attitudes.size() / count);
         for (const std::size_t side : {0U, 1U}) {
-            if (second_key > 0) {
-                const std::size_t key = i * (rows.numbers.size() / count) + side * second_key;
+            append(pair.attitudes.at(side), side == 0 ? both.first(size) : both.subspan(size));
+            if (by_key) {
+                const std::size_t key = i * (rows.numbers.size() / count) + side * (1 + size);
                 pair.keys.at(side) = rows.kept.empty() ? fmt::format("{}", rows.numbers[key]) : rows.kept[2 * i + side];
             }
         }

@@ -142,7 +142,7 @@ struct WorstPair {
     std::size_t line = 0;
     std::size_t reference_line = 0;    ///< 0: there is no reference
     std::array<std::string, 2> keys{}; ///< of the row and of its partner; empty: they are not paired by key
-    std::vector<double> numbers{};     ///< of both attitudes, as they were read
+    std::array<std::vector<double>, 2> attitudes{}; ///< their numbers, as they were read
 
     friend bool operator<(const WorstPair& a, const WorstPair& b) noexcept {
         return a.angle > b.angle || (a.angle == b.angle && a.line < b.line);
@@ -155,10 +155,10 @@ public:
     /// @param most as many of the worst are kept
     PairWatch(std::size_t most, double limit) : most_(most), limit_(limit) {}
 
-    /// @param attitudes the numbers of both attitudes of each row
-    /// @param second_key which number of a row is its partner's key, of which the first is its own; 0: there are none
+    /// @param attitudes the numbers of both attitudes of each row, of which the first has `size`
+    /// @param by_key the numbers of a row begin with its key, and its partner's stands before the second attitude
     /// @param results of `width` numbers for each row, of which the first is the angle
-    void add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t second_key,
+    void add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t size, bool by_key,
              std::span<const double> results, std::size_t width);
     using Worst = std::set<WorstPair>;
     [[nodiscard]] const Worst& worst() const noexcept { return worst_; }
