@@ -215,9 +215,11 @@ private:
             line("unpaired",
                  own.rows + other.rows == 0 ? "0" : fmt::format("{} of FILE, {} of REFERENCE", own.rows, other.rows));
         text += line("failed", result.failed);
-        const auto where = [this](const operations::WorstPair& pair) {
-            return fmt::format("{} at {}{}", angle(pair.angle), pair.line,
-                               check_.rows.by_key ? fmt::format(" (key {})", pair.keys[0]) : "");
+        const auto at = [this](std::size_t row, const std::string& key) {
+            return fmt::format("{}{}", row, check_.rows.by_key ? fmt::format(" (key {})", key) : "");
+        };
+        const auto where = [&](const operations::WorstPair& pair) {
+            return fmt::format("{} at {}", angle(pair.angle), at(pair.line, pair.keys[0]));
         };
         if (check_.aligned) {
             text += line("aligned", in_words(*check_.aligned));
@@ -237,11 +239,8 @@ private:
             if (shown++ == check_.worst) {
                 break;
             }
-            std::string reference;
-            if (pair.reference_line > 0) {
-                reference = fmt::format(", reference {}{}", pair.reference_line,
-                                        check_.rows.by_key ? fmt::format(" (key {})", pair.keys[1]) : "");
-            }
+            const std::string reference =
+                pair.reference_line > 0 ? ", reference " + at(pair.reference_line, pair.keys[1]) : "";
             text += line(fmt::format("worst {}", shown),
                          fmt::format("{}{}: {} against {}", where(pair), reference, fmt::join(pair.attitudes[0], " "),
                                      fmt::join(pair.attitudes[1], " ")));

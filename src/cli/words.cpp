@@ -80,12 +80,7 @@ std::string in_shell(std::string_view word) {
 
 std::string file_in_shell(const std::string& file) { return in_shell((file.starts_with('-') ? "./" : "") + file); }
 
-JsonValue::JsonValue(const std::string& value) {
-    stream::Buffer to;
-    stream::append_json_string(to, value);
-    text = fmt::to_string(to);
-}
-
+JsonValue::JsonValue(const std::string& value) : text(stream::json_string(value)) {}
 JsonValue::JsonValue(double value) : text(fmt::to_string(value)) {
     text = std::isfinite(value) ? text : JsonValue(text).text;
 }

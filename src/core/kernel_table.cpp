@@ -1,7 +1,5 @@
 #include "kernels.hpp"
 
-#include <limits>
-
 #include "representations/half_turn.hpp"
 
 namespace rotconv {
@@ -41,9 +39,7 @@ void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>&
             std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept {
     kernel_table().relate(attitudes, references, frame, rows, relative, angles);
     for (std::size_t i = 0; i < rows; ++i) {
-        if (relative.error[i] != Error::none) {
-            angles[i] = std::numeric_limits<double>::quiet_NaN();
-        } else if (!(angles[i] >= 0x1p-100)) {
+        if (!(angles[i] >= 0x1p-100)) {
             angles[i] = angle_of(relative.at(i));
         }
     }

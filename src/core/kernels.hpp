@@ -83,7 +83,7 @@ struct KernelTable {
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin = 0.0) noexcept;
 
 /// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal
-/// quaternions is 0. Their angles are in radians, and nan where either attitude has an error.
+/// quaternions is 0. Their angles are in radians.
 void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
             std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept;
 

@@ -22,7 +22,7 @@ struct Layout {
     /// Positions of the selected fields, in the order of the operation's numbers; empty where --columns selects none
     /// and a row is its numbers.
     std::vector<std::size_t> positions{};
-    /// If the selected fields are adjacent, those first that are kept (see RowNumbers): the number that field
+    /// If the selected fields are adjacent, and those that are kept (see RowNumbers) come first: the number that field
     /// `first_field` + i holds. Else empty.
     std::vector<std::size_t> number_of_field{};
     std::size_t first_field = 0;

@@ -57,13 +57,14 @@ void PairReader::Side::find_key(Waiting& row) {
         parts.error = {.what = is_near ? RowError::What::time : RowError::What::not_a_number,
                        .text = *key_text,
                        .time = key.error};
-    } else if (key_text && newest && key.value <= *newest) {
+    } else if (key_text && range && key.value <= range->last) {
         parts.error = {.what = RowError::What::key_order, .text = *key_text};
     } else if (key_text) {
-        newest = keys.emplace_back(std::move(key.value));
-        if (!oldest) {
-            oldest = newest;
+        const Decimal& found = keys.emplace_back(std::move(key.value));
+        if (!range) {
+            range = {found, found};
         }
+        range->last = found;
         return;
     }
     row.error = std::make_unique<RowError>(std::move(parts.error));
@@ -262,14 +263,11 @@ void PairReader::match_between(Job& job, At next) {
 }
 
 KeysMet PairReader::keys() const {
-    KeysMet met{
-        .any_pair = any_pair_, .interpolates = pairing_->interpolates, .nearest = nearest_, .within = pairing_->within};
-    for (const Side* side : {&rows_, &references_}) {
-        if (side->oldest) {
-            met.ranges.at(side == &rows_ ? 0 : 1) = {*side->oldest, *side->newest};
-        }
-    }
-    return met;
+    return {.ranges = {rows_.range, references_.range},
+            .any_pair = any_pair_,
+            .interpolates = pairing_->interpolates,
+            .nearest = nearest_,
+            .within = pairing_->within};
 }
 
 std::optional<StreamError> PairReader::error() const {

@@ -81,12 +81,11 @@ private:
         std::size_t line = 1;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
-        std::deque<Decimal> keys;      ///< of the rows among them, where they have keys
-        std::size_t bytes_waiting = 0; ///< of those lines
-        std::size_t rows_waiting = 0;  ///< that may be paired
-        std::optional<Decimal> oldest; ///< of the keys that increased
-        std::optional<Decimal> newest;
-        std::optional<Decimal> disposed; ///< the last key before the first waiting row
+        std::deque<Decimal> keys;            ///< of the rows among them, where they have keys
+        std::size_t bytes_waiting = 0;       ///< of those lines
+        std::size_t rows_waiting = 0;        ///< that may be paired
+        std::optional<KeysMet::Range> range; ///< of the keys that increased
+        std::optional<Decimal> disposed;     ///< the last key before the first waiting row
         Unpaired unpaired;
     };
 
