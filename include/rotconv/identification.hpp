@@ -113,7 +113,8 @@ private:
     [[nodiscard]] std::vector<Rotation> generic_attitudes(const Candidate& candidate) const;
     void remember(std::span<const double> numbers, const Rotation& known, std::size_t row);
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
-    /// Whether the relative turns lie in a plane or about one axis, and that so that turns of the axes may be mistaken.
+    /// Whether the relative turns lie in a plane or about one axis in such a way that a change of axes could be
+    /// mistaken for another convention.
     [[nodiscard]] bool may_mistake_turns() const;
     struct RowsForTurns;
     /// Those that fit with constant turns.

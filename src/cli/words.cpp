@@ -6,6 +6,7 @@
 
 #include "../stream/file.hpp"
 #include "../stream/fmt.hpp"
+#include "../stream/json.hpp"
 #include "../stream/utf8.hpp"
 
 namespace rotconv::cli {
@@ -79,6 +80,7 @@ std::string in_shell(std::string_view word) {
 
 std::string file_in_shell(const std::string& file) { return in_shell((file.starts_with('-') ? "./" : "") + file); }
 
+JsonValue::JsonValue(const std::string& value) : text(stream::json_string(value)) {}
 JsonValue::JsonValue(double value) : text(fmt::to_string(value)) {
     text = std::isfinite(value) ? text : JsonValue(text).text;
 }

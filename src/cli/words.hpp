@@ -54,7 +54,7 @@ struct JsonValue {
     std::string text = "null";
 
     JsonValue() = default;
-    JsonValue(const std::string& value) : text("\"" + value + "\"") {}
+    JsonValue(const std::string& value);
     JsonValue(const char* value) : JsonValue(std::string(value)) {}
     JsonValue(bool value) : text(value ? "true" : "false") {}
     JsonValue(std::size_t value) : text(std::to_string(value)) {}
@@ -67,7 +67,7 @@ struct JsonValue {
     }
 };
 
-/// An object of these keys. The texts must not need escapes.
+/// An object of these keys, which must not need escapes.
 [[nodiscard]] JsonValue json_object(const std::vector<std::pair<std::string_view, JsonValue>>& object);
 /// The same, as a line.
 [[nodiscard]] std::string json_line(const std::vector<std::pair<std::string_view, JsonValue>>& object);

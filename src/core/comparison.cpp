@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
-#include "representations/half_turn.hpp"
 
 namespace rotconv {
 namespace {
-
-/// Numbers `begin` to `begin + count` of each row.
-std::array<double, batch_rows * most_numbers> part_of(const double* rows_of, std::size_t width, std::size_t begin,
-                                                      std::size_t count, std::size_t rows) noexcept {
-    std::array<double, batch_rows * most_numbers> part; // as many as there are
-    for (std::size_t i = 0; i < rows; ++i) {
-        std::copy_n(rows_of + i * width + begin, count, part.data() + i * count);
-    }
-    return part;
-}
 
 /// The report on both attitudes of a row.
 RowReport report_of(const InputBatch& input, const InputBatch& reference, std::size_t row,
@@ -57,21 +47,21 @@ void Comparison::run(std::span<const double> in, std::span<double> out, std::vec
 
 void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
                            std::vector<RowReport>& reports) const {
-    const auto numbers = part_of(in, inputs(), 0, from_.size(), rows);
-    const auto other_numbers = part_of(in, inputs(), from_.size(), reference_.size(), rows);
-    InputBatch input(from_, numbers.data(), rows);
-    InputBatch reference(reference_, other_numbers.data(), rows);
+    InputBatch input(from_, in, rows, inputs());
+    InputBatch reference(reference_, in + from_.size(), rows, inputs());
     const KernelTable& kernels = kernel_table();
     const Turns turns = turns_of(settings_.reading.left, settings_.reading.right);
     kernels.read(from_, turns, input.own(), rows, input.attitudes);
     kernels.read(reference_, no_turns, reference.own(), rows, reference.attitudes);
     AttitudeBatch<double> relative;
-    kernels.relate(input.attitudes, reference.attitudes, settings_.frame, rows, relative);
+    std::array<double, batch_rows> angles;
+    relate(input.attitudes, reference.attitudes, settings_.frame, rows, relative, angles.data());
 
     const double unit = settings_.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
     const std::size_t width = outputs();
+    std::array<DiagnosticSet, batch_rows> diagnostics{};
     for (std::size_t i = 0; i < rows; ++i) {
-        out[i * width] = unit * angle_of(relative.at(i));
+        out[i * width] = unit * angles[i];
         if (settings_.attitudes) {
             const Rotation own = input.attitudes.at(i);
             const Rotation other = reference.attitudes.at(i);
@@ -80,7 +70,6 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
                 out + (i + 1) * width - 8);
         }
     }
-    std::array<DiagnosticSet, batch_rows> diagnostics{};
     if (settings_.relative) {
         const Spec& to = *settings_.relative;
         std::array<double, batch_rows * most_numbers> own;
@@ -93,13 +82,18 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
         }
     }
     for (std::size_t i = 0; i < rows; ++i) {
+        const double angle = out[i * width];
+        diagnostics[i] |= {DiagnosticKind::beyond, angle > settings_.within};
+        if (diagnostics[i].empty() && !input.is_remarkable(i, settings_.reading) &&
+            !reference.is_remarkable(i, settings_.reading)) {
+            continue;
+        }
         RowReport found = report_of(input, reference, i, settings_.reading);
         if (found.error != Error::none) {
             std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
         } else {
-            found.deviation = out[i * width];
+            found.deviation = angle;
             found.diagnostics |= diagnostics[i];
-            found.diagnostics |= {DiagnosticKind::beyond, found.deviation > settings_.within};
             if (!settings_.reading.sensitivity && found.diagnostics.empty()) {
                 continue;
             }

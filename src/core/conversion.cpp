@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
@@ -101,15 +100,9 @@ Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<Fix
 }
 
 double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept {
-    const auto own = numbers.first(spec.size());
-    const double squares = std::inner_product(own.begin(), own.end(), own.begin(), 0.0);
-    switch (spec.name) {
-    case RepresentationId::quat: return 2.0 * error;
-    case RepresentationId::mrp: return 4.0 * error;
-    case RepresentationId::cayley: return 2.0 / std::sqrt(1.0 + squares) * error;
-    case RepresentationId::five_d: return 2.0 * std::numbers::sqrt2 / (1.0 + squares) * error; // (sqrt 2 - r11) error
-    default: return spec.unit == AngleUnit::degrees ? radians_per_degree * error : error;
-    }
+    const auto turn_per_error = codec_of(spec.name).turn_per_error;
+    const double unit = spec.unit == AngleUnit::degrees ? radians_per_degree : 1.0;
+    return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
 }
 
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
@@ -146,7 +139,7 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
 
 void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::size_t first, std::size_t rows,
                            double* out, double* rest, std::vector<RowReport>& reports) const {
-    InputBatch input(from_, in, rows);
+    InputBatch input(from_, in, rows, from_.size());
     std::array<DiagnosticSet, batch_rows> diagnostics;
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     if (to_.is_reordered()) { // such a representation has no Codec::nearest, which alone wants `rest`
@@ -179,7 +172,7 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
     }
     const std::size_t width = to_.size();
     for (std::size_t i = 0; i < rows; ++i) {
-        if (attitudes.defect[i] <= largest_defect && attitudes.error[i] == Error::none && diagnostics[i].empty()) {
+        if (diagnostics[i].empty() && !input.is_remarkable(i, settings_)) {
             continue;
         }
         RowReport found = input.report(i, settings_);

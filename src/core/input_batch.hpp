@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -18,10 +19,11 @@ namespace rotconv {
 class InputBatch {
 public:
     /// @param in as written, at most `batch_rows` rows, which must outlive this
-    InputBatch(const Spec& spec, const double* in, std::size_t rows) noexcept
+    /// @param width numbers of a row, of which these are the first
+    InputBatch(const Spec& spec, const double* in, std::size_t rows, std::size_t width) noexcept
         : codec_(&codec_of(spec.name)), own_(in), size_(spec.size()) {
-        if (spec.is_reordered()) {
-            to_own_order(spec, in, rows, own_order_.data());
+        if (spec.is_reordered() || width != size_) {
+            to_own_order(spec, in, rows, own_order_.data(), width);
             own_ = own_order_.data();
         }
     }
@@ -29,6 +31,11 @@ public:
     /// The numbers in the representation's own order.
     [[nodiscard]] const double* own() const noexcept { return own_; }
 
+    /// Whether report() may have something to tell of the row.
+    [[nodiscard]] bool is_remarkable(std::size_t row, const ConversionSettings& settings) const noexcept {
+        return settings.sensitivity || attitudes.error[row] != Error::none ||
+               !(attitudes.defect[row] <= std::min(settings.tolerance, reported_defect));
+    }
     /// The row's error, or its defect and whether that is to be reported.
     [[nodiscard]] RowReport report(std::size_t row, const ConversionSettings& settings) const noexcept {
         RowReport report{.error = attitudes.error[row]};

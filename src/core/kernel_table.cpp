@@ -1,5 +1,7 @@
 #include "kernels.hpp"
 
+#include "representations/half_turn.hpp"
+
 namespace rotconv {
 
 extern const KernelTable kernels_of_any_processor;
@@ -32,5 +34,15 @@ DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numb
 }
 
 // NOLINTEND(*-avoid-c-arrays)
+
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
+            std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept {
+    kernel_table().relate(attitudes, references, frame, rows, relative, angles);
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (!(angles[i] >= 0x1p-100)) {
+            angles[i] = angle_of(relative.at(i));
+        }
+    }
+}
 
 } // namespace rotconv

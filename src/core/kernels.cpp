@@ -1,5 +1,8 @@
 #include "kernels.hpp"
 
+#include <cstdint>
+
+#include "numerics/elementary.hpp"
 #include "numerics/quaternion_algebra.hpp"
 #include "representations/kernel.hpp"
 
@@ -69,8 +72,9 @@ template <class T> void invert(AttitudeBatch<T>& attitudes, std::size_t rows) no
     }
 }
 
-template <class T> void relate(const AttitudeBatch<T>& attitudes, const AttitudeBatch<T>& references, Frame frame,
-                               std::size_t rows, AttitudeBatch<T>& relative) noexcept {
+/// Of a frame that is known when it is compiled: the loop vectorises.
+template <Frame frame, class T> void relate(const AttitudeBatch<T>& attitudes, const AttitudeBatch<T>& references,
+                                            std::size_t rows, AttitudeBatch<T>& relative) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         T q[4];
         T reference[4];
@@ -78,8 +82,15 @@ template <class T> void relate(const AttitudeBatch<T>& attitudes, const Attitude
         references.get(i, reference);
         relate(reference, frame, q);
         relative.set(i, q);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
         relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
     }
+}
+template <class T> void relate(const AttitudeBatch<T>& attitudes, const AttitudeBatch<T>& references, Frame frame,
+                               std::size_t rows, AttitudeBatch<T>& relative) noexcept {
+    const auto of_frame = frame == Frame::body ? relate<Frame::body, T> : relate<Frame::reference, T>;
+    of_frame(attitudes, references, rows, relative);
 }
 
 template <class T>
@@ -95,13 +106,13 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
 
 // Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
 
-/// No branch: the loop vectorises.
+/// No branch, and bits of a double's size: the loop vectorises.
 template <bool (*is_plain)(double) noexcept> bool all(const double* numbers, std::size_t count) noexcept {
-    bool found = true;
+    std::uint64_t others = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        found = found & is_plain(numbers[i]);
+        others |= is_plain(numbers[i]) ? 0U : 1U;
     }
-    return found;
+    return others == 0;
 }
 
 bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows) noexcept {
@@ -221,15 +232,27 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
 }
 
 void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
-                    std::size_t rows, AttitudeBatch<double>& relative) noexcept {
+                    std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept {
     relate(attitudes, references, frame, rows, relative);
+    const auto careful = [&](std::size_t i) {
+        Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};
+        const Careful other[4] = {references[0][i], references[1][i], references[2][i], references[3][i]};
+        relate(other, frame, q);
+        set_rounded(q, i, relative);
+    };
+    for_each_careful_row({}, nullptr, attitudes, rows, careful); // numbers of quaternions are not looked at
+    for_each_careful_row({}, nullptr, references, rows, careful);
+    Column<double> scalars;
+    Column<double> lengths;
+    Column<DoubleDouble> halves;
+    const auto& [w, x, y, z] = relative.columns;
     for (std::size_t i = 0; i < rows; ++i) {
-        if (!all_plain(attitudes, i, 1) || !all_plain(references, i, 1)) {
-            Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};
-            const Careful other[4] = {references[0][i], references[1][i], references[2][i], references[3][i]};
-            relate(other, frame, q);
-            set_rounded(q, i, relative);
-        }
+        scalars.set(i, __builtin_fabs(w[i]));
+        lengths.set(i, __builtin_sqrt((x[i] * x[i] + y[i] * y[i]) + z[i] * z[i]));
+    }
+    angles_of(scalars, lengths, rows, AngleUnit::radians, halves);
+    for (std::size_t i = 0; i < rows; ++i) {
+        angles[i] = 2.0 * halves.hi[i];
     }
 }
 

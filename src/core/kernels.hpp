@@ -60,10 +60,9 @@ struct KernelTable {
     /// The attitudes that rows describe, turned, then rounded once.
     void (*read)(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
                  AttitudeBatch<double>& attitudes) noexcept;
-    /// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal
-    /// quaternions is 0.
+    /// See relate(); angles below 2^-100 need not be right.
     void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
-                   std::size_t rows, AttitudeBatch<double>& relative) noexcept;
+                   std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept;
     /// The relative attitudes of rows, each number rounded once.
     void (*write_relative)(const RelativeBatch& batch, const double* in, const double* reference, std::size_t rows,
                            double* out, DiagnosticSet* diagnostics) noexcept;
@@ -82,6 +81,11 @@ struct KernelTable {
 
 /// One row; with a lock margin of 0 nothing is given up to lock. Returns what there is to report of it.
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin = 0.0) noexcept;
+
+/// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal
+/// quaternions is 0. Their angles are in radians.
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
+            std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept;
 
 // NOLINTEND(*-avoid-c-arrays)
 

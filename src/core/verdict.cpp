@@ -263,7 +263,8 @@ std::vector<Candidate> Identification::turned() const {
     const auto is_found = [](const Class& each) { return each.found.has_value(); };
     for (const AlignedSide side : {AlignedSide::body, AlignedSide::reference, AlignedSide::both}) {
         const bool both = side == AlignedSide::both;
-        // What others make of turns on both sides is told by four rows; of fewer those that are not special serve.
+        // Turns on both sides fit nearly any three rows: what fits with one stands, unless its turns are of a special
+        // kind.
         if (both && std::ranges::any_of(classes, is_found) && rows_ < 4 && !may_mistake_turns()) {
             break;
         }

@@ -1,6 +1,7 @@
 #include "method_conversion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -11,7 +12,6 @@
 
 #include "../core/input_batch.hpp"
 #include "../core/kernels.hpp"
-#include "../core/representations/half_turn.hpp"
 #include "formulas.hpp"
 
 namespace rotconv {
@@ -197,16 +197,17 @@ void MethodConversion::measure(std::span<const double> attitudes, std::span<cons
     const Spec spec = turned_ ? Spec{} : from();
     const std::size_t all = attitudes.size() / spec.size();
     AttitudeBatch<double> turns;
+    std::array<double, batch_rows> sizes;
     for (std::size_t first = 0; first < all; first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, all - first);
-        InputBatch attitude(spec, attitudes.data() + first * spec.size(), rows);
+        InputBatch attitude(spec, attitudes.data() + first * spec.size(), rows, spec.size());
         kernels.read(spec, no_turns, attitude.own(), rows, attitude.attitudes);
         for (std::size_t a = 0; a < count; ++a) {
-            InputBatch answer(to(), answers.data() + (a * all + first) * to().size(), rows);
+            InputBatch answer(to(), answers.data() + (a * all + first) * to().size(), rows, to().size());
             kernels.read(to(), no_turns, answer.own(), rows, answer.attitudes);
-            kernels.relate(attitude.attitudes, answer.attitudes, Frame::body, rows, turns);
+            relate(attitude.attitudes, answer.attitudes, Frame::body, rows, turns, sizes.data());
             for (std::size_t i = 0; i < rows; ++i) {
-                angles[(first + i) * count + a] = turns.error[i] == Error::none ? angle_of(turns.at(i)) : not_a_number;
+                angles[(first + i) * count + a] = turns.error[i] == Error::none ? sizes[i] : not_a_number;
             }
         }
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -23,6 +24,12 @@ void append(std::vector<double>& to, std::span<const double> numbers) {
 Rotation rotation_at(const double* q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
 
 std::array<double, 4> components_of(const Rotation& q) noexcept { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// The report on the row among reports in the order of the rows; an empty one is added if there is none.
+RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
+    const auto place = std::ranges::lower_bound(reports, row, {}, &RowReport::row);
+    return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
+}
 
 /// The comparison of some of the rows at hand.
 struct SomeRows {
@@ -66,25 +73,22 @@ public:
         const std::size_t m = at_.comparison.reference().size();
         const std::size_t width = 1 + n + 1 + m + m + 1;
         const std::size_t count = rows.size() / width;
-        for (Neighbour* neighbour : {&earlier_, &later_}) {
-            numbers_.clear();
-            for (std::size_t i = 0; i < count; ++i) {
-                append(numbers_, rows.subspan(i * width + 2 + n + (neighbour == &later_ ? m : 0), m));
-            }
-            neighbour->attitudes.resize(4 * count);
-            reading_.run(numbers_, neighbour->attitudes, neighbour->reports);
+        numbers_.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            append(numbers_, rows.subspan(i * width + 2 + n, 2 * m));
         }
+        neighbours_.resize(8 * count);
+        reading_.run(numbers_, neighbours_, neighbour_reports_);
         at_.clear();
         between_.clear();
-        found_.assign(count, {});
+        reports.clear();
         for (std::size_t i = 0; i < count; ++i) {
             const auto row = rows.subspan(i * width, width);
             SomeRows& some = row.back() > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
-            found_[i].row = i;
             some.rows.push_back(i);
             append(some.numbers, row.subspan(1, n));
             if (row.back() > 0.0) {
-                append(some.numbers, attitude_between(i, row.back()));
+                append(some.numbers, attitude_between(i, row.back(), reports));
             } else {
                 append(some.numbers, row.subspan(2 + n, m));
             }
@@ -93,57 +97,48 @@ public:
         for (SomeRows* some : {&at_, &between_}) {
             some->run(out, size);
             for (const RowReport& report : some->reports) { // its own error counts before those of the neighbours
-                RowReport& found = found_[report.row];
+                RowReport& found = report_of(report.row, reports);
                 found = found.error != Error::none && report.error == Error::none ? found : report;
             }
         }
-        for (const Neighbour* neighbour : {&earlier_, &later_}) {
-            for (const RowReport& report : neighbour->reports) {
-                RowReport& found = found_[report.row];
-                const bool is_between = rows[(report.row + 1) * width - 1] > 0.0;
-                if (!is_between || found.error != Error::none) {
-                    continue;
-                }
-                if (report.error != Error::none) {
-                    found = {.row = report.row,
-                             .error = report.error,
-                             .of_reference = true,
-                             .of_later = neighbour == &later_,
-                             .defect = report.defect};
-                } else if (neighbour == &earlier_) { // the row after it tells of the later
-                    found.reference_defect = report.defect;
-                    found.diagnostics |= report.diagnostics;
-                }
+        for (const RowReport& report : neighbour_reports_) {
+            const std::size_t row = report.row / 2;
+            const bool is_later = report.row % 2 == 1;
+            const bool is_between = rows[(row + 1) * width - 1] > 0.0;
+            if (!is_between || (is_later && report.error == Error::none)) { // the row after it tells of the later
+                continue;
+            }
+            RowReport& found = report_of(row, reports);
+            if (found.error == Error::none && report.error != Error::none) {
+                found = {.row = row,
+                         .error = report.error,
+                         .of_reference = true,
+                         .of_later = is_later,
+                         .defect = report.defect};
+            } else if (found.error == Error::none) {
+                found.reference_defect = report.defect;
+                found.diagnostics |= report.diagnostics;
             }
         }
-        reports.clear();
-        for (const RowReport& found : found_) {
-            if (found.error != Error::none) {
-                std::fill_n(out.data() + found.row * size, size, no_angle);
-            }
-            if (found.error != Error::none || !found.diagnostics.empty() || reading_.settings().sensitivity) {
-                reports.push_back(found);
+        for (const RowReport& report : reports) {
+            if (report.error != Error::none) {
+                std::fill_n(out.data() + report.row * size, size, no_angle);
             }
         }
     }
 
 private:
-    struct Neighbour {
-        std::vector<double> attitudes; ///< quaternions
-        std::vector<RowReport> reports;
-    };
-
     /// The quaternion at the fraction; the identity where there is none.
-    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction) {
-        const Rotation earlier = rotation_at(earlier_.attitudes.data() + 4 * row);
-        const Rotation later = rotation_at(later_.attitudes.data() + 4 * row);
+    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction,
+                                                         std::vector<RowReport>& reports) const {
+        const Rotation earlier = rotation_at(neighbours_.data() + 8 * row);
+        const Rotation later = rotation_at(neighbours_.data() + 8 * row + 4);
         if (std::isnan(earlier.w()) || std::isnan(later.w())) {
             return {1.0}; // which is reported of them
         }
         const auto found = interpolated(earlier, later, fraction);
         if (!found) {
-            found_[row].error = Error::past_half_turn;
-            found_[row].of_reference = true;
+            reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
         }
         return components_of(found.value_or(Rotation()));
     }
@@ -152,9 +147,8 @@ private:
     SomeRows between_;   ///< with the quaternion between the neighbours
     Conversion reading_; ///< of the neighbours
     std::vector<double> numbers_;
-    Neighbour earlier_;
-    Neighbour later_;
-    std::vector<RowReport> found_; ///< of each row
+    std::vector<double> neighbours_; ///< of each row the earlier and the later, as quaternions
+    std::vector<RowReport> neighbour_reports_;
 };
 
 /// Compares the turns from pairs of attitudes to the N-th pair after them. Remembers N pairs.
@@ -169,20 +163,18 @@ public:
               return Comparison({}, {}, settings);
           }()) {}
 
-    /// @param compared an angle, nan where there is none, and both attitudes: of each row the last of
-    /// `compared_width` numbers
-    void compare(std::span<const double> compared, std::size_t compared_width, std::span<double> out,
-                 std::size_t out_width, std::vector<RowReport>& reports) {
-        const std::size_t rows = compared.size() / compared_width;
-        std::ranges::fill(out.first(rows * out_width), no_angle);
+    /// @param compared of each row an angle, nan where there is none, and both attitudes
+    void compare(std::span<const double> compared, std::span<double> out, std::size_t out_width,
+                 std::vector<RowReport>& reports) {
+        std::ranges::fill(out, no_angle);
         turns_.clear();
-        for (std::size_t row = 0; row < rows; ++row) {
-            const double* end = compared.data() + (row + 1) * compared_width;
-            if (std::isnan(compared[row * compared_width])) {
+        for (std::size_t row = 0; row < compared.size() / numbers_of_pair; ++row) {
+            const double* numbers = compared.data() + row * numbers_of_pair;
+            if (std::isnan(numbers[0])) {
                 continue;
             }
             Pair& place = kept_.size() < delta_ ? kept_.emplace_back() : kept_[next_++ % delta_];
-            const Pair pair{rotation_at(end - 8), rotation_at(end - 4)};
+            const Pair pair{rotation_at(numbers + 1), rotation_at(numbers + 5)};
             if (next_ > 0) {
                 for (const std::size_t side : {0U, 1U}) {
                     const Eigen::Quaterniond turn = quaternion::from_rotation(place[side].inverse() * pair[side]);
@@ -194,15 +186,11 @@ public:
         }
         turns_.run(out, out_width);
         for (RowReport& report : turns_.reports) {
-            const auto place = std::ranges::lower_bound(reports, report.row, {}, &RowReport::row);
-            if (place == reports.end() || place->row != report.row) {
-                reports.insert(place, report);
-            } else { // what was said of its attitudes
-                report.diagnostics |= place->diagnostics;
-                report.defect = place->defect;
-                report.reference_defect = place->reference_defect;
-                *place = report;
-            }
+            RowReport& of_attitudes = report_of(report.row, reports);
+            report.diagnostics |= of_attitudes.diagnostics;
+            report.defect = of_attitudes.defect;
+            report.reference_defect = of_attitudes.reference_defect;
+            of_attitudes = report;
         }
     }
 
@@ -230,9 +218,11 @@ public:
             turns_.emplace(rows.delta, settings);
             in_order = true;
             settings.within = std::numeric_limits<double>::infinity();
+        }
+        if (rows.as_numbers || rows.delta > 0) {
+            settings.attitudes = true;
             settings.relative.reset();
         }
-        settings.attitudes = rows.as_numbers || rows.delta > 0;
         comparison_ = Comparison(comparison.from(), comparison.reference(), settings);
         if (rows.interpolates) {
             between_.emplace(comparison_);
@@ -244,16 +234,12 @@ public:
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compare>(*this); }
 
     void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        const std::size_t width = names.size();
-        const std::size_t compared_width = comparison_.outputs();
-        const bool has_attitudes = comparison_.settings().attitudes;
-        const std::size_t numbers = has_attitudes ? rows.lines.size() * compared_width : 0;
-        compared_.resize(std::max(compared_.size(), numbers)); // what is there is not cleared
-        const std::span<double> compared = has_attitudes ? std::span(compared_).first(numbers) : out;
+        compared_.resize(turns_ ? rows.lines.size() * comparison_.outputs() : 0);
+        const std::span<double> compared = turns_ ? std::span(compared_) : out;
         std::span<const double> attitudes = rows.numbers;
         if (between_) {
             between_->run(rows.numbers, compared, reports);
-            attitudes = has_attitudes ? with_quaternions(rows) : attitudes;
+            attitudes = comparison_.settings().attitudes ? with_quaternions(rows, compared) : attitudes;
         } else {
             if (rows_.by_key) {
                 attitudes_ = without_keys(rows.numbers, comparison_.from().size(), comparison_.reference().size());
@@ -262,28 +248,19 @@ public:
             comparison_.run(attitudes, compared, reports);
         }
         if (turns_) {
-            turns_->compare(compared, compared_width, out, width, reports);
+            turns_->compare(compared, out, names.size(), reports);
         }
-        for (std::size_t i = 0; rows_.as_numbers && i < rows.lines.size(); ++i) {
-            double* const result = out.data() + i * width;
-            const double* const end = compared_.data() + (i + 1) * compared_width;
-            result[0] = turns_ ? result[0] : *(end - static_cast<std::ptrdiff_t>(compared_width));
-            std::copy_n(end - 8, 8, result + 1);
-            result[numbers_of_pair - 1] = static_cast<double>(rows.lines[i]);
-        }
-        watch_->add(rows, attitudes, rows_.by_key ? 1 + comparison_.from().size() : 0, out, width);
+        watch_->add(rows, attitudes, comparison_.from().size(), rows_.by_key, out, names.size());
     }
 
 private:
     /// The numbers of each attitude, and the quaternion between those of the reference.
-    std::span<const double> with_quaternions(const stream::NumberRows& rows) {
+    std::span<const double> with_quaternions(const stream::NumberRows& rows, std::span<const double> compared) {
         attitudes_.clear();
         for (std::size_t i = 0; i < rows.lines.size(); ++i) {
             const auto row = rows.numbers.subspan(i * (rows.numbers.size() / rows.lines.size()) + 1);
-            const auto own = row.first(comparison_.from().size());
-            const auto q = std::span(compared_).subspan((i + 1) * comparison_.outputs() - 4, 4);
-            append(attitudes_, own);
-            append(attitudes_, q);
+            append(attitudes_, row.first(comparison_.from().size()));
+            append(attitudes_, compared.subspan((i + 1) * comparison_.outputs() - 4, 4));
         }
         return attitudes_;
     }
@@ -293,13 +270,34 @@ private:
     std::shared_ptr<PairWatch> watch_;
     std::optional<ComparisonBetween> between_; ///< where the reference is interpolated
     std::optional<ComparisonOfTurns> turns_;   ///< where there is a delta
-    std::vector<double> compared_;
+    std::vector<double> compared_;             ///< before the turns
     std::vector<double> attitudes_;
 };
 
 } // namespace
 
-void PairWatch::add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t second_key,
+int PairStatistics::write(std::string_view rows) {
+    std::array<double, numbers_of_pair> pair{};
+    for (; !rows.empty(); rows.remove_prefix(sizeof pair)) {
+        std::memcpy(pair.data(), rows.data(), sizeof pair);
+        if (std::isnan(pair[0])) {
+            continue;
+        }
+        const Rotation attitude = rotation_at(pair.data() + 1);
+        const Rotation reference = rotation_at(pair.data() + 5);
+        angles.add(pair[0]);
+        if (alignment) {
+            alignment->add(attitude, reference);
+        } else if (finds_turns) {
+            const Rotation inverse = attitude.inverse();
+            left.add(reference * inverse);
+            right.add(inverse * reference);
+        }
+    }
+    return 0;
+}
+
+void PairWatch::add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t size, bool by_key,
                     std::span<const double> results, std::size_t width) {
     const std::lock_guard lock(mutex_);
     const std::size_t count = rows.lines.size();
@@ -318,11 +316,11 @@ void PairWatch::add(const stream::NumberRows& rows, std::span<const double> atti
             continue;
         }
         pair.reference_line = rows.reference_lines.empty() ? 0 : rows.reference_lines[i];
-        const auto own = attitudes.subspan(i * attitudes.size() / count, attitudes.size() / count);
-        pair.numbers.assign(own.begin(), own.end());
+        const auto both = attitudes.subspan(i * attitudes.size() / count, attitudes.size() / count);
         for (const std::size_t side : {0U, 1U}) {
-            if (second_key > 0) {
-                const std::size_t key = i * (rows.numbers.size() / count) + side * second_key;
+            append(pair.attitudes.at(side), side == 0 ? both.first(size) : both.subspan(size));
+            if (by_key) {
+                const std::size_t key = i * (rows.numbers.size() / count) + side * (1 + size);
                 pair.keys.at(side) = rows.kept.empty() ? fmt::format("{}", rows.numbers[key]) : rows.kept[2 * i + side];
             }
         }

@@ -5,11 +5,14 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <rotconv/alignment.hpp>
 #include <rotconv/comparison.hpp>
 #include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
@@ -20,7 +23,9 @@
 #include <rotconv/survey.hpp>
 
 #include "../methods/method_conversion.hpp"
+#include "../stream/file.hpp"
 #include "../stream/row_operation.hpp"
+#include "angle_statistics.hpp"
 
 /// What commands do with rows of numbers: for each the numbers that it takes of a row, and the operation, in a source
 /// of its name.
@@ -112,12 +117,24 @@ struct PropagationRows {
 struct ComparisonRows {
     bool paired = false;       ///< the second attitude comes from a reference...
     bool by_key = false;       ///< ...and each of the two has its key before it
-    bool as_numbers = false;   ///< rows for a sink, see `numbers_of_pair`, instead of the relative attitude
+    bool as_numbers = false;   ///< rows are those of ComparedPair, for a sink, instead of the relative attitude
     bool interpolates = false; ///< by key: the second attitude lies between two of the reference, see stream::Pairing
     std::size_t delta = 0;     ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
 };
-/// For a sink: the angle, both attitudes as quaternions, and the line. An angle of nan is none.
-inline constexpr std::size_t numbers_of_pair = 10;
+/// For a sink: the angle and both attitudes as quaternions. An angle of nan is none. With a delta there are no
+/// attitudes.
+inline constexpr std::size_t numbers_of_pair = 9;
+
+/// A sink for such rows: what the pairs that have an angle are like together.
+struct PairStatistics final : stream::Sink {
+    int write(std::string_view rows) override;
+
+    AngleStatistics angles{};
+    bool finds_turns = true; ///< those that bring each attitude to its reference...
+    MeanTurn left{};         ///< ...from the left...
+    MeanTurn right{};        ///< ...and from the right
+    std::optional<Alignment> alignment{};
+};
 
 /// A pair among those that differ most: the worst are first, of equals the earlier.
 struct WorstPair {
@@ -125,7 +142,7 @@ struct WorstPair {
     std::size_t line = 0;
     std::size_t reference_line = 0;    ///< 0: there is no reference
     std::array<std::string, 2> keys{}; ///< of the row and of its partner; empty: they are not paired by key
-    std::vector<double> numbers{};     ///< of both attitudes, as they were read
+    std::array<std::vector<double>, 2> attitudes{}; ///< their numbers, as they were read
 
     friend bool operator<(const WorstPair& a, const WorstPair& b) noexcept {
         return a.angle > b.angle || (a.angle == b.angle && a.line < b.line);
@@ -138,10 +155,10 @@ public:
     /// @param most as many of the worst are kept
     PairWatch(std::size_t most, double limit) : most_(most), limit_(limit) {}
 
-    /// @param attitudes the numbers of both attitudes of each row
-    /// @param second_key which number of a row is its partner's key, of which the first is its own; 0: there are none
+    /// @param attitudes the numbers of both attitudes of each row, of which the first has `size`
+    /// @param by_key the numbers of a row begin with its key, and its partner's stands before the second attitude
     /// @param results of `width` numbers for each row, of which the first is the angle
-    void add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t second_key,
+    void add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t size, bool by_key,
              std::span<const double> results, std::size_t width);
     using Worst = std::set<WorstPair>;
     [[nodiscard]] const Worst& worst() const noexcept { return worst_; }

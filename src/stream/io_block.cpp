@@ -91,7 +91,7 @@ Line next_line(std::string_view& text) noexcept {
         return line;
     }
     const std::size_t length = newline > 0 && text[newline - 1] == '\r' ? newline - 1 : newline;
-    const Line line{text.substr(0, length), text.substr(length, newline + 1 - length)};
+    const Line line{{text.data(), length}, {text.data() + length, newline + 1 - length}};
     text.remove_prefix(newline + 1);
     return line;
 }

@@ -42,10 +42,10 @@ struct Row {
 
 /// Pairs of rows, in the order of the stream.
 struct PairBlock {
-    std::vector<Row> rows;                                 ///< in pairs or, with an error of the key, alone
-    std::vector<RowError> errors;                          ///< of those rows
-    std::vector<std::shared_ptr<const std::string>> texts; ///< in which the rows stand
-    std::size_t bytes = 0;                                 ///< of the rows
+    std::vector<Row> rows;                            ///< in pairs or, with an error of the key, alone
+    std::vector<RowError> errors;                     ///< of those rows
+    std::vector<std::shared_ptr<const Buffer>> texts; ///< in which the rows stand
+    std::size_t bytes = 0;                            ///< of the rows
 
     void clear() noexcept {
         rows.clear();

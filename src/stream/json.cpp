@@ -11,12 +11,6 @@
 namespace rotconv::stream {
 namespace {
 
-std::string in_quotes(std::string_view text) {
-    Buffer key;
-    append_json_string(key, text);
-    return fmt::to_string(key);
-}
-
 /// The key, in quotes, is not the index of another field than `at` in a row of `count` fields.
 bool is_free(std::string_view key, std::size_t at, std::size_t count) noexcept {
     std::size_t index = 0;
@@ -27,6 +21,12 @@ bool is_free(std::string_view key, std::size_t at, std::size_t count) noexcept {
 }
 
 } // namespace
+
+std::string json_string(std::string_view text) {
+    Buffer string;
+    append_json_string(string, text);
+    return fmt::to_string(string);
+}
 
 void append_json_string(Buffer& to, std::string_view text) {
     to.push_back('"');
@@ -80,9 +80,9 @@ JsonKeys::JsonKeys(const std::vector<std::string>& names, const std::vector<std:
     : keys_(names.size()) {
     // Compared as they are written: names that differ in bytes that are not UTF-8 may become the same.
     std::unordered_set<std::string> used;
-    std::ranges::transform(taken, std::inserter(used, used.end()), in_quotes);
+    std::ranges::transform(taken, std::inserter(used, used.end()), json_string);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        std::string key = in_quotes(names[i]);
+        std::string key = json_string(names[i]);
         if (!names[i].empty() && is_written(i) && is_free(key, i, names.size()) && used.insert(key).second) {
             keys_[i] = std::move(key);
         }

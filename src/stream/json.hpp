@@ -12,6 +12,7 @@ namespace rotconv::stream {
 
 /// Appends the text as a JSON string; bytes that are not UTF-8 become U+FFFD.
 void append_json_string(Buffer& to, std::string_view text);
+[[nodiscard]] std::string json_string(std::string_view text);
 
 /// A number of JSON (RFC 8259), but not an integer beyond 2^53, which readers would round.
 [[nodiscard]] bool is_json_number(std::string_view text) noexcept;

@@ -22,9 +22,10 @@ struct Layout {
     /// Positions of the selected fields, in the order of the operation's numbers; empty where --columns selects none
     /// and a row is its numbers.
     std::vector<std::size_t> positions{};
-    /// Where the numbers stand side by side, from this field on, and none is kept: which of them each field holds.
+    /// If the selected fields are adjacent, and those that are kept (see RowNumbers) come first: the number that field
+    /// `first_field` + i holds. Else empty.
+    std::vector<std::size_t> number_of_field{};
     std::size_t first_field = 0;
-    std::vector<std::size_t> side_by_side{};
     std::vector<std::size_t> replaced{}; ///< those in whose place the result stands, sorted; empty: the whole row is
     bool appends = false;                ///< nothing is replaced: the result stands at the end
     JsonKeys keys{};                     ///< of the other fields, under Format::json
@@ -46,14 +47,14 @@ struct Layout {
         }
         std::ranges::sort(replaced);
         first_field = positions.empty() ? 0 : std::ranges::min(positions);
-        side_by_side.assign(kept == 0 ? count : 0, count);
-        for (std::size_t i = 0; i < side_by_side.size(); ++i) {
+        number_of_field.assign(count, count);
+        for (std::size_t i = 0; i < number_of_field.size(); ++i) {
             const std::size_t place = positions.empty() ? i : positions[i] - first_field;
-            if (place >= count || side_by_side[place] != count) {
-                side_by_side.clear();
+            if (place >= count || number_of_field[place] != count || (i < kept && place != i)) {
+                number_of_field.clear();
                 return;
             }
-            side_by_side[place] = i;
+            number_of_field[place] = i;
         }
     }
     [[nodiscard]] bool replaces(std::size_t field) const noexcept {

@@ -14,30 +14,32 @@ constexpr std::size_t most_texts = 8;
 constexpr std::size_t most_lines_ahead = 4096;
 constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
-/// The block holds the text for as long as its rows are used.
-void hold(PairBlock& pairs, const std::shared_ptr<const std::string>& text) {
-    if (std::ranges::find(pairs.texts, text) == pairs.texts.end()) {
-        pairs.texts.push_back(text);
-    }
-}
-
 } // namespace
 
 void PairReader::Side::read_block(Job& job) {
     ended = !blocks.read(job);
-    if (!job.rest.empty()) {
-        text = std::make_shared<const std::string>(std::exchange(job.rest, {})); // no longer than need be: it may wait
-        rest = *text;
+    if (const std::size_t size = job.rest.size(); size > 0) {
+        auto text = std::make_shared<Buffer>();
+        Buffer& bytes = job.block.bytes;
+        if (2 * size < bytes.capacity()) { // it may wait, and not with much room that is empty
+            append(*text, job.rest);
+        } else {
+            bytes.resize(static_cast<std::size_t>(job.rest.data() - bytes.data()) + size);
+            *text = std::move(bytes);
+        }
+        rest = std::string_view(text->data(), text->size()).substr(text->size() - size);
+        texts.push_back(std::move(text));
         line = job.line;
+        job.rest = {};
     }
     job.block.text = {};
 }
 
 void PairReader::Side::take_line() {
     Waiting& next = waiting.emplace_back();
-    next.text = text;
     next.number = line++;
     next.line = next_row(rest, options->width);
+    next.ends_text = rest.empty();
     next.passes = options->width == 0 && !options->is_row(next.line.text);
     if (!next.passes && by_key) {
         find_key(next);
@@ -55,13 +57,14 @@ void PairReader::Side::find_key(Waiting& row) {
         parts.error = {.what = is_near ? RowError::What::time : RowError::What::not_a_number,
                        .text = *key_text,
                        .time = key.error};
-    } else if (key_text && newest && key.value <= *newest) {
+    } else if (key_text && range && key.value <= range->last) {
         parts.error = {.what = RowError::What::key_order, .text = *key_text};
     } else if (key_text) {
-        newest = row.key = std::move(key.value);
-        if (!oldest) {
-            oldest = newest;
+        const Decimal& found = keys.emplace_back(std::move(key.value));
+        if (!range) {
+            range = {found, found};
         }
+        range->last = found;
         return;
     }
     row.error = std::make_unique<RowError>(std::move(parts.error));
@@ -81,12 +84,12 @@ PairReader::At PairReader::Side::look(std::size_t ahead) {
 }
 
 void PairReader::Side::drop_row(bool is_paired) {
-    Waiting& first = waiting.front();
     if (!is_paired && unpaired.rows++ == 0) {
-        unpaired.first_line = first.number;
+        unpaired.first_line = waiting.front().number;
     }
     if (by_key) {
-        disposed = std::move(first.key);
+        disposed = std::move(keys.front());
+        keys.pop_front();
     }
     drop_line();
     --rows_waiting;
@@ -94,7 +97,17 @@ void PairReader::Side::drop_row(bool is_paired) {
 
 void PairReader::Side::drop_line() {
     bytes_waiting -= waiting.front().line.text.size();
+    if (waiting.front().ends_text) {
+        texts.pop_front();
+        held -= std::min<std::size_t>(held, 1);
+    }
     waiting.pop_front();
+}
+
+void PairReader::Side::hold(std::size_t count, PairBlock& pairs) {
+    for (; held < count; ++held) {
+        pairs.texts.push_back(texts[held]);
+    }
 }
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
@@ -102,6 +115,7 @@ PairReader::PairReader(Source& source, Source& reference, const Options& options
       references_(reference, pairing_->reference, nullptr, pairing_->by_key, block_size) {}
 
 bool PairReader::read(Job& job) {
+    rows_.held = references_.held = 0;
     for (bool has_read = false; !error_;) {
         const At row = rows_.look(0);
         const At reference = references_.look(0);
@@ -146,7 +160,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
                 Row& row = pairs.rows.emplace_back(first.line, first.number);
                 row.passes = first.passes;
                 row.error = error;
-                hold(pairs, first.text);
+                side->hold(1, pairs);
             } else if (!first.passes) {
                 pairs.rows.emplace_back().error = error;
             }
@@ -156,34 +170,27 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
     }
 }
 
-void PairReader::pair(Job& job, const Waiting* later) {
+void PairReader::pair(Job& job, bool is_between) {
     const Waiting& first = rows_.waiting.front();
     const Waiting& other = references_.waiting.front();
     any_pair_ = true;
     Row& row = job.pairs.rows.emplace_back(first.line, first.number);
     row.reference = other.line.text;
     row.reference_number = other.number;
-    if (later != nullptr) {
-        row.later = later->line.text;
-        row.later_number = later->number;
-        row.fraction = Decimal::ratio(first.key - other.key, later->key - other.key);
+    if (is_between) {
+        const Waiting& later = *std::find_if(references_.waiting.begin() + 1, references_.waiting.end(),
+                                             [](const Waiting& each) { return each.has_key(); });
+        row.later = later.line.text;
+        row.later_number = later.number;
+        row.fraction = Decimal::ratio(rows_.keys[0] - references_.keys[0], references_.keys[1] - references_.keys[0]);
     }
-    job.pairs.bytes += row.line.text.size() + row.reference.size();
-    hold(job.pairs, first.text);
-    hold(job.pairs, other.text);
-    if (later != nullptr) {
-        hold(job.pairs, later->text);
-        job.pairs.bytes += later->line.text.size();
-    }
+    job.pairs.bytes += row.line.text.size() + row.reference.size() + row.later.size();
+    rows_.hold(1, job.pairs);
+    references_.hold(is_between ? references_.texts.size() : 1, job.pairs);
     rows_.drop_row(true);
     if (!pairing_->interpolates) {
         references_.drop_row(true);
     }
-}
-
-void PairReader::give_up(const Side& side) {
-    error_ = StreamError{
-        .what = StreamError::What::far_key, .line = side.waiting.front().number, .of_reference = &side == &references_};
 }
 
 void PairReader::compare_distance(Decimal distance) {
@@ -193,99 +200,87 @@ void PairReader::compare_distance(Decimal distance) {
 }
 
 PairReader::Side* PairReader::match(Job& job, At row, At reference) {
+    const bool interpolates = pairing_->interpolates;
     if (row == At::end || reference == At::end) {
-        (row == At::end ? references_ : rows_).drop_row(row == At::end && pairing_->interpolates);
+        (row == At::end ? references_ : rows_).drop_row(row == At::end && interpolates);
         return nullptr;
     }
-    if (pairing_->interpolates) {
-        return match_between(job);
-    }
-    const auto order = rows_.waiting.front().key <=> references_.waiting.front().key;
-    if (!pairing_->by_key || std::is_eq(order)) {
+    if (!pairing_->by_key || rows_.keys[0] == references_.keys[0]) {
         pair(job);
         return nullptr;
     }
-    Side& low = std::is_lt(order) ? rows_ : references_;
-    const Side& high = std::is_lt(order) ? references_ : rows_;
-    const Decimal& low_key = low.waiting.front().key;
-    const Decimal& high_key = high.waiting.front().key;
-    const auto sign = Decimal::sign_of_sum;
-    if (!any_pair_) {
-        compare_distance(high_key - low_key);
+    const bool is_before = rows_.keys[0] < references_.keys[0];
+    Side& low = is_before ? rows_ : references_;
+    const Side& high = is_before ? references_ : rows_;
+    if (!interpolates && !any_pair_) {
+        compare_distance(high.keys[0] - low.keys[0]);
     }
-    const bool is_too_far = sign({{&high_key, 1}, {&low_key, -1}, {&pairing_->within, -1}}) > 0;
-    if (is_too_far || (high.disposed && sign({{&low_key, 2}, {&*high.disposed, -1}, {&high_key, -1}}) <= 0)) {
-        low.drop_row(false); // or another is as near to it
+    if (interpolates ? is_before : is_alone(low, high)) {
+        low.drop_row(false);
         return nullptr;
     }
-    const At next = low.look(1); // may be nearer to the high one
+    const At next = low.look(1);
     if (next == At::dry) {
         return &low;
     }
     if (next == At::too_far) {
-        give_up(low);
-        return nullptr;
-    }
-    if (next == At::row && sign({{&low.second().key, 1}, {&low_key, 1}, {&high_key, -2}}) < 0) {
-        low.drop_row(false);
+        error_ = StreamError{.what = StreamError::What::far_key,
+                             .line = low.waiting.front().number,
+                             .of_reference = &low == &references_};
+    } else if (interpolates) {
+        match_between(job, next);
+    } else if (next == At::row &&
+               Decimal::sign_of_sum({{&low.keys[1], 1}, {&low.keys[0], 1}, {&high.keys[0], -2}}) < 0) {
+        low.drop_row(false); // the one after it is nearer
     } else {
         pair(job);
     }
     return nullptr;
 }
 
-PairReader::Side* PairReader::match_between(Job& job) {
-    const Decimal& key = rows_.waiting.front().key;
-    const Decimal& earlier = references_.waiting.front().key;
-    const auto order = key <=> earlier;
-    if (std::is_eq(order)) {
-        pair(job);
-        return nullptr;
-    }
-    if (std::is_lt(order)) {
-        rows_.drop_row(false);
-        return nullptr;
-    }
-    const At next = references_.look(1);
-    if (next == At::dry) {
-        return &references_;
-    }
-    if (next == At::too_far) {
-        give_up(references_);
-    } else if (next == At::end && references_.blocks.error()) { // the row after it is not known
-        error_ = references_.blocks.error();
-        error_->of_reference = true;
-    } else if (next == At::end) {
-        rows_.drop_row(false);
-    } else if (const Waiting& later = references_.second(); later.key <= key) {
+bool PairReader::is_alone(const Side& low, const Side& high) const {
+    const Decimal& key = low.keys[0];
+    const Decimal& other = high.keys[0];
+    const auto sign = Decimal::sign_of_sum;
+    return sign({{&other, 1}, {&key, -1}, {&pairing_->within, -1}}) > 0 ||
+           (high.disposed && sign({{&key, 2}, {&*high.disposed, -1}, {&other, -1}}) <= 0);
+}
+
+void PairReader::match_between(Job& job, At next) {
+    if (next == At::end) {
+        error_ = reference_error(); // the row after it may not be known
+        if (!error_) {
+            rows_.drop_row(false);
+        }
+    } else if (const Decimal& later = references_.keys[1]; later <= rows_.keys[0]) {
         references_.drop_row(true);
-    } else if (Decimal distance = later.key - earlier; distance <= pairing_->within) {
-        pair(job, &later);
+    } else if (Decimal distance = later - references_.keys[0]; distance <= pairing_->within) {
+        pair(job, true);
     } else {
         compare_distance(std::move(distance));
         rows_.drop_row(false);
     }
-    return nullptr;
 }
 
 KeysMet PairReader::keys() const {
-    KeysMet met{
-        .any_pair = any_pair_, .interpolates = pairing_->interpolates, .nearest = nearest_, .within = pairing_->within};
-    for (const Side* side : {&rows_, &references_}) {
-        if (side->oldest) {
-            met.ranges.at(side == &rows_ ? 0 : 1) = {*side->oldest, *side->newest};
-        }
-    }
-    return met;
+    return {.ranges = {rows_.range, references_.range},
+            .any_pair = any_pair_,
+            .interpolates = pairing_->interpolates,
+            .nearest = nearest_,
+            .within = pairing_->within};
 }
 
 std::optional<StreamError> PairReader::error() const {
     if (error_) {
         return error_;
     }
-    auto found = rows_.is_done() ? rows_.blocks.error() : std::nullopt; // else it lies behind what was worked on
-    if (!found && references_.blocks.error()) {
-        found = references_.blocks.error();
+    const bool is_own = rows_.is_done() && rows_.blocks.error(); // else it lies behind what was worked on
+    return is_own ? rows_.blocks.error() : reference_error();
+}
+
+std::optional<StreamError> PairReader::reference_error() const {
+    auto found = references_.blocks.error();
+    if (found) {
         found->of_reference = true;
     }
     return found;

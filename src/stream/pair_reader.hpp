@@ -39,11 +39,10 @@ public:
 private:
     /// A line that is read and not yet disposed of.
     struct Waiting {
-        std::shared_ptr<const std::string> text{}; ///< in which it stands
         Line line{};
         std::size_t number = 0;
         bool passes = false;
-        Decimal key{};
+        bool ends_text = false;            ///< it is the last line of a text
         std::unique_ptr<RowError> error{}; ///< of the key
 
         [[nodiscard]] bool has_key() const noexcept { return !passes && !error; }
@@ -66,11 +65,8 @@ private:
         void find_key(Waiting& row);
         void drop_row(bool is_paired);
         void drop_line();
-        /// The row after the first.
-        /// @pre look(1) is At::row
-        [[nodiscard]] const Waiting& second() const {
-            return *std::find_if(waiting.begin() + 1, waiting.end(), [](const auto& row) { return row.has_key(); });
-        }
+        /// Has the block hold the first texts for as long as its rows are used.
+        void hold(std::size_t count, PairBlock& pairs);
         [[nodiscard]] bool is_done() const { return ended && rest.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !rest.empty() || blocks.is_ready(); }
 
@@ -79,29 +75,31 @@ private:
         RowBlocks blocks;
         RowReader reader;
         RowParts parts;
-        std::shared_ptr<const std::string> text; ///< the rows of the last block...
-        std::string_view rest;                   ///< ...those that do not wait yet
+        std::deque<std::shared_ptr<const Buffer>> texts; ///< the blocks of the lines at hand...
+        std::size_t held = 0;                            ///< ...the first ones that the job holds...
+        std::string_view rest;                           ///< ...and the lines that do not wait yet
         std::size_t line = 1;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
-        std::size_t bytes_waiting = 0; ///< of those lines
-        std::size_t rows_waiting = 0;  ///< that may be paired
-        std::optional<Decimal> oldest; ///< of the keys that increased
-        std::optional<Decimal> newest;
-        std::optional<Decimal> disposed; ///< the last key before the first waiting row
+        std::deque<Decimal> keys;            ///< of the rows among them, where they have keys
+        std::size_t bytes_waiting = 0;       ///< of those lines
+        std::size_t rows_waiting = 0;        ///< that may be paired
+        std::optional<KeysMet::Range> range; ///< of the keys that increased
+        std::optional<Decimal> disposed;     ///< the last key before the first waiting row
         Unpaired unpaired;
     };
 
     /// Pairs the first rows of both, or disposes of one of them.
     /// @return the side whose next row must be known first, or null
     Side* match(Job& job, At row, At reference);
-    /// The same, where the partner lies between rows of the reference.
-    Side* match_between(Job& job);
-    /// `later`: the row of the reference after its first, or null.
-    void pair(Job& job, const Waiting* later = nullptr);
-    /// The first row of the side has no partner until too far behind it. Ends the run.
-    void give_up(const Side& side);
+    /// Whether the row with the lower key has no partner, because the other is too far from it or has a nearer one.
+    [[nodiscard]] bool is_alone(const Side& low, const Side& high) const;
+    /// The row lies behind the first of the reference. `next`: whether the next one is at hand.
+    void match_between(Job& job, At next);
+    /// `is_between`: it lies between the first two of the reference.
+    void pair(Job& job, bool is_between = false);
     void compare_distance(Decimal distance);
+    [[nodiscard]] std::optional<StreamError> reference_error() const;
     /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,
     /// which come after all of the stream that stand before its next row.
     void hand_on_alone(Job& job, bool of_both);

@@ -32,8 +32,8 @@ namespace {
 
 } // namespace
 
-std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) const {
-    if (options_->width > 0 || layout_->side_by_side.empty()) {
+std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) const {
+    if (options_->width > 0 || layout_->number_of_field.empty()) {
         return std::nullopt;
     }
     const Delimiter delimiter = layout_->delimiter;
@@ -55,10 +55,10 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) co
             begin = stop + 1;
         }
     }
-    const std::size_t first = to.size();
-    to.resize(first + layout_->count);
+    const std::size_t first = to.numbers.size();
+    to.numbers.resize(first + layout_->count);
     const char* const at =
-        scan_numbers(begin, end, delimiter.text(), layout_->side_by_side, std::span(to).subspan(first));
+        scan_numbers(begin, end, delimiter.text(), layout_->number_of_field, std::span(to.numbers).subspan(first));
     bool is_plain = at != nullptr;
     if (is_plain && has_other_fields) {
         is_plain = at == end || (*at == delimiter.text() && !delimiter.is_blanks());
@@ -68,8 +68,13 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, Numbers& to) co
         line = {{begin, at}, {at, newline == end ? end : newline + 1}};
     }
     if (!is_plain) {
-        to.resize(first);
+        to.numbers.resize(first);
         return std::nullopt;
+    }
+    for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
+        const char* const stop = std::find(begin, at, delimiter.text());
+        to.kept.emplace_back(begin, stop);
+        begin = stop + 1;
     }
     return ScannedRow{line, {begin, at}};
 }
@@ -147,6 +152,10 @@ std::optional<std::string> RowReader::key(std::string_view row, RowParts& to) co
         Buffer text;
         append_number(text, number, {});
         return fmt::to_string(text);
+    }
+    const Delimiter delimiter = layout_->delimiter;
+    if (first == 0 && !delimiter.is_blanks() && row.find('"') == std::string_view::npos) {
+        return std::string(delimiter.text_of(row.substr(0, row.find(delimiter.text()))));
     }
     const std::size_t first_field = to.fields.size();
     if (!split(row, {&first, 1}, to)) {

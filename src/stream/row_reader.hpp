@@ -42,10 +42,10 @@ class RowReader {
 public:
     RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
 
-    /// Adds the numbers of the row that begins the text, in one scan, if it is as most are: they stand side by side
-    /// without blanks around them, and it has no quotes.
+    /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is as most are: they
+    /// stand side by side without blanks around them, and it has no quotes.
     /// @return nothing, and nothing is added, for any other row
-    [[nodiscard]] std::optional<ScannedRow> scan(std::string_view text, Numbers& to) const;
+    [[nodiscard]] std::optional<ScannedRow> scan(std::string_view text, RowParts& to) const;
     /// Adds what is read of a row, of text or of doubles; of text its fields too.
     /// @return false where `to.error` says why there are no numbers; fields may be there
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;

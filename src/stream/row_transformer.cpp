@@ -141,7 +141,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     const std::size_t size = text.size();
     const auto most_bytes = limit == every_row ? size : most_waiting;
     while (!text.empty() && rows_.size() < limit && size - text.size() < most_bytes) {
-        const auto scanned = options_->input.is_comment(text) ? std::nullopt : reader_.scan(text, parts_.numbers);
+        const auto scanned = options_->input.is_comment(text) ? std::nullopt : reader_.scan(text, parts_);
         if (scanned) {
             Row& row = rows_.emplace_back(scanned->line, line++);
             row.numbers = scanned->numbers;
@@ -175,7 +175,7 @@ void RowTransformer::read(Row& row) {
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
     const bool is_pair = row.reference_number > 0; // others were not to be scanned
-    const auto scanned = is_pair ? reader_.scan(row.line.text, parts_.numbers) : std::nullopt;
+    const auto scanned = is_pair ? reader_.scan(row.line.text, parts_) : std::nullopt;
     row.numbers = scanned ? scanned->numbers : std::string_view();
     bool is_read = scanned || reader_.read(row.line.text, parts_);
     row.field_count = parts_.fields.size() - row.first_field;
@@ -210,7 +210,7 @@ void RowTransformer::read(Row& row) {
 }
 
 bool RowTransformer::read_reference(std::string_view text, std::size_t line) {
-    if (reference_reader_->scan(text, parts_.numbers) || reference_reader_->read(text, parts_)) {
+    if (reference_reader_->scan(text, parts_) || reference_reader_->read(text, parts_)) {
         return true;
     }
     parts_.error.line = line;

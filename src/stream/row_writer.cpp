@@ -161,10 +161,7 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
     writes_results_alone_ =
         options.format == Format::csv && !options.diagnostic_columns && !options.pairing && std::isinf(open_end_);
     for (const std::string_view name : result_columns(options)) {
-        Buffer key;
-        append_json_string(key, name);
-        append(key, ": ");
-        json_keys_.push_back(fmt::to_string(key));
+        json_keys_.push_back(json_string(name) + ": ");
     }
 }
 

@@ -235,6 +235,32 @@ TEST_CASE("numbers without an attitude are errors") {
     }
 }
 
+// Would catch: a representation whose numbers are said to turn the attitude by a multiple of what they do.
+TEST_CASE("an error in a number turns the attitude by about what is said") {
+    constexpr double error = 1e-7;
+    strata::Source source(24);
+    for (const auto id : rotconv::all_representations) {
+        const auto& entry = rotconv::representation(id);
+        INFO(entry.text);
+        const rotconv::Spec from =
+            spec(std::string(entry.text) + (id == rotconv::RepresentationId::euler ? ":ZYX" : ""));
+        double largest = 0.0; // of a row, over what is said
+        for (int row = 0; row < 200; ++row) {
+            const auto numbers = oracle::numbers(from, source.attitude());
+            const auto turn_of = [&](std::size_t i) {
+                auto off = numbers;
+                off[i] += error;
+                return oracle::eps * oracle::error_in_eps(oracle::attitude(from, numbers), oracle::attitude(from, off));
+            };
+            for (std::size_t i = 0; i < entry.size; ++i) {
+                largest = std::max(largest, turn_of(i) / rotconv::attitude_error(from, numbers, error));
+            }
+        }
+        CHECK(largest > 0.49); // an entry of a matrix
+        CHECK(largest < 2.01); // a component of an axis: 2 sin(theta/2)
+    }
+}
+
 // Would catch: a figure that says too little or too much for one of the representations that are read, or at one end of
 // the conditions.
 TEST_CASE("numbers within half a digit leave the result open by as much as is said") {

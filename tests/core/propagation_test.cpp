@@ -12,9 +12,12 @@
 
 #include <rotconv/rotconv.hpp>
 
+#include "../../src/core/representations/codec.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 #include "motions.hpp"
+#include "oracle.hpp"
+#include "strata.hpp"
 
 using namespace rotconv;
 using accuracy::spec;
@@ -224,6 +227,38 @@ TEST_CASE("charts that have no other fail, before the singularity is reached") {
     Stepper cayley(spec("cayley"), Integrator::rk4);
     CHECK(cayley.start(Rotation::from_components(0, 1, 0, 0)) == Error::singular);
     CHECK(cayley.attitude().error() == Error::singular);
+}
+
+// Catches a chart that is not switched, or to numbers of another attitude or past the range again.
+TEST_CASE("numbers past their range become those of the same attitude in it") {
+    strata::Source source(31);
+    for (const auto id : rotconv::all_representations) {
+        const rotconv::Codec& codec = rotconv::codec_of(id);
+        if (codec.switch_chart == nullptr) {
+            continue;
+        }
+        const auto& entry = rotconv::representation(id);
+        INFO(entry.text);
+        const rotconv::Spec set =
+            spec(std::string(entry.text) + (id == rotconv::RepresentationId::euler ? ":ZYX" : ""));
+        const auto in_range = accuracy::own(set, set);
+        int switched = 0;
+        for (int row = 0; row < 200; ++row) {
+            auto numbers = oracle::numbers(set, source.attitude());
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                numbers[i] *= entry.has_gimbal_lock && i == 1 ? 1.0 : 1.6; // the middle angle has no other turns
+            }
+            const auto given = numbers;
+            codec.switch_chart(numbers.data());
+            switched += numbers != given ? 1 : 0;
+            REQUIRE(oracle::error_in_eps(oracle::attitude(set, given), oracle::attitude(set, numbers)) < 8.0);
+            const auto expected = in_range(given);
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                REQUIRE(numbers[i] == Approx(expected[i]).margin(1e-14));
+            }
+        }
+        CHECK(switched > 20);
+    }
 }
 
 // Catches a step that no start could bear, blamed on an attitude that is nowhere near.

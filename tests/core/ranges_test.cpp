@@ -86,7 +86,17 @@ TEST_CASE("outputs stay in their ranges with and without modifiers") {
                         REQUIRE(v[1] >= (to.sequence.proper() ? 0 : -half_turn / 2));
                         REQUIRE(v[1] <= (to.sequence.proper() ? half_turn : half_turn / 2));
                         break;
-                    default: break;
+                    case rotconv::RepresentationId::five_d:
+                        REQUIRE(norm(v, 5) >= std::sqrt(2.0) - 1 - 4e-16);
+                        REQUIRE(norm(v, 5) <= std::sqrt(2.0) + 1 + 4e-16);
+                        break;
+                    case rotconv::RepresentationId::dcm:
+                    case rotconv::RepresentationId::two_column:
+                        for (const double entry_of_matrix : v) {
+                            REQUIRE(std::abs(entry_of_matrix) <= 1.0);
+                        }
+                        break;
+                    case rotconv::RepresentationId::cayley: break; // any number
                     }
                 }
             }

@@ -110,12 +110,14 @@ std::vector<double> typed(const Spec& to, const Rotation& rotation) {
     }
     case RepresentationId::cayley: return list(cayley::from_rotation(rotation));
     case RepresentationId::mrp: return list(mrp::from_rotation(rotation));
-    case RepresentationId::euler: return list(euler::from_rotation(rotation, to.sequence, to.unit, 0.0).angles);
-    default: {
+    case RepresentationId::euler:
+    case RepresentationId::rpy: return list(euler::from_rotation(rotation, to.sequence, to.unit, 0.0).angles);
+    case RepresentationId::quat: {
         const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
         return {q.w(), q.x(), q.y(), q.z()};
     }
     }
+    return {};
 }
 
 oracle::Quaternion exact(const Rotation& r) {

@@ -83,8 +83,8 @@ bool make_hostile(const rotconv::Spec& spec, std::span<double> row, Source& sour
         }
         return true;
     }
-    default: return false;
     }
+    return false;
 }
 
 std::vector<Stratum> strata_of(const rotconv::Spec& from, const rotconv::Spec& to, int size) {

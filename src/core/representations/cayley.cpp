@@ -1,6 +1,8 @@
 #include <rotconv/cayley.hpp>
 
+#include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -40,6 +42,8 @@ using Eigen::Vector3d;
 constexpr auto own_presets = std::to_array<PresetMeaning>(
     {{"spice", passive}, {"bunge", passive}, {"stuelpnagel", passive}, {"colmap", passive}});
 
+double turn_per_error(const double* c) noexcept { return 2.0 / std::sqrt(1.0 + std::inner_product(c, c + 3, c, 0.0)); }
+
 double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
     return 2.0 * angle_of(Eigen::Map<const Vector3d>(c).norm(), 1.0, AngleUnit::radians).hi;
 }
@@ -57,6 +61,7 @@ constinit const Codec codecs::cayley{.representation = {.name = RepresentationId
                                                         .singular = "half-turn",
                                                         .singular_attitude = "a half-turn",
                                                         .formula = "tan(theta/2) n; R = (I + [c])(I - [c])^-1"},
+                                     .turn_per_error = turn_per_error,
                                      .sensitivity = sensitivity_of<cayley::sensitivity>,
                                      .rate = rate_of<Vector3d, cayley::rate>,
                                      .angular_velocity = angular_velocity_of<Vector3d, cayley::angular_velocity>,

@@ -11,10 +11,10 @@ const Codec& codec_of(RepresentationId name) noexcept {
     return *table[static_cast<std::size_t>(name)];
 }
 
-void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own) noexcept {
+void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own, std::size_t width) noexcept {
     const auto order = spec.order();
     const std::size_t size = spec.size();
-    for (std::size_t row = 0; row < rows; ++row, written += size, own += size) {
+    for (std::size_t row = 0; row < rows; ++row, written += width, own += size) {
         for (std::size_t i = 0; i < size; ++i) {
             own[order[i]] = written[i];
         }

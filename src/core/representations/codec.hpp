@@ -20,6 +20,9 @@ struct Codec {
 
     /// The defect in full, where reading returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;
+    /// The angle, in radians, by which an error in the numbers turns the attitude, over that error; null where they are
+    /// angles or entries of a matrix, of which it is the unit or 1.
+    double (*turn_per_error)(const double* numbers) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
 
     /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones, or
@@ -61,8 +64,12 @@ ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 
 [[nodiscard]] const Codec& codec_of(RepresentationId name) noexcept;
 
-/// Rows from the order in which they are written to the representation's own.
-void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own) noexcept;
+/// Rows from the order in which they are written, each at the beginning of one of that width, to the representation's
+/// own.
+void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own, std::size_t width) noexcept;
+inline void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own) noexcept {
+    to_own_order(spec, written, rows, own, spec.size());
+}
 /// And back; -0 becomes 0.
 void to_written_order(const Spec& spec, const double* own, std::size_t rows, double* written) noexcept;
 

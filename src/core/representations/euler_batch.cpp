@@ -91,7 +91,7 @@ struct Angles {
         const Column<T>& along_k = attitudes.columns[1 + axes.k];
         Columns<T, 2> first;
         Columns<T, 2> middle;
-        Columns<T, 2> third;
+        Columns<T, 2> last;
         Columns<T, 2> lengths;
         const AngleRanges ranges(axes, spec);
         for (std::size_t i = 0; i < rows; ++i) {
@@ -99,12 +99,12 @@ struct Angles {
             const TurnVectors<T> vectors(axes, q);
             first.set(i, {vectors.first.x, vectors.first.y});
             middle.set(i, {vectors.middle.x, vectors.middle.y});
-            third.set(i, {vectors.third.x, vectors.third.y});
+            last.set(i, {vectors.last.x, vectors.last.y});
             lengths.set(i, {vectors.cosine_length, vectors.sine_length});
         }
         for (std::size_t i = 0; i < rows && ranges.is_other; ++i) { // a loop of its own, for branches cost the vectors
             first.set(i, {-first[0][i], -first[1][i]});
-            third.set(i, {-third[0][i], -third[1][i]});
+            last.set(i, {-last[0][i], -last[1][i]});
         }
         bool upper[batch_rows];
         for (std::size_t i = 0; i < rows; ++i) {
@@ -116,13 +116,13 @@ struct Angles {
                 TurnVectors<T> vectors(axes, q);
                 vectors.give_up_one(axes, q);
                 first.set(i, {vectors.first.x, vectors.first.y});
-                third.set(i, {vectors.third.x, vectors.third.y});
+                last.set(i, {vectors.last.x, vectors.last.y});
             }
         }
         Columns<DoubleDouble, 3> angles;
         angles_of(first[0], first[1], rows, spec.unit, angles[axes.places[0]]);
         angles_of(middle[0], middle[1], rows, spec.unit, angles[1]);
-        angles_of(third[0], third[1], rows, spec.unit, angles[axes.places[2]]);
+        angles_of(last[0], last[1], rows, spec.unit, angles[axes.places[2]]);
         for (std::size_t i = 0; i < rows; ++i) {
             angles[1].set(i, scaled(angles[1][i], ranges.middle_factor));
         }
@@ -173,7 +173,7 @@ struct Angles {
                                         : scaled(angle(vectors.middle), ranges.middle_factor);
         numbers[axes.places[0]] = outer(vectors.first, axes.places[0]);
         numbers[1] = rounded_to<T>(middle);
-        numbers[axes.places[2]] = outer(vectors.third, axes.places[2]);
+        numbers[axes.places[2]] = outer(vectors.last, axes.places[2]);
         return lock.diagnostics();
     }
 };

@@ -93,7 +93,7 @@ template <class T> struct TurnVectors {
         const T bc = ab.y * cd.x;
         const T ad = ab.x * cd.y;
         first = {clean_sum(ac, bd), clean_difference(bc, ad)};
-        third = {clean_difference(ac, bd), scaled(clean_sum(bc, ad), axes.proper ? 1.0 : axes.sign)};
+        last = {clean_difference(ac, bd), scaled(clean_sum(bc, ad), axes.proper ? 1.0 : axes.sign)};
         // a Tait-Bryan angle by its own tangent, (S^2 - C^2)/(2 S C): near 0 it keeps its digits
         middle = {axes.proper ? cosine_length : cosine_length * sine_length,
                   axes.proper ? sine_length : scaled(clean_difference(q[0] * q[2], q[1] * k), 2.0)};
@@ -102,7 +102,7 @@ template <class T> struct TurnVectors {
     /// Of a proper sequence the other triple, a + pi, -b, c + pi.
     ROTCONV_INLINE void take_other() noexcept {
         first = {-first.x, -first.y};
-        third = {-third.x, -third.y};
+        last = {-last.x, -last.y};
     }
 
     /// At lock only s (where S = 0) or t (where C = 0) is defined: of the angles that are listed first and last the
@@ -112,17 +112,18 @@ template <class T> struct TurnVectors {
         const bool sum = !is_at_most(cosine_length, sine_length);
         const T x = sum ? (axes.proper ? q[0] : q[0] - q[2]) : (axes.proper ? q[2] : q[2] + q[0]);
         const T y = sum ? (axes.proper ? q[1] : q[1] + k) : (axes.proper ? k : k - q[1]);
-        const double third_sign = axes.proper ? 1.0 : axes.sign;
-        const double sign = axes.intrinsic ? third_sign : (sum ? 1.0 : -1.0);
-        // the first of the numbers is that of the last fixed turn where the turns are intrinsic
-        Vector<T>& free = axes.intrinsic ? third : first;
-        Vector<T>& fixed = axes.intrinsic ? first : third;
-        free = {clean_difference(x, y) * clean_sum(x, y), scaled(x * y, 2.0 * sign)};
-        fixed = {T(1.0), T(0.0)};
+        const double last_sign = axes.proper ? 1.0 : axes.sign;
+        const double sign = axes.intrinsic ? last_sign : (sum ? 1.0 : -1.0);
+        Vector<T>& listed_first = axes.intrinsic ? last : first;
+        Vector<T>& listed_last = axes.intrinsic ? first : last;
+        listed_first = {clean_difference(x, y) * clean_sum(x, y), scaled(x * y, 2.0 * sign)};
+        listed_last = {T(1.0), T(0.0)};
     }
 
-    Vector<T> first, middle, third; ///< in the order of the fixed turns
-    T cosine_length, sine_length;   ///< C and S
+    /// In the order of the turns about fixed axes, for an intrinsic sequence the reverse of the angles as they are
+    /// listed.
+    Vector<T> first, middle, last;
+    T cosine_length, sine_length; ///< C and S
 };
 
 /// From where on an attitude counts as locked: where its margin is at most the lock margin, that is where tan(margin/2)

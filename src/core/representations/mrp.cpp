@@ -68,6 +68,7 @@ constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::m
                                                      .singular = "half-turn (changes to its shadow)",
                                                      .singular_attitude = "a full turn",
                                                      .formula = "tan(theta/4) n"},
+                                  .turn_per_error = [](const double*) noexcept { return 4.0; },
                                   .sensitivity = sensitivity_of<mrp::sensitivity>,
                                   .rate = rate_of<Vector3d, mrp::rate>,
                                   .angular_velocity = angular_velocity_of<Vector3d, mrp::angular_velocity>,

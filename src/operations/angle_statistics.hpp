@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
-namespace rotconv::cli {
+namespace rotconv::operations {
 
 /// Means and percentiles of angles, or of any numbers from 0, at constant memory. Depends on their order only by
 /// rounding.
@@ -63,8 +63,10 @@ public:
             std::ranges::nth_element(angles, found);
             return *found;
         }
+        std::vector<std::pair<std::uint64_t, std::uint64_t>> counts(counts_.begin(), counts_.end());
+        std::ranges::sort(counts);
         double passed = 0.0;
-        for (const auto& [bits, count] : std::map(counts_.begin(), counts_.end())) {
+        for (const auto& [bits, count] : counts) {
             passed += static_cast<double>(count);
             if (passed >= rank) {
                 const std::uint64_t middle = (bits << dropped_bits) | (std::uint64_t{1} << (dropped_bits - 1));
@@ -89,4 +91,4 @@ private:
     std::unordered_map<std::uint64_t, std::uint64_t> counts_; ///< by the first bits
 };
 
-} // namespace rotconv::cli
+} // namespace rotconv::operations
