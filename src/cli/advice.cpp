@@ -8,7 +8,6 @@
 #include <rotconv/spec.hpp>
 
 #include "../stream/file.hpp"
-#include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
 #include "../stream/preamble.hpp"

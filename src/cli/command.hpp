@@ -92,17 +92,8 @@ struct RowsCommand {
 /// Runs the rows, and prints on stderr what there is to report.
 [[nodiscard]] ExitCode run_rows(const RowsCommand& command);
 
-/// A text to print on stdout: a list, help or version.
-struct PrintCommand {
-    std::string text;
-};
-
-/// A mistake in the command line, in words.
-struct UsageError {
-    std::string message;
-};
-
-using Command = std::variant<RowsCommand, PrintCommand, UsageError>;
+/// What to do with rows, or a text to print on stdout: a list, help or version.
+using Command = std::variant<RowsCommand, std::string>;
 
 /// What a command line gives to its command.
 struct Given {
@@ -139,6 +130,7 @@ struct CommandEntry {
 /// What follows the options in the help: the words of SPECs, the exit status and examples.
 [[nodiscard]] std::string help_footer();
 
+/// @throw Usage
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
 
 } // namespace rotconv::cli

@@ -7,7 +7,6 @@
 #include <rotconv/version.hpp>
 
 #include "../stream/file.hpp"
-#include "../stream/fmt.hpp"
 #include "command.hpp"
 
 namespace rotconv::cli {
@@ -34,14 +33,14 @@ void check(const Arguments& operands, bool has_input, std::size_t most_files, st
     }
     const std::string file = operands.files.empty() ? "" : "the FILE " + quoted(operands.files[0]);
     if (operands.files.size() > 1 && most_files == 1) {
-        throw Usage(fmt::format("{} and {} are two FILEs, but one is read; cat joins them: cat A B | rotconv ...",
-                                quoted(operands.files[0]), quoted(operands.files[1])));
+        throw Usage("{} and {} are two FILEs, but one is read; cat joins them: cat A B | rotconv ...",
+                    quoted(operands.files[0]), quoted(operands.files[1]));
     }
     if (operands.files.size() > most_files) {
-        throw Usage(fmt::format("{} is one FILE too many", quoted(operands.files[most_files])));
+        throw Usage("{} is one FILE too many", quoted(operands.files[most_files]));
     }
     if (!operands.values.empty() && (has_input || !file.empty())) {
-        throw Usage(fmt::format("VALUEs cannot be combined with {}", file.empty() ? "--input" : file));
+        throw Usage("VALUEs cannot be combined with {}", file.empty() ? "--input" : file);
     }
     if (has_input && !file.empty()) {
         throw Usage(file + " cannot be combined with --input");
@@ -68,8 +67,8 @@ void refuse_compressed(const std::vector<std::string>& words, const std::vector<
         }
     }
     if (!first.empty()) {
-        throw Usage(fmt::format("{} is compressed: {}", quoted(first),
-                                shown(fmt::format("{} | rotconv {}", unpack, fmt::join(command, " ")))));
+        throw Usage("{} is compressed: {}", quoted(first),
+                    shown(fmt::format("{} | rotconv {}", unpack, fmt::join(command, " "))));
     }
 }
 
@@ -91,7 +90,10 @@ std::vector<std::string> translated(std::vector<std::string> words, const auto& 
     return words;
 }
 
-Command read(std::vector<std::string> words) {
+} // namespace
+
+Command read_command_line(int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     auto table = command_table();
     const auto commands = std::span<const CommandEntry>(table).subspan(1);
     const auto is_command = [&](std::string_view word) {
@@ -119,23 +121,23 @@ Command read(std::vector<std::string> words) {
     if (entry->name.empty() && verb.find_first_of("./") == std::string::npos &&
         stream::File::why_unreadable(verb.c_str()) != 0) { // before its options are looked at
         if (const std::string answer = messages::answer_to_verb(verb); !answer.empty()) {
-            throw Usage(fmt::format("{} is not a command: {}", quoted(verb), answer));
+            throw Usage("{} is not a command: {}", quoted(verb), answer);
         }
     }
     if (!arguments.error.empty()) {
         throw Usage(arguments.error);
     }
     if (wants_help) {
-        return PrintCommand{help(*entry, commands)};
+        return help(*entry, commands);
     }
     if (wants_version) {
-        return PrintCommand{"rotconv " ROTCONV_VERSION "\n"};
+        return "rotconv " ROTCONV_VERSION "\n";
     }
     if (!arguments.unknown.empty()) {
         throw Usage(messages::no_such_option(arguments.unknown, mapped(options.all(), &Option::name)));
     }
     if (!misplaced.empty()) {
-        throw Usage(fmt::format("{} stands before {}; options come after the command", misplaced, entry->name));
+        throw Usage("{} stands before {}; options come after the command", misplaced, entry->name);
     }
     const std::string& input = options.text("--input");
     if (!options.takes_names()) {
@@ -146,16 +148,6 @@ Command read(std::vector<std::string> words) {
         return entry->read({options, arguments.values, arguments.files});
     } catch (const MissingSpec& error) {
         throw Usage(error.what() + messages::contents_advice(arguments.files.empty() ? input : arguments.files[0]));
-    }
-}
-
-} // namespace
-
-Command read_command_line(int argc, const char* const* argv) {
-    try {
-        return read({argv + std::min(argc, 1), argv + argc});
-    } catch (const Usage& error) {
-        return UsageError{error.what()};
     }
 }
 

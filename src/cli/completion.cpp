@@ -7,7 +7,6 @@
 #include <rotconv/spec.hpp>
 
 #include "../methods/method.hpp"
-#include "../stream/fmt.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "program.hpp"

@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "../methods/method.hpp"
-#include "../stream/fmt.hpp"
 #include "messages.hpp"
 
 namespace rotconv::cli::messages {

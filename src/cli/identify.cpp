@@ -10,7 +10,6 @@
 #include <rotconv/identification.hpp>
 #include <rotconv/quaternion.hpp>
 
-#include "../stream/fmt.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {

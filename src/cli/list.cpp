@@ -8,7 +8,6 @@
 
 #include "../methods/method.hpp"
 #include "../operations/operations.hpp"
-#include "../stream/fmt.hpp"
 #include "command.hpp"
 
 namespace rotconv::cli {
@@ -168,7 +167,7 @@ std::string list_of(const std::vector<std::string>& words) {
                                                  : fmt::format("{}: {}\n\n{}", spec.text(), columns_of(spec), about);
 }
 
-Command list(const Given& given) { return PrintCommand{list_of(given.files)}; }
+Command list(const Given& given) { return list_of(given.files); }
 
 } // namespace
 

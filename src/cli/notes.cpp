@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 #include "row_options.hpp"
 

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {

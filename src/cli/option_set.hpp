@@ -9,12 +9,16 @@
 #include <vector>
 
 #include "../stream/delimiter.hpp"
+#include "words.hpp"
 
 namespace rotconv::cli {
 
 /// Thrown while the command line is read, with words for the user.
 class Usage : public std::runtime_error {
+public:
     using std::runtime_error::runtime_error;
+    template <class... Values> explicit Usage(fmt::format_string<const Values&...> format, const Values&... values)
+        : std::runtime_error(fmt::format(format, values...)) {}
 };
 
 /// The same, where a SPEC is not given.

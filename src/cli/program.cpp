@@ -26,23 +26,15 @@ ExitCode print(const std::string& text) {
     return ExitCode::incomplete;
 }
 
-/// One overload for each command.
-struct Run {
-    ExitCode operator()(const RowsCommand& command) const { return run_rows(command); }
-    ExitCode operator()(const PrintCommand& command) const { return print(command.text); }
-    ExitCode operator()(const UsageError& error) const {
-        print_error(error.message);
-        return ExitCode::incomplete;
-    }
-};
-
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
     try {
         stream::guard_standard_descriptors();
         static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // a closed pipe is an error code of write()
-        return static_cast<int>(std::visit(Run{}, read_command_line(argc, argv)));
+        const Command command = read_command_line(argc, argv);
+        const auto* text = std::get_if<std::string>(&command);
+        return static_cast<int>(text != nullptr ? print(*text) : run_rows(std::get<RowsCommand>(command)));
     } catch (const std::bad_alloc&) {
         print_error("out of memory");
     } catch (const std::exception& error) {

@@ -3,7 +3,6 @@
 
 #include <rotconv/propagation.hpp>
 
-#include "../stream/fmt.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {

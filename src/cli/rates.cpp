@@ -2,7 +2,6 @@
 
 #include <rotconv/rates.hpp>
 
-#include "../stream/fmt.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {

@@ -12,7 +12,6 @@
 #include <rotconv/rates.hpp>
 
 #include "../stream/delimiter.hpp"
-#include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 
 namespace rotconv::cli {
@@ -69,7 +68,7 @@ void refuse_other_order(const SelectedColumns& columns, const stream::InputOptio
     names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(input.numbers.kept)); // such as a key
     names.resize(std::min(names.size(), spec->size()));
     if (const std::string wrong = wrong_order(*spec, names, columns.list); !wrong.empty()) {
-        throw Usage(fmt::format("{} {} (if the file is mislabelled, select by index)", columns.option, wrong));
+        throw Usage("{} {} (if the file is mislabelled, select by index)", columns.option, wrong);
     }
 }
 
@@ -77,7 +76,7 @@ stream::ColumnList parse(const std::string& list, std::size_t count, std::string
                          const messages::Subject& subject) {
     auto parsed = stream::ColumnList::parse(list, count);
     if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
-        throw Usage(fmt::format("{}: {}", option, messages::explain(*error, subject)));
+        throw Usage("{}: {}", option, messages::explain(*error, subject));
     }
     return std::get<stream::ColumnList>(std::move(parsed));
 }
@@ -87,8 +86,7 @@ SelectedColumns with_key(SelectedColumns columns, std::string_view key_option, c
     if (!key.empty()) {
         static_cast<void>(parse(key, 1, key_option, {.text = "a key", .count = 1}));
         if (columns.list.empty()) {
-            throw Usage(fmt::format("{} needs --columns, because a row with only the attitude's numbers has no key",
-                                    key_option));
+            throw Usage("{} needs --columns, because a row with only the attitude's numbers has no key", key_option);
         }
         columns.key = key;
     }
@@ -97,8 +95,8 @@ SelectedColumns with_key(SelectedColumns columns, std::string_view key_option, c
 
 [[noreturn]] void refuse(std::string_view option, const Spec& spec, const stream::RowError& error,
                          double tolerance = 0.0) {
-    throw Usage(fmt::format("{}: {}{}", option, messages::explain(error, messages::subject_of(spec, tolerance)),
-                            messages::mend(error)));
+    throw Usage("{}: {}{}", option, messages::explain(error, messages::subject_of(spec, tolerance)),
+                messages::mend(error));
 }
 
 std::string or_else(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
@@ -108,7 +106,7 @@ AxesChange axes_of(const Given& given, std::string_view option) {
     const std::string& text = given.text(option);
     const auto parsed = parse_axes(text.empty() ? "xyz:xyz" : text);
     if (const auto* error = std::get_if<AxesError>(&parsed)) {
-        throw Usage(fmt::format("{} {}{}", option, quoted(text), messages::explain(*error)));
+        throw Usage("{} {}{}", option, quoted(text), messages::explain(*error));
     }
     return std::get<AxesChange>(parsed);
 }
@@ -153,8 +151,8 @@ std::size_t width_of(const Given& given, const stream::InputOptions& in) {
     const auto positions = in.columns.positions();
     const std::size_t least = positions.empty() ? needed : *std::ranges::max_element(positions) + 1;
     if (row < least || (positions.empty() && row != needed)) {
-        throw Usage(fmt::format("rows of {} doubles (--width) where {} are {}", row, least,
-                                positions.empty() ? "wanted (--columns selects)" : "the least for --columns"));
+        throw Usage("rows of {} doubles (--width) where {} are {}", row, least,
+                    positions.empty() ? "wanted (--columns selects)" : "the least for --columns");
     }
     return row;
 }
@@ -171,9 +169,9 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
     if (given.has("--delimiter")) {
         in.delimiter = stream::Delimiter::parse(given.text("--delimiter"));
         if (!in.delimiter) {
-            throw Usage(fmt::format(
+            throw Usage(
                 "--delimiter {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
-                quoted(given.text("--delimiter"))));
+                quoted(given.text("--delimiter")));
         }
     }
     if (!selected.list.empty()) {
@@ -211,11 +209,11 @@ std::string wrong_order(const Spec& spec, const std::vector<std::string_view>& n
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     if (text.empty()) {
-        throw MissingSpec(fmt::format("{} SPEC is missing; see rotconv --help", option));
+        throw MissingSpec("{} SPEC is missing; see rotconv --help", option);
     }
     const auto parsed = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&parsed)) {
-        throw Usage(fmt::format("{} {}: {}", option, quoted(text), messages::explain(*error)));
+        throw Usage("{} {}: {}", option, quoted(text), messages::explain(*error));
     }
     const Spec& spec = std::get<Spec>(parsed);
     return degrees ? spec.in_degrees() : spec;
@@ -223,8 +221,8 @@ Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
 
 void require_rates(std::string_view option, const Spec& spec) {
     if (!has_rates(spec.name)) {
-        throw Usage(fmt::format("{} {}: its axis has no rate at the identity, but rotvec has one", option,
-                                representation(spec.name).text));
+        throw Usage("{} {}: its axis has no rate at the identity, but rotvec has one", option,
+                    representation(spec.name).text);
     }
 }
 
@@ -232,15 +230,15 @@ GivenNumbers numbers_of(const Given& given, std::string_view option) {
     const std::string& text = given.text(option);
     const auto colon = text.rfind(':');
     if (colon == std::string::npos) {
-        throw Usage(fmt::format("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, quoted(text)));
+        throw Usage("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, quoted(text));
     }
     GivenNumbers read{spec_of(option, text.substr(0, colon), given.has("--degrees")),
                       stream::trimmed(std::string_view(text).substr(colon + 1))};
     std::vector<std::string_view> fields;
     stream::Delimiter::of_row(read.row).split(read.row, fields);
     if (fields.size() != read.spec.size()) {
-        throw Usage(fmt::format("{}: {} has {} numbers, not {}: {}", option, representation(read.spec.name).text,
-                                read.spec.size(), fields.size(), quoted(read.row)));
+        throw Usage("{}: {} has {} numbers, not {}: {}", option, representation(read.spec.name).text, read.spec.size(),
+                    fields.size(), quoted(read.row));
     }
     for (const std::string_view field : fields) {
         const auto error = stream::read_number(field, read.numbers.emplace_back());
@@ -276,8 +274,7 @@ double amount_of(const Given& given, std::string_view option, double default_val
     const std::string& text = given.text(option);
     if (!text.empty() && (stream::read_number(text, value) != stream::NumberError::none || !(value >= 0.0) ||
                           (std::isinf(value) && !infinite))) {
-        throw Usage(fmt::format("{} {} must be a {}number that is not negative", option, quoted(text),
-                                infinite ? "" : "finite "));
+        throw Usage("{} {} must be a {}number that is not negative", option, quoted(text), infinite ? "" : "finite ");
     }
     return value;
 }
@@ -288,7 +285,7 @@ std::size_t count_of(const Given& given, std::string_view option, std::size_t mo
     auto value = static_cast<double>(default_value);
     if (!text.empty() && (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) ||
                           value < static_cast<double>(least) || value > static_cast<double>(most))) {
-        throw Usage(fmt::format("{} {} must be a whole number from {} to {}", option, quoted(text), least, most));
+        throw Usage("{} {} must be a whole number from {} to {}", option, quoted(text), least, most);
     }
     return static_cast<std::size_t>(value);
 }
@@ -418,7 +415,7 @@ bool is_paired(const Given& given) {
 SelectedColumns columns_of_file(const Given& given) {
     for (const std::string_view option : {"--time-unit", "--reference-time-unit", "--key-offset", "--interpolate"}) {
         if (given.has(option) && !given.has("--key")) {
-            throw Usage(fmt::format("{} needs --key, because rows are paired by their number without it", option));
+            throw Usage("{} needs --key, because rows are paired by their number without it", option);
         }
     }
     if (given.has("--interpolate") && !given.has("--key-within")) {
@@ -498,7 +495,7 @@ void pair(const Given& given, RowsCommand& command, stream::RowNumbers numbers, 
     if (given.has("--key-offset")) {
         const auto offset = stream::Decimal::parse(given.text("--key-offset"));
         if (!offset) {
-            throw Usage(fmt::format("--key-offset {} must be a finite number", quoted(given.text("--key-offset"))));
+            throw Usage("--key-offset {} must be a finite number", quoted(given.text("--key-offset")));
         }
         in.key_origin = stream::Decimal() - *offset;
     }
@@ -512,7 +509,7 @@ void pair(const Given& given, RowsCommand& command, stream::RowNumbers numbers, 
 
 void refuse_values(const Given& given, std::string_view command) {
     if (!given.values.empty()) {
-        throw Usage(fmt::format("{} reads rows, not arguments: {}", command, quoted(given.values[0])));
+        throw Usage("{} reads rows, not arguments: {}", command, quoted(given.values[0]));
     }
 }
 

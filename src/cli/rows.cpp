@@ -9,7 +9,6 @@
 
 #include <unistd.h>
 
-#include "../stream/fmt.hpp"
 #include "../stream/run.hpp"
 #include "command.hpp"
 

@@ -9,7 +9,6 @@
 
 #include <rotconv/sampling.hpp>
 
-#include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 #include "row_options.hpp"
 
@@ -61,7 +60,7 @@ std::vector<SampleKind> kinds_of(const std::string& list, RepresentationId name)
     for (const std::string_view word : items_of(list)) {
         kinds.push_back(one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal));
         if (std::ranges::count(kinds, kinds.back()) > 1) {
-            throw Usage(fmt::format("--kind has {} twice", quoted(word)));
+            throw Usage("--kind has {} twice", quoted(word));
         }
     }
     return kinds;
@@ -71,14 +70,14 @@ double noise_of(const std::string& text) {
     double noise = 5e-4;
     if (!text.empty() &&
         (stream::read_number(text, noise) != stream::NumberError::none || !(noise >= 0.0 && noise <= most_noise))) {
-        throw Usage(fmt::format("--noise {} must be a number from 0 to {}", quoted(text), most_noise));
+        throw Usage("--noise {} must be a number from 0 to {}", quoted(text), most_noise);
     }
     return noise;
 }
 
 Command sample(const Given& given) {
     if (!given.values.empty()) {
-        throw Usage(fmt::format("sample reads no VALUEs: {}", quoted(given.values[0])));
+        throw Usage("sample reads no VALUEs: {}", quoted(given.values[0]));
     }
     const Spec to = spec_of(given, "--to");
     const std::size_t rows = count_of(given, "--rows", largest_count, 1, 1000);

@@ -1,7 +1,6 @@
 
 #include <rotconv/survey.hpp>
 
-#include "../stream/fmt.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {

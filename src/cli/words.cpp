@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include "../stream/file.hpp"
-#include "../stream/fmt.hpp"
 #include "../stream/json.hpp"
 #include "../stream/utf8.hpp"
 

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "../stream/fmt.hpp"
+
 /// How texts from outside, counts and values look in messages and other output.
 namespace rotconv::cli {
 

@@ -71,16 +71,17 @@ struct Check {
             stream::run(values, nowhere, command.options, [](const stream::Event&) {});
         }
     }
-    void operator()(const cli::PrintCommand& command) const {
-        require(command.text.ends_with('\n'));
+    void operator()(const std::string& text) const {
+        require(text.ends_with('\n'));
         reach.add("text to print");
     }
-    void operator()(const cli::UsageError& error) const {
+    void operator()(const cli::Usage& error) const {
         // Texts from outside are shown without what steers a terminal or looks like a line of the program's own.
-        require(!error.message.empty());
-        for (std::size_t i = 0; i < error.message.size(); ++i) {
-            const auto c = static_cast<unsigned char>(error.message[i]);
-            require(c == '\n' ? error.message.compare(i, 3, "\n  ") == 0 : c >= 0x20U && c != 0x7fU);
+        const std::string message = error.what();
+        require(!message.empty());
+        for (std::size_t i = 0; i < message.size(); ++i) {
+            const auto c = static_cast<unsigned char>(message[i]);
+            require(c == '\n' ? message.compare(i, 3, "\n  ") == 0 : c >= 0x20U && c != 0x7fU);
         }
         reach.add("usage error");
     }
@@ -91,6 +92,11 @@ struct Check {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const auto words = fuzz::words_of(text, '\n');
-    std::visit(Check{words}, fuzz::command_of(words));
+    const Check check_command{words};
+    try {
+        std::visit(check_command, fuzz::command_of(words));
+    } catch (const cli::Usage& error) {
+        check_command(error);
+    }
     return 0;
 }

@@ -135,9 +135,13 @@ struct Program {
 
 /// What the words say.
 std::optional<Program> program_of(const std::vector<std::string>& words) {
-    auto command = fuzz::command_of(words);
-    auto* const rows = std::get_if<cli::RowsCommand>(&command);
-    return rows == nullptr || rows->has_values ? std::nullopt : std::optional(Program{std::move(*rows)});
+    try {
+        auto command = fuzz::command_of(words);
+        auto* const rows = std::get_if<cli::RowsCommand>(&command);
+        return rows == nullptr || rows->has_values ? std::nullopt : std::optional(Program{std::move(*rows)});
+    } catch (const cli::Usage&) {
+        return std::nullopt;
+    }
 }
 
 /// The same, for a look at it: to read a command line takes longer than a run.
