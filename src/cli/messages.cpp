@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include "../stream/decimal.hpp"
-#include "../stream/fmt.hpp"
 #include "../stream/io_block.hpp"
 
 namespace rotconv::cli::messages {
@@ -33,16 +32,27 @@ bool has_blank_in_time(std::string_view row) {
            stream::read_time(row.substr(0, blank)).error == stream::TimeError::blank;
 }
 
-/// What the figure of a diagnostic is.
-std::string_view figure_name(DiagnosticKind kind) {
+/// What the figure of a diagnostic is, and what the diagnostic means.
+struct DiagnosticWords {
+    std::string_view figure, meaning;
+};
+DiagnosticWords words_for(DiagnosticKind kind) {
+    using enum DiagnosticKind;
     switch (kind) {
-    case DiagnosticKind::normalized: return "defect";
-    case DiagnosticKind::near_gimbal_lock: return "condition";
-    case DiagnosticKind::method_error:
-    case DiagnosticKind::beyond: return "angle";
-    case DiagnosticKind::coarse_step: return "estimate";
-    default: return "margin";
+    case normalized: return {"defect", "the numbers were not exactly those of a rotation"};
+    case gimbal_lock:
+        return {"margin", "only the sum or difference of the outer angles is defined; the third is set to 0"};
+    case near_gimbal_lock: return {"condition", "the outer angles are ill-conditioned, the attitude is not"};
+    case half_turn: return {"margin", "the axis and its opposite give the same attitude; the sign is a convention"};
+    case infinite: return {"margin", "a half-turn has no finite Cayley vector"};
+    case identity_axis: return {"margin", "every axis gives the same attitude; (1, 0, 0) is a convention"};
+    case method_error: return {"angle", "the method's answer is off by more than 1e-6 rad"};
+    case coarse_step:
+        return {"estimate", "the error of a step may exceed 1e-3 rad; --substeps or a finer sampling helps"};
+    case beyond: return {"angle", "the attitudes differ by more than --within"};
+    case few_digits: return {{}, "the digits given leave "}; // opened(), with the figure
     }
+    return {};
 }
 
 /// A size to two digits, such as 1.4e18.
@@ -232,21 +242,8 @@ std::string no_key_met(const stream::KeysMet& keys) {
 }
 
 std::string meaning(const stream::Diagnostic& diagnostic) {
-    switch (diagnostic.kind) {
-    case DiagnosticKind::normalized: return "the numbers were not exactly those of a rotation";
-    case DiagnosticKind::gimbal_lock:
-        return "only the sum or difference of the outer angles is defined; the third is set to 0";
-    case DiagnosticKind::near_gimbal_lock: return "the outer angles are ill-conditioned, the attitude is not";
-    case DiagnosticKind::half_turn: return "the axis and its opposite give the same attitude; the sign is a convention";
-    case DiagnosticKind::infinite: return "a half-turn has no finite Cayley vector";
-    case DiagnosticKind::identity_axis: return "every axis gives the same attitude; (1, 0, 0) is a convention";
-    case DiagnosticKind::method_error: return "the method's answer is off by more than 1e-6 rad";
-    case DiagnosticKind::coarse_step:
-        return "the error of a step may exceed 1e-3 rad; --substeps or a finer sampling helps";
-    case DiagnosticKind::beyond: return "the attitudes differ by more than --within";
-    case DiagnosticKind::few_digits: return "the digits given leave " + opened(diagnostic);
-    }
-    return {};
+    const bool is_opened = diagnostic.kind == DiagnosticKind::few_digits;
+    return fmt::format("{}{}", words_for(diagnostic.kind).meaning, is_opened ? opened(diagnostic) : "");
 }
 
 std::string describe(const stream::Diagnostic& diagnostic) {
@@ -254,7 +251,7 @@ std::string describe(const stream::Diagnostic& diagnostic) {
         return fmt::format("{}: {}", name_of(diagnostic.kind), meaning(diagnostic));
     }
     const std::string answer = diagnostic.answer.empty() ? std::string() : fmt::format("{}: ", diagnostic.answer);
-    return fmt::format("{}: {}{} {:.3g}{}{}; {}", name_of(diagnostic.kind), answer, figure_name(diagnostic.kind),
+    return fmt::format("{}: {}{} {:.3g}{}{}; {}", name_of(diagnostic.kind), answer, words_for(diagnostic.kind).figure,
                        diagnostic.figure, diagnostic.unit.empty() ? "" : " ", diagnostic.unit, meaning(diagnostic));
 }
 
