@@ -15,9 +15,8 @@ namespace {
 
 /// What a user may have meant by a word that rotconv does not know: its meaning elsewhere counts before its spelling.
 struct Guess {
-    std::string text{};      ///< a legal text; empty: nothing needs to be said
-    std::string elsewhere{}; ///< what the word is in another place, such as " qw is a column of quat:"; may be empty
-    std::string note{};      ///< in the place of all that: what to write instead
+    std::string text; ///< a legal text; empty: nothing needs to be written
+    std::string said = fmt::format(" did you mean {}?", text);
 };
 
 /// What words of other programs are called here.
@@ -188,22 +187,6 @@ std::optional<Guess> guess_sequence(std::string_view text) {
     return EulerSequence::parse(letters) ? std::optional(Guess{"euler:" + letters}) : std::nullopt;
 }
 
-/// A word that some representations have, as their `kind`: which they are, and the SPEC of the first.
-template <class Has> std::optional<Guess> guess_kind(std::string_view word, std::string_view kind, const Has& has,
-                                                     const std::string& ending = {}) {
-    std::vector<std::string_view> owners;
-    for (const RepresentationId id : all_representations) {
-        if (has(representation(id))) {
-            owners.push_back(representation(id).text);
-        }
-    }
-    if (owners.empty()) {
-        return std::nullopt;
-    }
-    return Guess{fmt::format("{}{}", owners[0] == "euler" ? "euler:ZYX" : owners[0], ending),
-                 fmt::format(" {} is a {} of {}:", word, kind, fmt::join(owners, ", "))};
-}
-
 bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Preset::text) != 0; }
 
 bool is_modifier(std::string_view word) {
@@ -214,36 +197,47 @@ bool has_modifier(const Representation& entry, std::string_view word) {
     return std::ranges::count(words_of(entry.modifiers), word) != 0;
 }
 
-std::optional<Guess> guess_name(std::string_view word, const std::vector<std::string_view>& legal) {
-    const std::string ending = fmt::format(":{}", word);
-    if (is_preset(word)) {
-        const auto is_changed = [word](const Representation& entry) {
-            return !words_of(meaning_of(word, entry).modifiers).empty();
-        };
-        return guess_kind(word, "preset", is_changed, ending);
+/// The SPEC of the first representation that has the word as a preset that changes it, a modifier or a column.
+std::optional<Guess> guess_owner(std::string_view word) {
+    const std::string_view kind = is_preset(word) ? "preset" : is_modifier(word) ? "modifier" : "column";
+    std::vector<std::string_view> owners;
+    for (const RepresentationId id : all_representations) {
+        const Representation& entry = representation(id);
+        const bool has = kind == "preset" ? !words_of(meaning_of(word, entry).modifiers).empty()
+                         : kind == "modifier"
+                             ? has_modifier(entry, word)
+                             : std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
+        if (has) {
+            owners.push_back(entry.text);
+        }
     }
-    if (is_modifier(word)) {
-        return guess_kind(
-            word, "modifier", [word](const auto& entry) { return has_modifier(entry, word); }, ending);
+    if (owners.empty()) {
+        return std::nullopt;
+    }
+    const std::string spec = fmt::format("{}{}", owners[0] == "euler" ? "euler:ZYX" : owners[0],
+                                         kind == "column" ? "" : fmt::format(":{}", word));
+    return Guess{spec, fmt::format(" {} is a {} of {}: did you mean {}?", word, kind, fmt::join(owners, ", "), spec)};
+}
+
+std::optional<Guess> guess_name(std::string_view word, const std::vector<std::string_view>& legal) {
+    if (auto guess = guess_owner(word)) {
+        return guess;
     }
     for (const std::string_view name : legal) {
         if (without_marks(lower(name)) == without_marks(lower(word))) {
             return Guess{std::string(name)};
         }
     }
-    const auto has_column = [word](const Representation& entry) {
-        return std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
-    };
-    if (auto guess = guess_kind(word, "column", has_column)) {
-        return guess;
-    }
     const auto meaning = find(other_names, word);
     return meaning ? meaning : guess_sequence(word);
 }
 
 std::optional<Guess> guess_modifier(std::string_view word, const Representation& entry) {
-    auto meaning = find(other_modifiers, word);
-    if (meaning && (meaning->text.empty() || is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
+    const auto meaning = find(other_modifiers, word);
+    if (meaning && meaning->text.empty()) {
+        return Guess{{}, fmt::format(" {} needs no modifier: leave it out", quoted(word))};
+    }
+    if (meaning && (is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
         return meaning;
     }
     return entry.has_gimbal_lock ? guess_sequence(word) : std::nullopt;
@@ -281,7 +275,7 @@ std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<
 std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal) {
     using What = SpecError::What;
     if (const auto project = find(projects, error.text)) {
-        return Guess{.text = {}, .note = project->text};
+        return Guess{{}, " " + project->text};
     }
     const auto guess = error.what == What::unknown_name       ? guess_name(error.text, legal)
                        : error.what == What::unknown_sequence ? guess_letters(error.text)
@@ -292,13 +286,13 @@ std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::s
 /// A word that is neither an option nor a number nor a FILE; `commands`: the words that could stand in its place.
 std::optional<Guess> guess_operand(std::string_view word, const std::vector<std::string_view>& commands) {
     if (std::holds_alternative<Spec>(parse_spec(word))) {
-        return Guess{.text = fmt::format("-f {} or -t {}", word, word)};
+        return Guess{fmt::format("-f {} or -t {}", word, word)};
     }
     if (const auto at = word.find('2'); at != std::string_view::npos) { // such as rpy2quat
         const auto from = guess_name(word.substr(0, at), all_names());
         const auto to = guess_name(word.substr(at + 1), all_names());
         if (from && to && !from->text.empty() && !to->text.empty()) {
-            return Guess{.text = fmt::format("-f {} -t {}", from->text, to->text)};
+            return Guess{fmt::format("-f {} -t {}", from->text, to->text)};
         }
     }
     return guess_by_spelling(word, commands);
@@ -316,25 +310,13 @@ std::optional<Guess> guess_option(std::string_view text, const std::vector<std::
     return meaning ? meaning : guess_by_spelling(text, legal);
 }
 
-/// "; did you mean X?", and what the word is elsewhere.
-std::string suggestion(std::string_view word, const std::optional<Guess>& guess) {
-    if (!guess) {
-        return {};
-    }
-    if (!guess->note.empty()) {
-        return fmt::format("; {}", guess->note);
-    }
-    if (guess->text.empty()) {
-        return fmt::format("; {} needs no modifier: leave it out", quoted(word));
-    }
-    return fmt::format(";{} did you mean {}?", guess->elsewhere, guess->text);
-}
+std::string suggestion(const std::optional<Guess>& guess) { return guess ? ";" + guess->said : ""; }
 
 /// A word that is not one of the legal ones.
 std::string unknown(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal,
                     const std::optional<Guess>& guess) {
     return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
-                       suggestion(text, guess));
+                       suggestion(guess));
 }
 
 } // namespace
@@ -358,7 +340,7 @@ std::string no_such_method(RepresentationId from, RepresentationId to, std::stri
     legal.insert(legal.begin(), default_method);
     legal.insert(legal.end(), {fast_method, all_methods});
     std::string message = fmt::format("{} is not a known method from {}{}; legal:\n  {:<18} {}", quoted(text), pair,
-                                      suggestion(text, guess_by_spelling(text, legal)), default_method, every_input);
+                                      suggestion(guess_by_spelling(text, legal)), default_method, every_input);
     for (const Method& method : rows) {
         message += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }
@@ -371,27 +353,24 @@ std::string no_operand(std::string_view word, int error, const std::vector<std::
     const std::string mended = mend(word);
     return fmt::format("argument: {} is not a number, and cannot be read as a FILE: {}{}", quoted(word),
                        std::generic_category().message(error),
-                       mended.empty() ? suggestion(word, guess_operand(word, commands)) : mended);
+                       mended.empty() ? suggestion(guess_operand(word, commands)) : mended);
 }
 
 std::string explain(const SpecError& error) {
     using What = SpecError::What;
+    const auto not_known = [&error](std::string_view what, const std::vector<std::string_view>& legal) {
+        return unknown(what, error.text, legal, guess_spec(error, legal));
+    };
+    const auto sequences = all_sequences();
     switch (error.what) {
-    case What::unknown_name: {
-        const auto legal = all_names();
-        return unknown("representation", error.text, legal, guess_spec(error, legal));
-    }
+    case What::unknown_name: return not_known("representation", all_names());
     case What::no_sequence:
-        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
-    case What::unknown_sequence: {
-        const auto list = all_sequences();
-        const std::vector<std::string_view> legal(list.begin(), list.end());
-        return unknown("Euler sequence", error.text, legal, guess_spec(error, legal));
-    }
+        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(sequences, " "));
+    case What::unknown_sequence: return not_known("Euler sequence", {sequences.begin(), sequences.end()});
     case What::unknown_modifier: {
         auto legal = words_of(error.in->modifiers);
         std::ranges::copy(all_presets(), std::back_inserter(legal));
-        return unknown(fmt::format("modifier of {}", error.in->text), error.text, legal, guess_spec(error, legal));
+        return not_known(fmt::format("modifier of {}", error.in->text), legal);
     }
     case What::meaningless_modifier:
         return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
@@ -410,12 +389,11 @@ std::string mend(std::string_view text) {
     });
     for (const Meaning& mark : marks) {
         for (std::string_view words = mark.words.substr(1); !words.empty(); words.remove_prefix(words.find(' ') + 1)) {
-            const std::string_view word = words.substr(0, words.find(' '));
-            std::string_view others = rest;
-            while (others.starts_with(word)) {
-                others.remove_prefix(word.size());
+            std::string repeated;
+            while (repeated.size() < rest.size()) {
+                repeated += words.substr(0, words.find(' '));
             }
-            if (!rest.empty() && others.empty()) {
+            if (!rest.empty() && repeated == rest) {
                 return fmt::format("; {}", mark.text);
             }
         }
