@@ -269,25 +269,28 @@ FixedRotation attitude_of(const Given& given, std::string_view option) {
     return FixedRotation::of_numbers(read.spec, read.numbers);
 }
 
-double amount_of(const Given& given, std::string_view option, double default_value, bool infinite) {
+double number_of(const Given& given, std::string_view option, double default_value, std::string_view must,
+                 const std::function<bool(double)>& holds) {
     double value = default_value;
     const std::string& text = given.text(option);
-    if (!text.empty() && (stream::read_number(text, value) != stream::NumberError::none || !(value >= 0.0) ||
-                          (std::isinf(value) && !infinite))) {
-        throw Usage("{} {} must be a {}number that is not negative", option, quoted(text), infinite ? "" : "finite ");
+    if (!text.empty() && (stream::read_number(text, value) != stream::NumberError::none || !holds(value))) {
+        throw Usage("{} {} must be a {}", option, quoted(text), must);
     }
     return value;
 }
 
+double amount_of(const Given& given, std::string_view option, double default_value, bool infinite) {
+    return number_of(given, option, default_value,
+                     infinite ? "number that is not negative" : "finite number that is not negative",
+                     [infinite](double value) { return value >= 0.0 && (infinite || !std::isinf(value)); });
+}
+
 std::size_t count_of(const Given& given, std::string_view option, std::size_t most, std::size_t least,
                      std::size_t default_value) {
-    const std::string& text = given.text(option);
-    auto value = static_cast<double>(default_value);
-    if (!text.empty() && (stream::read_number(text, value) != stream::NumberError::none || value != std::floor(value) ||
-                          value < static_cast<double>(least) || value > static_cast<double>(most))) {
-        throw Usage("{} {} must be a whole number from {} to {}", option, quoted(text), least, most);
-    }
-    return static_cast<std::size_t>(value);
+    const auto range = std::pair(static_cast<double>(least), static_cast<double>(most));
+    return static_cast<std::size_t>(number_of(
+        given, option, static_cast<double>(default_value), fmt::format("whole number from {} to {}", least, most),
+        [range](double value) { return value == std::floor(value) && value >= range.first && value <= range.second; }));
 }
 
 Frame frame_of(const Given& given) {

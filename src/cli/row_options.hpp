@@ -52,6 +52,9 @@ struct GivenNumbers {
 [[nodiscard]] GivenNumbers numbers_of(const Given& given, std::string_view option);
 /// Their attitude.
 [[nodiscard]] FixedRotation attitude_of(const Given& given, std::string_view option);
+/// A number for which `holds`; `must`: what it must be, such as "number from 0 to 1".
+[[nodiscard]] double number_of(const Given& given, std::string_view option, double default_value, std::string_view must,
+                               const std::function<bool(double)>& holds);
 /// A number that is not negative.
 [[nodiscard]] double amount_of(const Given& given, std::string_view option, double default_value, bool infinite);
 /// A whole number from `least` to `most`.

@@ -16,7 +16,6 @@ namespace rotconv::cli {
 namespace {
 
 constexpr std::size_t largest_count = 1'000'000'000'000'000;
-constexpr double most_noise = 0.5;
 
 /// The indices of rows: as doubles or, where kinds are given, as text after the kind of each row.
 class RowIndices final : public stream::Source {
@@ -66,15 +65,6 @@ std::vector<SampleKind> kinds_of(const std::string& list, RepresentationId name)
     return kinds;
 }
 
-double noise_of(const std::string& text) {
-    double noise = 5e-4;
-    if (!text.empty() &&
-        (stream::read_number(text, noise) != stream::NumberError::none || !(noise >= 0.0 && noise <= most_noise))) {
-        throw Usage("--noise {} must be a number from 0 to {}", quoted(text), most_noise);
-    }
-    return noise;
-}
-
 Command sample(const Given& given) {
     if (!given.values.empty()) {
         throw Usage("sample reads no VALUEs: {}", quoted(given.values[0]));
@@ -82,7 +72,8 @@ Command sample(const Given& given) {
     const Spec to = spec_of(given, "--to");
     const std::size_t rows = count_of(given, "--rows", largest_count, 1, 1000);
     const SampleSettings settings{kinds_of(given.text("--kind"), to.name), count_of(given, "--seed", largest_count, 0),
-                                  noise_of(given.text("--noise"))};
+                                  number_of(given, "--noise", 5e-4, "number from 0 to 0.5",
+                                            [](double noise) { return noise >= 0.0 && noise <= 0.5; })};
     const bool has_header = one_of<bool>(given, "--header", "mode of --header", {{"no", false}, {"add", true}});
     const stream::RowNumbers numbers{.names = {"index"}};
     RowsCommand command =
