@@ -41,15 +41,11 @@ std::vector<stream::Line> lines_of(std::string_view text) {
     return lines;
 }
 
-/// Reads the rows' numbers, for reads().
+/// Makes nothing of the rows' numbers.
 class Nothing final : public stream::RowOperation {
 public:
     Nothing() { names = {"nothing"}; }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Nothing>(*this); }
-    void run(const stream::NumberRows& /*rows*/, std::span<double> out, std::vector<RowReport>& reports) override {
-        std::ranges::fill(out, 0.0);
-        reports.clear();
-    }
 };
 
 /// Whether the text has rows, and the numbers of all of them can be read.
@@ -79,7 +75,7 @@ std::string advice_on_width(std::string_view text, const std::vector<stream::Lin
     if (row >= lines.size() || row > at + 1) {
         return {};
     }
-    std::size_t header = row > at ? at + 1 : at; // after the header, so far
+    std::size_t header = row; // after the header, so far
     while (header > 0 && !input.is_row(lines[header - 1].text)) {
         --header;
     }
@@ -152,19 +148,17 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
     }
 
     std::string found;
-    const auto offer = [&](const std::string& text, const std::string& command) {
-        if (found.empty() && reads(text, input)) {
-            found = command + " | rotconv ...";
+    const auto offer = [&found](std::string_view text, const stream::InputOptions& reading, const std::string& told) {
+        if (found.empty() && reads(text, reading)) {
+            found = told;
         }
     };
-    const auto offer_lines = [&](const auto& edit, const std::string& command) { // a line is left out by nothing
+    const auto offer_lines = [&](const auto& edit, const std::string& command) { // a blank line is no row
         std::string edited;
         for (const stream::Line& each : lines) {
-            if (const std::optional<std::string_view> kept = edit(each.text)) {
-                edited.append(*kept).append(each.end);
-            }
+            edited.append(edit(each.text)).append(each.end);
         }
-        offer(edited, command);
+        offer(edited, input, command + " | rotconv ...");
     };
     const std::string_view text = lines[at].text;
     const std::string name = file == "-" ? "" : " " + file_in_shell(file);
@@ -172,15 +166,12 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
         if (text.starts_with(mark)) {
             stream::InputOptions with_comment = input;
             with_comment.comment = mark;
-            if (found.empty() && reads(beginning, std::move(with_comment))) {
-                found = fmt::format("lines that begin with {} are not rows: add --comment {}", mark, in_shell(mark));
-            }
-            offer_lines([mark](auto each) { return each.starts_with(mark) ? std::nullopt : std::optional(each); },
+            offer(beginning, with_comment,
+                  fmt::format("lines that begin with {} are not rows: add --comment {}", mark, in_shell(mark)));
+            offer_lines([mark](auto each) { return each.starts_with(mark) ? std::string_view() : each; },
                         fmt::format("to leave out lines that begin with {}: grep -v '^{}'{}", mark, mark, name));
             offer_lines(
-                [mark](auto each) {
-                    return std::optional(each.starts_with(mark) ? after_blanks(each.substr(mark.size())) : each);
-                },
+                [mark](auto each) { return each.starts_with(mark) ? after_blanks(each.substr(mark.size())) : each; },
                 fmt::format("to leave out the {} before the names: sed 's|^{} *||'{}", mark, mark, name));
         }
     }
@@ -189,68 +180,64 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
         if (input.columns.has_names()) {
             return "keep only one kind of row of the log, and select its columns by index, " + grep + " | rotconv ...";
         }
-        offer_lines([](auto each) { return each.starts_with("ATT,") ? std::optional(each) : std::nullopt; },
+        offer_lines([](auto each) { return each.starts_with("ATT,") ? each : std::string_view(); },
                     "keep only one kind of row of the log, " + grep);
     }
     if (text.find(',') != std::string_view::npos) {
         std::string with_points(beginning);
         std::ranges::replace(with_points, ',', '.');
-        offer(with_points, "to turn decimal commas into points: tr , ." + (name.empty() ? "" : " <" + name));
+        offer(with_points, input,
+              fmt::format("to turn decimal commas into points: tr , .{}{} | rotconv ...", name.empty() ? "" : " <",
+                          name));
     }
     bool is_inside = false;
     offer_lines(
         [&is_inside](auto each) {
             const bool is_start = each.find("DATA_START") != std::string_view::npos;
             is_inside = (is_inside || is_start) && each.find("DATA_STOP") == std::string_view::npos;
-            return is_inside && !is_start ? std::optional(each) : std::nullopt;
+            return is_inside && !is_start ? each : std::string_view();
         },
         "to read only the rows between two lines: sed -n '/DATA_START/,/DATA_STOP/{//!p}'" + name);
     if (found.empty() && !input.columns.has_names()) {
         found = advice_on_width(beginning, lines, at, row, input);
     }
-    if (row > at && row < lines.size()) {
-        const auto begin = static_cast<std::size_t>(lines[row].text.data() - beginning.data());
-        const std::string_view rows = beginning.substr(begin);
+    if (found.empty() && row > at && row < lines.size()) {
+        const std::string_view rows =
+            beginning.substr(static_cast<std::size_t>(lines[row].text.data() - beginning.data()));
         if (converts(rows, options)) {
-            offer(std::string(rows),
-                  fmt::format("the first row of numbers is line {}: tail -n +{}{}", row + 1, row + 1, name));
+            found = fmt::format("the first row of numbers is line {0}: tail -n +{0}{1} | rotconv ...", row + 1, name);
         }
     }
     return found;
 }
 
 std::string json_advice(std::string_view beginning, const stream::InputOptions& input) {
-    // to the beginning of the line with the first bracket
-    const std::size_t bracket = beginning.find_first_of("{[");
-    const std::size_t line_end = beginning.rfind('\n', bracket);
-    std::string_view text = after_blanks(beginning.substr(line_end == std::string_view::npos ? 0 : line_end + 1));
+    // from the line with the first bracket; npos + 1 is 0
+    std::string_view text = after_blanks(beginning.substr(beginning.rfind('\n', beginning.find_first_of("{[")) + 1));
     const auto selected = input.columns.names();
     const std::vector<std::string> wanted =
         input.columns.has_names() ? std::vector<std::string>(selected.begin(), selected.end()) : input.numbers.names;
-    std::string path; // to the rows
-    std::string values = "[.KEY, ...]";
-    std::string keys_told;
     const bool is_array = text.starts_with('[');
     if (is_array) {
         text = after_blanks(text.substr(1));
-        path = ".[] | ";
     }
+    std::string filter;
+    std::string keys_told;
     if (is_array && !text.starts_with('{')) {
         const auto numbers = std::ranges::count(text.substr(0, text.find(']')), ',') + 1;
-        const bool has_rows = text.starts_with('[') && numbers == static_cast<std::ptrdiff_t>(wanted.size());
-        path = has_rows ? ".[] | " : text.starts_with('[') ? "flatten | " : "";
-        values = "";
+        const bool has_rows = numbers == static_cast<std::ptrdiff_t>(wanted.size());
+        filter = !text.starts_with('[') ? "@csv" : has_rows ? ".[] | @csv" : "flatten | @csv";
     } else {
         const auto keys = keys_of(text);
         const auto has = [&keys](const std::string& name) { return std::ranges::count(keys, name) > 0; };
-        if (!wanted.empty() && std::ranges::all_of(wanted, has)) {
-            values = fmt::format("[{}]", fmt::join(mapped(wanted, jq_path), ", "));
-        } else {
+        const bool has_all = !wanted.empty() && std::ranges::all_of(wanted, has);
+        filter = fmt::format("{}[{}] | @csv", is_array ? ".[] | " : "",
+                             has_all ? fmt::format("{}", fmt::join(mapped(wanted, jq_path), ", ")) : ".KEY, ...");
+        if (!has_all) {
             keys_told = fmt::format(", with the keys for {}; the input has the keys {}", fmt::join(wanted, " "),
                                     quoted_list(keys));
         }
     }
-    const std::string filter = values.empty() ? path + "@csv" : path + values + " | @csv";
     return fmt::format("; rotconv reads rows of numbers, such as those written by jq -r {}{}{}", in_shell(filter),
                        input.columns.has_names() ? ", without --columns" : "", keys_told);
 }
