@@ -92,6 +92,9 @@ struct RowsCommand {
 /// Runs the rows, and prints on stderr what there is to report.
 [[nodiscard]] ExitCode run_rows(const RowsCommand& command);
 
+/// Prints a text on stdout.
+[[nodiscard]] ExitCode print(std::string_view text);
+
 /// What to do with rows, or a text to print on stdout: a list, help or version.
 using Command = std::variant<RowsCommand, std::string>;
 

@@ -214,14 +214,17 @@ void add_notes(const Given& given, std::string_view time_option, bool refuses, s
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
 
-std::optional<stream::Note> note_on(const Given& given, std::string_view option) {
-    if (!given.has(option)) {
-        return std::nullopt;
+std::vector<stream::Note> notes_on_options(const Given& given) {
+    std::vector<stream::Note> notes;
+    for (const std::string_view option : {"--left", "--right", "--initial"}) {
+        if (given.has(option)) {
+            const GivenNumbers read = numbers_of(given, option);
+            if (const std::string large = large_angle(read.spec, read.numbers, full_turn); !large.empty()) {
+                notes.push_back({Kind::angle, fmt::format("{}: {}", option, large)});
+            }
+        }
     }
-    const GivenNumbers read = numbers_of(given, option);
-    const std::string large = large_angle(read.spec, read.numbers, full_turn);
-    return large.empty() ? std::nullopt
-                         : std::optional(stream::Note{Kind::angle, fmt::format("{}: {}", option, large)});
+    return notes;
 }
 
 } // namespace rotconv::cli

@@ -1,4 +1,3 @@
-#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -10,23 +9,6 @@
 #include "program.hpp"
 
 namespace rotconv::cli {
-namespace {
-
-ExitCode print(const std::string& text) {
-    stream::OutputFile out("-");
-    int error = out.write(text);
-    if (error == 0) {
-        error = out.finish(true);
-    }
-    if (error == 0 || error == EPIPE) {
-        return ExitCode::done;
-    }
-    print_error("-: " + messages::explain(
-                            stream::StreamError{.what = stream::StreamError::What::write, .error_number = error}, {}));
-    return ExitCode::incomplete;
-}
-
-} // namespace
 
 int run_program(int argc, const char* const* argv) {
     try {

@@ -43,8 +43,8 @@ Command propagate(const Given& given) {
                               {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
     settings.renormalise = given.has("--renormalise");
     settings.substeps = count_of(given, "--substeps", 1'000'000, 1, settings.substeps);
-    if (given.has("--initial")) {
-        settings.initial = attitude_of(given, "--initial").rotation;
+    if (const auto initial = attitude_of(given, "--initial")) {
+        settings.initial = initial->rotation;
     }
     auto numbers = operations::propagation_numbers();
     numbers.has_unit = !time_unit.empty();

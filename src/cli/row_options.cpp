@@ -252,7 +252,10 @@ GivenNumbers numbers_of(const Given& given, std::string_view option) {
     return read;
 }
 
-FixedRotation attitude_of(const Given& given, std::string_view option) {
+std::optional<FixedRotation> attitude_of(const Given& given, std::string_view option) {
+    if (!given.has(option)) {
+        return std::nullopt;
+    }
     const GivenNumbers read = numbers_of(given, option);
     const double tolerance = tolerance_of(given);
     std::array<double, 4> q{};
@@ -318,12 +321,8 @@ ConversionSettings settings_of(const Given& given) {
 ConversionSettings attitude_settings_of(const Given& given) {
     ConversionSettings settings = settings_of(given);
     settings.lock_margin = amount_of(given, "--lock-margin", settings.lock_margin, false);
-    if (given.has("--left")) {
-        settings.left = attitude_of(given, "--left");
-    }
-    if (given.has("--right")) {
-        settings.right = attitude_of(given, "--right");
-    }
+    settings.left = attitude_of(given, "--left");
+    settings.right = attitude_of(given, "--right");
     const AxesChange reference = axes_of(given, "--reference-axes");
     const AxesChange body = axes_of(given, "--body-axes");
     if (reference.changes_hand() != body.changes_hand()) {
@@ -457,11 +456,7 @@ RowsCommand rows_command(const Given& given, const SelectedColumns& selected, co
         .threads = count_of(given, "--threads", std::size_t{1} << 20U, 1, stream::processors()),
         .describe = messages::describe,
     };
-    for (const char* option : {"--left", "--right", "--initial"}) {
-        if (const auto note = note_on(given, option)) {
-            command.notes.push_back(*note);
-        }
-    }
+    command.notes = notes_on_options(given);
     command.subject = std::make_shared<messages::Subject>(std::move(subject));
     if (command.has_values) {
         stream::InputOptions& in = command.options.input;

@@ -50,8 +50,8 @@ struct GivenNumbers {
     std::vector<double> numbers{};
 };
 [[nodiscard]] GivenNumbers numbers_of(const Given& given, std::string_view option);
-/// Their attitude.
-[[nodiscard]] FixedRotation attitude_of(const Given& given, std::string_view option);
+/// Their attitude; nothing if the option is not given.
+[[nodiscard]] std::optional<FixedRotation> attitude_of(const Given& given, std::string_view option);
 /// A number for which `holds`; `must`: what it must be, such as "number from 0 to 1".
 [[nodiscard]] double number_of(const Given& given, std::string_view option, double default_value, std::string_view must,
                                const std::function<bool(double)>& holds);
@@ -75,8 +75,8 @@ struct GivenNumbers {
 
 /// @param refuses names in another order end the run, unless --columns selects
 void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input);
-/// The same for an option's "SPEC: NUMBERS"; nothing if it is not given.
-[[nodiscard]] std::optional<stream::Note> note_on(const Given& given, std::string_view option);
+/// The same for options that are "SPEC: NUMBERS".
+[[nodiscard]] std::vector<stream::Note> notes_on_options(const Given& given);
 
 inline constexpr std::size_t widest_row = 100'000; ///< doubles
 

@@ -358,6 +358,13 @@ ExitCode run_last_pass(const RowsCommand& command) {
 
 } // namespace
 
+ExitCode print(std::string_view text) {
+    stream::OutputFile out("-");
+    int error = out.write(text);
+    error = error == 0 ? out.finish(true) : error;
+    return error == 0 || error == EPIPE ? ExitCode::done : failed("-", stream::StreamError::What::write, error);
+}
+
 ExitCode run_rows(const RowsCommand& command) {
     if (!command.first_pass) {
         return run_last_pass(command);
