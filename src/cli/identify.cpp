@@ -29,17 +29,19 @@ messages::Subject subject_of(const operations::IdentificationRows& rows, double 
             rows.known.name, tolerance};
 }
 
-/// How many of a row's numbers are not the known attitude's, or why no representation has so many.
-std::variant<std::size_t, std::string> unknown_of(std::size_t all, const operations::IdentificationRows& rows) {
-    const std::size_t count = rows.paired ? all : all - std::min(all, rows.known.size());
-    if (Identification::is_count(count)) {
-        return count;
-    }
+/// How many of a row's numbers are not the known attitude's.
+std::size_t unknown_of(std::size_t all, const operations::IdentificationRows& rows) {
+    return rows.paired ? all : all - std::min(all, rows.known.size());
+}
+
+/// Why no representation has so many.
+std::string no_such_count(std::size_t all, const operations::IdentificationRows& rows) {
     std::vector<std::size_t> legal{1, 2, 3, 4, 5, 6, 7, 8, 9};
     std::erase_if(legal, [](std::size_t each) { return !Identification::is_count(each); });
     const std::string known =
         rows.paired ? "" : fmt::format(" where {} has {}", name_of(rows.known), rows.known.size());
-    return fmt::format("{}{}: {} unknown (legal: {})", counted(all, "number"), known, count, fmt::join(legal, " "));
+    return fmt::format("{}{}: {} unknown (legal: {})", counted(all, "number"), known, unknown_of(all, rows),
+                       fmt::join(legal, " "));
 }
 
 std::optional<RepresentationId> name_of(const std::string& text) {
@@ -101,23 +103,22 @@ public:
 
     /// See stream::InputOptions::take_count.
     [[nodiscard]] std::variant<std::size_t, std::string> take_count(std::size_t fields) {
-        auto count = unknown_of(fields, settings_.rows);
-        if (const auto* unknown = std::get_if<std::size_t>(&count)) {
-            begin(*unknown);
-            return fields;
+        const std::size_t count = unknown_of(fields, settings_.rows);
+        if (!Identification::is_count(count)) {
+            return no_such_count(fields, settings_.rows);
         }
-        return count;
+        begin(count);
+        return fields;
     }
 
     [[nodiscard]] Identification& identification() noexcept { return *identification_; }
     [[nodiscard]] std::vector<std::size_t>& positions() noexcept { return positions_; }
 
     [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
-        if (identification_->rows() == 0) {
+        const std::size_t rows = identification_->rows();
+        if (rows == 0) {
             print_error(messages::nothing_read);
-            return {.text = settings_.json
-                                ? json_line({{"rows", std::size_t{0}}, {"fit", std::size_t{0}}, {"answer", "none"}})
-                                : "none\n"};
+            return {.text = settings_.json ? json_line({{"rows", rows}, {"fit", rows}, {"answer", "none"}}) : "none\n"};
         }
         auto candidates = identification_->best_first();
         const Verdict verdict = identification_->verdict();
@@ -134,23 +135,16 @@ public:
             const double angle = each.angle * unit_;
             const bool fits = identification_->fits(each);
             const std::string turns = turn_options(each);
-            if (settings_.json) {
-                std::vector<std::pair<std::string_view, JsonValue>> line{
-                    {"spec", each.spec.text()},
-                    {"columns", columns_of(each)},
-                    {"angle", is_read ? JsonValue(angle) : JsonValue()},
-                    {"angle_line", each.angle_row},
-                    {"rows", each.rows},
-                    {"fits", fits}};
-                if (!turns.empty()) {
-                    line.emplace_back("turns", turns.substr(1));
-                }
-                text += json_line(line);
-            } else {
-                text +=
-                    line_of(each.spec.text(), columns_of(each), is_read ? fmt::format("{:.6g}", angle) : "no attitude",
-                            each.angle_row, each.rows, (fits ? "yes" : "no") + turns);
-            }
+            text += settings_.json ? json_line({{"spec", each.spec.text()},
+                                                {"columns", columns_of(each)},
+                                                {"angle", is_read ? JsonValue(angle) : JsonValue()},
+                                                {"angle_line", each.angle_row},
+                                                {"rows", each.rows},
+                                                {"fits", fits},
+                                                {"turns", turns.empty() ? JsonValue::as_written({}) : turns.substr(1)}})
+                                   : line_of(each.spec.text(), columns_of(each),
+                                             is_read ? fmt::format("{:.6g}", angle) : "no attitude", each.angle_row,
+                                             each.rows, (fits ? "yes" : "no") + turns);
         }
         std::string best = is_ambiguous ? "ambiguous" : "none";
         if (verdict.fitting == 1) {
@@ -158,20 +152,17 @@ public:
             best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), turn_options(first));
         }
         if (settings_.json) {
-            std::vector<std::pair<std::string_view, JsonValue>> last{
-                {"rows", identification_->rows()}, {"fit", verdict.fitting}, {"answer", best}};
-            if (is_ambiguous) {
-                last.emplace_back("lack", lack(verdict));
-            }
-            text += json_line(last);
+            text += json_line({{"rows", rows},
+                               {"fit", verdict.fitting},
+                               {"answer", best},
+                               {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
         } else {
             const std::size_t looked_at = verdict.turned.empty() ? 0 : verdict.turned.front().rows;
-            const bool is_part = looked_at > 0 && looked_at < identification_->rows();
+            const bool is_part = looked_at > 0 && looked_at < rows;
             if (is_ambiguous) {
                 best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
             }
-            text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}\n",
-                                counted(identification_->rows(), "row"),
+            text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
                                 is_part ? fmt::format(", of which {} were held against turns", looked_at) : "",
                                 settings_.identification.within * unit_, unit_name_, best);
         }
@@ -262,23 +253,19 @@ std::size_t given_count(const Given& given, const std::string& list, const opera
     if (!list.empty()) {
         const auto parsed = stream::ColumnList::parse(list, 0);
         const auto* error = std::get_if<stream::ColumnError>(&parsed);
-        if (error == nullptr || error->what != stream::ColumnError::What::wrong_count) {
-            return 0; // a list that is refused
-        }
-        all = error->count;
+        const bool is_counted = error != nullptr && error->what == stream::ColumnError::What::wrong_count;
+        all = is_counted ? error->count : 0; // which is refused
     } else if (given.values.empty() && given.text("--input-format") == "f64") {
         if (!given.has("--width")) {
             throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
         }
         all = count_of(given, "--width", widest_row);
-    } else {
-        return 0;
     }
-    const auto count = unknown_of(all, rows);
-    if (const auto* wrong = std::get_if<std::string>(&count)) {
-        throw Usage(*wrong);
+    const std::size_t count = unknown_of(all, rows);
+    if (all > 0 && !Identification::is_count(count)) {
+        throw Usage(no_such_count(all, rows));
     }
-    return std::get<std::size_t>(count);
+    return count;
 }
 
 Command identify(const Given& given) {

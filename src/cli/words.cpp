@@ -87,7 +87,8 @@ JsonValue::JsonValue(double value) : text(fmt::to_string(value)) {
 JsonValue json_object(const std::vector<std::pair<std::string_view, JsonValue>>& object) {
     std::string text;
     for (const auto& [key, value] : object) {
-        text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", key, value.text);
+        const bool is_there = !value.text.empty();
+        text += is_there ? fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", key, value.text) : "";
     }
     return JsonValue::as_written("{" + text + "}");
 }

@@ -61,7 +61,7 @@ struct JsonValue {
     JsonValue(bool value) : text(value ? "true" : "false") {}
     JsonValue(std::size_t value) : text(std::to_string(value)) {}
     JsonValue(double value);
-    /// A number that is already text.
+    /// A number that is already text; without a text the key is left out.
     static JsonValue as_written(std::string number) {
         JsonValue value;
         value.text = std::move(number);
