@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,23 +20,20 @@ constexpr std::size_t largest_count = 1'000'000'000'000'000;
 class RowIndices final : public stream::Source {
 public:
     RowIndices(std::size_t rows, std::vector<SampleKind> kinds, std::string_view header)
-        : rows_(rows), kinds_(std::move(kinds)) {
-        stream::append(made_, header);
-    }
+        : rows_(rows), kinds_(std::move(kinds)), made_(header) {}
 
     std::ptrdiff_t read(std::span<char> to) override {
         for (; next_ < rows_ && made_.size() < to.size(); ++next_) {
             if (kinds_.empty()) {
                 const auto index = static_cast<double>(next_);
-                stream::append_bytes(made_, {&index, 1});
+                made_.append(reinterpret_cast<const char*>(&index), sizeof index); // NOLINT(*-reinterpret-cast)
             } else {
-                fmt::format_to(std::back_inserter(made_), "{},{}\n", name_of(kinds_[next_ % kinds_.size()]), next_);
+                made_.append(name_of(kinds_[next_ % kinds_.size()])).append(",");
+                made_.append(fmt::format_int(next_).c_str()).append("\n");
             }
         }
-        const std::size_t size = std::min(made_.size(), to.size());
-        std::copy_n(made_.data(), size, to.data());
-        std::copy(made_.data() + size, made_.data() + made_.size(), made_.data());
-        made_.resize(made_.size() - size);
+        const std::size_t size = made_.copy(to.data(), to.size());
+        made_.erase(0, size);
         return static_cast<std::ptrdiff_t>(size);
     }
 
@@ -45,7 +41,7 @@ private:
     std::size_t rows_;
     std::size_t next_ = 0;
     std::vector<SampleKind> kinds_;
-    stream::Buffer made_; ///< and not yet read
+    std::string made_; ///< and not yet read
 };
 
 std::vector<SampleKind> kinds_of(const std::string& list, RepresentationId name) {
@@ -86,17 +82,16 @@ Command sample(const Given& given) {
     }
     stream::InputOptions& in = command.options.input = {.numbers = numbers};
     in.delimiter = stream::Delimiter::character(',');
-    if (has_kinds) { // JSON has its keys from a header
-        const bool reads_header = has_header || is_json;
+    const bool reads_header = has_kinds && (has_header || is_json); // from which JSON has its keys
+    using stream::HeaderMode;
+    in.header = reads_header ? HeaderMode::yes : has_header && !has_kinds ? HeaderMode::add : HeaderMode::no;
+    if (has_kinds) {
         in.columns = std::get<stream::ColumnList>(stream::ColumnList::parse("2", 1));
-        in.header = reads_header ? stream::HeaderMode::yes : stream::HeaderMode::no;
-        command.source =
-            std::make_shared<RowIndices>(rows, settings.kinds, reads_header ? "kind,index\n" : std::string_view());
     } else {
         in.width = 1;
-        in.header = has_header ? stream::HeaderMode::add : stream::HeaderMode::no;
-        command.source = std::make_shared<RowIndices>(rows, std::vector<SampleKind>(), "");
     }
+    command.source = std::make_shared<RowIndices>(rows, has_kinds ? settings.kinds : std::vector<SampleKind>(),
+                                                  reads_header ? "kind,index\n" : "");
     return command;
 }
 
