@@ -103,8 +103,6 @@ Command read_command_line(int argc, const char* const* argv) {
     CommandEntry* entry = table.data();
     Arguments arguments = entry->options.read(words, 0, is_command);
     std::string misplaced; // the first option that stands before the name of a command
-    bool wants_help = entry->options.has("--help");
-    const bool wants_version = entry->options.has("--version");
     if (arguments.end < words.size()) {
         if (!arguments.unknown.empty()) {
             throw Usage(messages::no_such_option(arguments.unknown, mapped(entry->options.all(), &Option::name)));
@@ -114,12 +112,11 @@ Command read_command_line(int argc, const char* const* argv) {
         entry = &*std::ranges::find(table, words[arguments.end], &CommandEntry::name);
         arguments = entry->options.read(words, arguments.end + 1, [](auto) { return false; });
         arguments.error = error.empty() ? arguments.error : error;
-        wants_help |= entry->options.has("--help");
     }
     const OptionSet& options = entry->options;
-    const std::string verb = arguments.files.empty() || options.takes_names() ? "" : arguments.files.front();
-    if (entry->name.empty() && verb.find_first_of("./") == std::string::npos &&
-        stream::File::why_unreadable(verb.c_str()) != 0) { // before its options are looked at
+    const std::string verb = entry->name.empty() && !arguments.files.empty() ? arguments.files[0] : "";
+    if (!verb.empty() && verb.find_first_of("./") == std::string::npos &&
+        stream::File::why_unreadable(verb.c_str()) != 0) {
         if (const std::string answer = messages::answer_to_verb(verb); !answer.empty()) {
             throw Usage("{} is not a command: {}", quoted(verb), answer);
         }
@@ -127,10 +124,10 @@ Command read_command_line(int argc, const char* const* argv) {
     if (!arguments.error.empty()) {
         throw Usage(arguments.error);
     }
-    if (wants_help) {
+    if (table.front().options.has("--help") || options.has("--help")) {
         return help(*entry, commands);
     }
-    if (wants_version) {
+    if (table.front().options.has("--version")) {
         return "rotconv " ROTCONV_VERSION "\n";
     }
     if (!arguments.unknown.empty()) {
