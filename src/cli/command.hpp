@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "../stream/event.hpp"
 #include "../stream/file.hpp"
 #include "../stream/options.hpp"
+#include "../stream/run.hpp"
 #include "messages.hpp"
 #include "option_set.hpp"
 
@@ -27,14 +26,11 @@ enum class ExitCode : std::uint8_t {
 enum class ShowDiagnostics : std::uint8_t { off, summary, rows, columns };
 
 /// What came of a run.
-struct RowsResult {
+struct RowsResult : stream::RunResult {
     ExitCode code = ExitCode::done;
-    std::size_t answered = 0; ///< rows with a result
-    std::size_t failed = 0;
-    std::size_t beyond = 0;                     ///< rows with that diagnostic...
-    std::size_t first_beyond = 0;               ///< ...and the line of the first
-    std::array<stream::Unpaired, 2> unpaired{}; ///< of the input, and of the reference
-    stream::KeysMet keys{};                     ///< by which rows were paired
+    std::size_t failed = 0;       ///< rows
+    std::size_t beyond = 0;       ///< rows with that diagnostic...
+    std::size_t first_beyond = 0; ///< ...and the line of the first
 };
 
 /// What a command makes of its rows as a whole; this one nothing.

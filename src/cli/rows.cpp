@@ -3,13 +3,13 @@
 #include <cerrno>
 #include <chrono>
 #include <memory>
+#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include <unistd.h>
 
-#include "../stream/run.hpp"
 #include "command.hpp"
 
 namespace rotconv::cli {
@@ -81,14 +81,8 @@ public:
     }
 
     void add(const stream::Note& note) {
-        const auto is_same = [&note](const auto& told) {
-            return told.kind == note.kind && told.of_reference == note.of_reference;
-        };
-        if (std::ranges::any_of(notes_, is_same)) {
-            return;
-        }
-        notes_.push_back(note);
-        if (command_->diagnostics == ShowDiagnostics::off) {
+        const bool is_new = notes_.emplace(note.kind, note.of_reference).second;
+        if (!is_new || command_->diagnostics == ShowDiagnostics::off) {
             return;
         }
         if (note.line == 0) {
@@ -101,13 +95,7 @@ public:
     /// What came of a run that is stopped, unless its code is set.
     [[nodiscard]] RowsResult result(const stream::RunResult& ending) const {
         const Count& beyond = counts_.at(index_of(DiagnosticKind::beyond, false));
-        return {.code = ExitCode::incomplete,
-                .answered = ending.answered,
-                .failed = errors_,
-                .beyond = beyond.rows,
-                .first_beyond = beyond.first.line,
-                .unpaired = ending.unpaired,
-                .keys = ending.keys};
+        return {ending, ExitCode::incomplete, errors_, beyond.rows, beyond.first.line};
     }
     /// A note, or any kind but normalized and few-digits.
     [[nodiscard]] bool met_diagnostic() const noexcept {
@@ -178,27 +166,22 @@ private:
     std::string reference_;
     std::string beginning_;                                 ///< of the input
     std::array<Count, 2 * diagnostic_kind_count> counts_{}; ///< of the input, and of the reference
-    std::vector<stream::Note> notes_;                       ///< one of each kind
+    std::set<std::pair<stream::Note::Kind, bool>> notes_;   ///< that were met; whether of the reference
     std::size_t errors_ = 0;
 };
 
 /// Reads a file, and shows on stderr how much of it is read, if that is a terminal and the file is large.
 class Progress final : public stream::Source {
 public:
-    Progress(stream::File& file, bool wanted) : file_(&file) {
-        const auto size = static_cast<double>(file.size());
-        if (wanted && ::isatty(STDERR_FILENO) != 0 && size >= large) {
-            size_ = size;
-            next_ = Clock::now() + interval;
-        }
-    }
+    Progress(stream::File& file, bool wanted)
+        : file_(&file), size_(wanted && ::isatty(STDERR_FILENO) != 0 ? static_cast<double>(file.size()) : 0.0) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress() override { clear(); }
 
     std::ptrdiff_t read(std::span<char> to) override {
         const auto count = file_->read(to);
-        if (count > 0 && size_ > 0.0) {
+        if (count > 0 && size_ >= large) {
             done_ += static_cast<double>(count);
             if (const auto now = Clock::now(); now >= next_) {
                 next_ = now + interval;
@@ -224,9 +207,9 @@ private:
     static void show(std::string_view text) { static_cast<void>(stream::File(STDERR_FILENO).write(text)); }
 
     stream::File* file_;
-    double size_ = 0.0; ///< bytes; 0 if nothing is shown
+    double size_; ///< bytes; 0 if nothing is shown
     double done_ = 0.0;
-    Clock::time_point next_;
+    Clock::time_point next_ = Clock::now() + interval;
     bool shown_ = false;
 };
 
@@ -318,9 +301,9 @@ ExitCode run_last_pass(const RowsCommand& command) {
                                                   : progress;
     Reporter reporter(command, other == nullptr && command.options.on_error == stream::OnError::nan);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
-    const auto report = [&reporter](const stream::Event& event) { reporter.add(event); };
-    stream::Source* const reference = inputs.size() > 1 ? inputs.back().get() : nullptr;
-    const stream::RunResult ending = stream::run(source, sink, command.options, report, reference);
+    const stream::RunResult ending = stream::run(
+        source, sink, command.options, [&reporter](const stream::Event& event) { reporter.add(event); },
+        inputs.size() > 1 ? inputs.back().get() : nullptr);
     if (ending.reader_left) { // closed the pipe: nothing more is known, and nothing is to be said
         return ExitCode::done;
     }

@@ -199,8 +199,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     }
     result.threads = source.threads();
     if (own.has_text_alone() && result.to_the_end && result.answered > 0) {
-        result.conclusion =
-            own.command.conclusion->answer({.answered = result.answered, .failed = result.failed.size()}).text;
+        result.conclusion = own.command.conclusion->answer({ending, cli::ExitCode::done, result.failed.size()}).text;
     }
     return result;
 }
