@@ -94,14 +94,10 @@ struct RowsCommand {
 /// What to do with rows, or a text to print on stdout: a list, help or version.
 using Command = std::variant<RowsCommand, std::string>;
 
-/// What a command line gives to its command.
-struct Given {
-    OptionSet options{};
+/// What a command line gives to its command: options, and beside them words.
+struct Given : OptionSet {
     std::vector<std::string> values{};
     std::vector<std::string> files{};
-
-    [[nodiscard]] const std::string& text(std::string_view option) const { return options.text(option); }
-    [[nodiscard]] bool has(std::string_view option) const { return options.has(option); }
 };
 
 /// The conversion, whose name is empty, or another command. Its texts are literals.
