@@ -74,16 +74,15 @@ void refuse_compressed(const std::vector<std::string>& words, const std::vector<
 
 /// The command line that is meant by one with `help` or `--list` in front.
 std::vector<std::string> translated(std::vector<std::string> words, const auto& is_command) {
-    const std::string first = words.empty() ? "" : words[0];
-    if (first == "--list") {
+    const bool is_help = !words.empty() && words[0] == "help" && stream::File::why_unreadable("help") != 0; // no FILE
+    const std::string topic = is_help && words.size() > 1 ? words[1] : "";
+    if (!words.empty() && words[0] == "--list") {
         words[0] = "list";
-    } else if (first == "help" && stream::File::why_unreadable("help") == 0) {
-        return words; // a FILE
-    } else if (first == "help" && words.size() > 1 && words[1] == "help") {
+    } else if (topic == "help") {
         words = {"--help"};
-    } else if (first == "help" && words.size() > 1 && !is_command(words[1])) {
-        words[0] = words[1].starts_with('-') ? "--help" : "list";
-    } else if (first == "help") {
+    } else if (is_help && words.size() > 1 && !is_command(topic)) {
+        words[0] = topic.starts_with('-') ? "--help" : "list";
+    } else if (is_help) {
         words.erase(words.begin());
         words.emplace_back("--help");
     }
