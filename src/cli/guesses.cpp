@@ -200,17 +200,13 @@ bool has_modifier(const Representation& entry, std::string_view word) {
 /// The SPEC of the first representation that has the word as a preset that changes it, a modifier or a column.
 std::optional<Guess> guess_owner(std::string_view word) {
     const std::string_view kind = is_preset(word) ? "preset" : is_modifier(word) ? "modifier" : "column";
-    std::vector<std::string_view> owners;
-    for (const RepresentationId id : all_representations) {
+    const auto has = [word, kind](RepresentationId id) {
         const Representation& entry = representation(id);
-        const bool has = kind == "preset" ? !words_of(meaning_of(word, entry).modifiers).empty()
-                         : kind == "modifier"
-                             ? has_modifier(entry, word)
-                             : std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
-        if (has) {
-            owners.push_back(entry.text);
-        }
-    }
+        return kind == "preset"     ? !words_of(meaning_of(word, entry).modifiers).empty()
+               : kind == "modifier" ? has_modifier(entry, word)
+                                    : std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
+    };
+    const auto owners = mapped(filtered(all_representations, has), [](auto id) { return representation(id).text; });
     if (owners.empty()) {
         return std::nullopt;
     }

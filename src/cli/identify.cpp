@@ -178,12 +178,8 @@ private:
 
     /// Where one of those that fit is a million times nearer than all others.
     [[nodiscard]] std::string smaller_limit(const std::vector<Candidate>& candidates) const {
-        std::vector<double> angles;
-        for (const Candidate& candidate : candidates) {
-            if (identification_->fits(candidate)) {
-                angles.push_back(candidate.angle);
-            }
-        }
+        const auto fitting = filtered(candidates, [this](const auto& each) { return identification_->fits(each); });
+        auto angles = mapped(fitting, &Candidate::angle);
         std::ranges::sort(angles);
         const double second = angles.at(1);
         return 1e6 * angles[0] < second

@@ -181,12 +181,8 @@ CommandEntry list_command() {
 std::string help_footer() {
     const auto names = mapped(all_representations, [](RepresentationId id) { return name_of(representation(id)); });
     const auto modifiers = mapped(all_modifiers, [](Modifier modifier) { return rotconv::name_of(modifier); });
-    std::vector<std::string_view> changing; // presets that set nothing would fill a line
-    for (const Preset& preset : presets()) {
-        if (effects_of(preset) != "nothing") {
-            changing.push_back(preset.text);
-        }
-    }
+    // presets that set nothing would fill a line
+    const auto changing = filtered(presets(), [](const Preset& preset) { return effects_of(preset) != "nothing"; });
     return fmt::format(
         "A SPEC is a representation, followed by modifiers or a preset: quat, quat:xyzw, euler:ZYX:deg.\n"
         "\nRepresentations (rotconv list explains them):\n  {}\n"
@@ -199,7 +195,7 @@ std::string help_footer() {
         "\nExamples:\n"
         "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"
         "  rotconv compare -f quat:tum --columns 5-8 --within 0.01deg new.txt old.txt\n",
-        fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(changing, " "));
+        fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(mapped(changing, &Preset::text), " "));
 }
 
 } // namespace rotconv::cli

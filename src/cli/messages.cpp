@@ -132,8 +132,8 @@ Subject subject_of(const Spec& spec, double tolerance) {
 }
 
 std::vector<std::string_view> names_of(const Representation& entry) {
-    std::vector<std::string_view> names{entry.text};
-    std::ranges::copy_if(entry.aliases, std::back_inserter(names), [](auto alias) { return !alias.empty(); });
+    auto names = filtered(entry.aliases, [](std::string_view alias) { return !alias.empty(); });
+    names.insert(names.begin(), entry.text);
     return names;
 }
 
@@ -150,13 +150,8 @@ std::vector<std::string_view> all_presets() { return mapped(presets(), &Preset::
 std::vector<std::string> all_sequences() { return mapped(EulerSequence::all(), &EulerSequence::text); }
 
 std::vector<std::string_view> words_of(const ModifierSet& modifiers) {
-    std::vector<std::string_view> words;
-    for (const Modifier modifier : all_modifiers) {
-        if (modifiers.has(modifier)) {
-            words.push_back(name_of(modifier));
-        }
-    }
-    return words;
+    const auto set = filtered(all_modifiers, [&modifiers](Modifier modifier) { return modifiers.has(modifier); });
+    return mapped(set, [](Modifier modifier) { return name_of(modifier); });
 }
 
 std::string explain(const AxesError& error) {

@@ -10,12 +10,9 @@ namespace {
 
 /// The integrator of that name; without a name the best for the representation.
 Integrator integrator_of(const Spec& with, const std::string& text) {
-    std::vector<std::pair<std::string_view, Integrator>> serving;
-    for (const IntegratorEntry& entry : integrators()) {
-        if (can_integrate(with.name, entry.integrator)) {
-            serving.emplace_back(entry.text, entry.integrator);
-        }
-    }
+    const auto serving = mapped(
+        filtered(integrators(), [&with](const auto& entry) { return can_integrate(with.name, entry.integrator); }),
+        [](const IntegratorEntry& entry) { return std::pair(entry.text, entry.integrator); });
     if (text.empty()) {
         const Integrator best = PropagationSettings{}.integrator;
         return can_integrate(with.name, best) ? best : serving.front().second;

@@ -21,6 +21,13 @@ template <class Range, class Function> [[nodiscard]] auto mapped(const Range& ra
     return made;
 }
 
+/// Those for which the condition holds.
+template <class Range, class Condition> [[nodiscard]] auto filtered(const Range& range, const Condition& condition) {
+    std::vector<std::decay_t<decltype(*std::begin(range))>> chosen;
+    std::ranges::copy_if(range, std::back_inserter(chosen), condition);
+    return chosen;
+}
+
 /// A text for messages: characters that could move a terminal's cursor, hide or end the line are escaped.
 [[nodiscard]] std::string shown(std::string_view text);
 
