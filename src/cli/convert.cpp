@@ -47,7 +47,6 @@ Command convert(const Given& given) {
 
 CommandEntry convert_command() {
     OptionSet set;
-    set.begin_group("What");
     set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
     set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
     add_attitudes(set);

@@ -305,7 +305,6 @@ Command identify(const Given& given) {
 
 CommandEntry identify_command() {
     OptionSet set;
-    set.begin_group("What");
     set.add("-t,--to", "KNOWN", "The representation of the known attitudes: NAME[:MODIFIER]...");
     set.add("-f,--from", "NAME", "Try only this representation for the unknown numbers");
     set.add("--within", "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)");

@@ -49,7 +49,8 @@ bool resembles_number(std::string_view word) {
 
 } // namespace
 
-ValueRow row_of_values(const std::vector<std::string>& values, std::optional<stream::Delimiter> given) {
+std::pair<std::string, stream::Delimiter> row_of_values(const std::vector<std::string>& values,
+                                                        std::optional<stream::Delimiter> given) {
     std::string text = fmt::format("{}", fmt::join(values, " "));
     if (!given || values.size() > 1) {
         given = text.find(',') != std::string::npos ? stream::Delimiter::character(',') : stream::Delimiter::blanks();

@@ -41,14 +41,11 @@ struct Option {
     [[nodiscard]] std::string_view name() const { return names.substr(names.find(',') + 1); }
 };
 
-/// VALUEs as one row.
-struct ValueRow {
-    std::string text;
-    stream::Delimiter delimiter;
-};
-/// Brackets, semicolons and line ends separate numbers too, as commas do if there are any, otherwise as blanks do: so a
-/// matrix of NumPy, MATLAB or JSON can be pasted. Several words are a row with commas or blanks, whatever is `given`.
-[[nodiscard]] ValueRow row_of_values(const std::vector<std::string>& values, std::optional<stream::Delimiter> given);
+/// VALUEs as one row, and its delimiter. Brackets, semicolons and line ends separate numbers too, as commas do if there
+/// are any, otherwise as blanks do: so a matrix of NumPy, MATLAB or JSON can be pasted. Several words are a row with
+/// commas or blanks, whatever is `given`.
+[[nodiscard]] std::pair<std::string, stream::Delimiter> row_of_values(const std::vector<std::string>& values,
+                                                                      std::optional<stream::Delimiter> given);
 
 /// Where in the command line a file to read is named: from a character of one of its words to the word's end.
 struct FileWord {
@@ -70,7 +67,7 @@ struct Arguments {
 /// The options of a command, in the order of its help.
 class OptionSet {
 public:
-    /// The title for the options that follow.
+    /// The title for the options that follow, at first "What".
     void begin_group(std::string_view title) { group_ = title; }
     /// The texts must outlive the set.
     void add(std::string_view names, std::string_view argument, std::string_view about) {
@@ -102,7 +99,7 @@ private:
     [[nodiscard]] Option* find(std::string_view name);
 
     std::vector<Option> options_;
-    std::string_view group_;
+    std::string_view group_ = "What";
     std::string_view names_; ///< of the NAMEs in the help
 };
 

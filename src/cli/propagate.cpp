@@ -54,7 +54,6 @@ Command propagate(const Given& given) {
 
 CommandEntry propagate_command() {
     OptionSet set;
-    set.begin_group("What");
     set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
     set.add("--initial", "ATTITUDE", "The attitude at the first row, as \"SPEC: NUMBERS\"");
     set.add("--with", "SET", "The representation in which to integrate (default quat)");

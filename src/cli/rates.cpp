@@ -51,7 +51,6 @@ Command rates(const Given& given) {
 
 CommandEntry rates_command() {
     OptionSet set;
-    set.begin_group("What");
     set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
     set.add("--frame", "FRAME", "Axes of the angular velocity: body (default) or reference");
     set.add_flag("--inverse", "Read the numbers and their rates, print the angular velocity");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -460,12 +461,8 @@ RowsCommand rows_command(const Given& given, const SelectedColumns& selected, co
     command.subject = std::make_shared<messages::Subject>(std::move(subject));
     if (command.has_values) {
         stream::InputOptions& in = command.options.input;
-        auto row = row_of_values(given.values, in.delimiter);
-        command.values = std::move(row.text);
-        in.delimiter = row.delimiter;
-        if (in.header != stream::HeaderMode::add) {
-            in.header = stream::HeaderMode::no;
-        }
+        std::tie(command.values, in.delimiter) = row_of_values(given.values, in.delimiter);
+        in.header = in.header == stream::HeaderMode::add ? in.header : stream::HeaderMode::no;
     }
     return command;
 }

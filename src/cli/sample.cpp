@@ -99,7 +99,6 @@ Command sample(const Given& given) {
 
 CommandEntry sample_command() {
     OptionSet set;
-    set.begin_group("What");
     set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
     set.add("--kind", "KIND", "Kinds, with commas between, that take turns (default: the first six)");
     set.add("--rows", "N", "Rows to write (default 1000)");

@@ -6,8 +6,6 @@
 namespace rotconv::cli {
 namespace {
 
-constexpr double default_condition = 1e3;
-
 class SurveyConclusion final : public Conclusion {
 public:
     SurveyConclusion(double condition, bool json) : condition_(condition), json_(json) {}
@@ -62,7 +60,7 @@ Command survey(const Given& given) {
     const Spec from = spec_of(given, "--from");
     const double tolerance = tolerance_of(given);
     const auto conclusion = std::make_shared<SurveyConclusion>(
-        amount_of(given, "--condition", default_condition, true),
+        amount_of(given, "--condition", 1e3, true),
         one_of<bool>(given, "--format", "format of survey", {{"pretty", false}, {"json", true}}));
     RowsCommand command =
         rows_command(given, {.list = given.text("--columns")}, operations::attitude_numbers(from),
@@ -76,7 +74,6 @@ Command survey(const Given& given) {
 
 CommandEntry survey_command() {
     OptionSet set;
-    set.begin_group("What");
     set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
     set.add("--condition", "LIMIT", "The greatest condition that serves (default 1e3)");
     set.begin_group("Output");
