@@ -133,24 +133,29 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
     std::vector<Option*> given;
     std::vector<std::string> option_words;
     std::size_t at = begin;
-    /// Takes an option; `joined`: the argument that stands in the same word.
-    const auto set = [&](Option& option, std::optional<FileWord> joined) {
-        const std::string name(option.name());
-        read.first_option = read.first_option.empty() ? name : read.first_option;
-        const bool is_second = std::ranges::count(given, &option) != 0;
-        if (!is_second) {
-            given.push_back(&option);
-        }
-        if (!option.takes_argument()) {
-            option_words.push_back(name);
-            read.error = joined ? name + " takes no argument" : read.error;
+    /// Takes an option; `begin_of_argument`: where in the same word its argument stands, or npos.
+    const auto take = [&](Option* option, const std::string& written, std::size_t begin_of_argument) {
+        if (option == nullptr) {
+            read.unknown = read.unknown.empty() ? written : read.unknown;
             return;
         }
-        if (!joined && at + 1 == words.size()) {
+        const std::string name(option->name());
+        const bool is_joined = begin_of_argument != std::string::npos;
+        read.first_option = read.first_option.empty() ? name : read.first_option;
+        const bool is_second = std::ranges::count(given, option) != 0;
+        if (!is_second) {
+            given.push_back(option);
+        }
+        if (!option->takes_argument()) {
+            option_words.push_back(name);
+            read.error = is_joined ? name + " takes no argument" : read.error;
+            return;
+        }
+        if (!is_joined && at + 1 == words.size()) {
             read.error = name + " awaits its argument";
             return;
         }
-        const FileWord place = joined ? *joined : FileWord{++at, 0};
+        const FileWord place = is_joined ? FileWord{at, begin_of_argument} : FileWord{++at, 0};
         const std::string argument = words[place.word].substr(place.begin);
         option_words.push_back(name + "=" + argument);
         if (is_second) {
@@ -162,7 +167,6 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
             read.file_words.push_back(place);
         }
     };
-    const auto miss = [&read](const std::string& word) { read.unknown = read.unknown.empty() ? word : read.unknown; };
 
     bool only_operands = false;
     for (; at < words.size(); ++at) {
@@ -181,22 +185,17 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
             only_operands = true;
         } else if (word.starts_with("--")) {
             const auto equals = word.find('=');
-            Option* const option = find(word.substr(0, equals));
-            option != nullptr
-                ? set(*option, equals == std::string::npos ? std::nullopt : std::optional(FileWord{at, equals + 1}))
-                : miss(word);
+            take(find(word.substr(0, equals)), word, equals == std::string::npos ? equals : equals + 1);
         } else { // flags, of which the last may be an option with its argument
             bool is_flag = true;
             for (std::size_t i = 1; is_flag && i < word.size(); ++i) {
                 Option* const option = find(std::string{'-', word[i]});
                 is_flag = option == nullptr || !option->takes_argument();
-                const bool has_argument = !is_flag && i + 1 < word.size();
-                option != nullptr ? set(*option, has_argument ? std::optional(FileWord{at, i + 1}) : std::nullopt)
-                                  : miss("-" + word.substr(i));
+                take(option, "-" + word.substr(i), is_flag || i + 1 == word.size() ? std::string::npos : i + 1);
             }
         }
     }
-    read.end = std::min(at, words.size());
+    read.end = at;
     if (read.error.empty()) {
         CLI::App app; // it knows the given ones alone: to define all of them took half of a start
         app.set_help_flag();
