@@ -86,7 +86,7 @@ struct RowsCommand {
 };
 
 /// Runs the rows, and prints on stderr what there is to report.
-[[nodiscard]] ExitCode run_rows(const RowsCommand& command);
+[[nodiscard]] ExitCode run_rows(RowsCommand command);
 
 /// Prints a text on stdout.
 [[nodiscard]] ExitCode print(std::string_view text);

@@ -137,9 +137,9 @@ public:
             }
         };
         if (!said.comment.empty()) {
-            add(Kind::comments, fmt::format("there were only comments, such as {}; if these are rows: --comment "
-                                            "none",
-                                            quoted(said.comment)));
+            const std::string comment = quoted(said.comment);
+            add(Kind::comments,
+                fmt::format("there were only comments, such as {}; if these are rows: --comment none", comment));
         }
         for (const auto& [first, spec] : attitudes_) {
             if (!said.numbers.empty()) {

@@ -14,9 +14,9 @@ int run_program(int argc, const char* const* argv) {
     try {
         stream::guard_standard_descriptors();
         static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // a closed pipe is an error code of write()
-        const Command command = read_command_line(argc, argv);
+        Command command = read_command_line(argc, argv);
         const auto* text = std::get_if<std::string>(&command);
-        return static_cast<int>(text != nullptr ? print(*text) : run_rows(std::get<RowsCommand>(command)));
+        return static_cast<int>(text != nullptr ? print(*text) : run_rows(std::get<RowsCommand>(std::move(command))));
     } catch (const std::bad_alloc&) {
         print_error("out of memory");
     } catch (const std::exception& error) {

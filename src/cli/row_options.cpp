@@ -61,14 +61,11 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
 
 /// Refuses canonical names in another order than the SPEC's, which would give a wrong attitude in silence.
 void refuse_other_order(const SelectedColumns& columns, const stream::InputOptions& input) {
-    const auto& spec = input.numbers.attitude;
-    if (!spec) {
-        return;
-    }
+    const Spec& spec = *input.numbers.attitude;
     auto names = input.columns.names();
     names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(input.numbers.kept)); // such as a key
-    names.resize(std::min(names.size(), spec->size()));
-    if (const std::string wrong = wrong_order(*spec, names, columns.list); !wrong.empty()) {
+    names.resize(std::min(names.size(), spec.size()));
+    if (const std::string wrong = wrong_order(spec, names, columns.list); !wrong.empty()) {
         throw Usage("{} {} (if the file is mislabelled, select by index)", columns.option, wrong);
     }
 }
@@ -140,15 +137,14 @@ stream::Digits digits_of(const Given& given) {
 
 /// Doubles of a binary row; 0 if the input is text.
 std::size_t width_of(const Given& given, const stream::InputOptions& in) {
-    const auto width = count_of(given, "--width", widest_row);
+    const std::size_t needed = in.numbers.names.size();
+    const std::size_t row = count_of(given, "--width", widest_row, 1, needed);
     if (!one_of<bool>(given, "--input-format", "input format", {{"csv", false}, {"f64", true}})) {
         return 0;
     }
     if (in.columns.has_names()) {
         throw Usage("--columns selects by name, but f64 rows have no names; use indices");
     }
-    const std::size_t needed = in.numbers.names.size();
-    const std::size_t row = width > 0 ? width : needed;
     const auto positions = in.columns.positions();
     const std::size_t least = positions.empty() ? needed : *std::ranges::max_element(positions) + 1;
     if (row < least || (positions.empty() && row != needed)) {

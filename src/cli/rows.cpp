@@ -348,13 +348,9 @@ ExitCode print(std::string_view text) {
     return error == 0 || error == EPIPE ? ExitCode::done : failed("-", stream::StreamError::What::write, error);
 }
 
-ExitCode run_rows(const RowsCommand& command) {
-    if (!command.first_pass) {
-        return run_last_pass(command);
-    }
-    RowsCommand last = command;
-    const std::string wrong = run_first_pass(last);
-    return wrong.empty() ? run_last_pass(last) : failed(wrong);
+ExitCode run_rows(RowsCommand command) {
+    const std::string wrong = command.first_pass ? run_first_pass(command) : "";
+    return wrong.empty() ? run_last_pass(command) : failed(wrong);
 }
 
 } // namespace rotconv::cli
