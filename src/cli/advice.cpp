@@ -27,11 +27,9 @@ Fields split(std::string_view line, const stream::InputOptions& input) {
     return fields;
 }
 
-std::size_t count_numbers(const Fields& fields) {
-    return static_cast<std::size_t>(std::ranges::count_if(fields, stream::is_number));
+bool is_row(const Fields& fields) {
+    return 2 * static_cast<std::size_t>(std::ranges::count_if(fields, stream::is_number)) > fields.size();
 }
-
-bool is_row(const Fields& fields) { return 2 * count_numbers(fields) > fields.size(); }
 
 std::vector<stream::Line> lines_of(std::string_view text) {
     std::vector<stream::Line> lines;
@@ -68,31 +66,27 @@ bool converts(std::string_view text, const stream::Options& options) {
     return only_reads ? reads(text, options.input) : reads(text, options.input, options.operation->copy());
 }
 
-/// Advice on a header that has another width than the rows after it; otherwise empty. Reading stopped at the line with
-/// index `at`, and the first row has the index `row`.
-std::string advice_on_width(std::string_view text, const std::vector<stream::Line>& lines, std::size_t at,
-                            std::size_t row, const stream::InputOptions& input) {
-    if (row >= lines.size() || row > at + 1) {
-        return {};
-    }
+/// Advice on a header that has another width than the rows after it; otherwise empty. The first row has the index
+/// `row`.
+std::string advice_on_width(std::string_view text, const std::vector<stream::Line>& lines, std::size_t row,
+                            const stream::InputOptions& input) {
     std::size_t header = row; // after the header, so far
     while (header > 0 && !input.is_row(lines[header - 1].text)) {
         --header;
     }
     const Fields names = header > 0 ? split(lines[header - 1].text, input) : Fields();
     const Fields fields = split(lines[row].text, input);
-    if (header == 0 || count_numbers(names) > 0 || names.size() == fields.size()) {
+    if (header == 0 || std::ranges::any_of(names, stream::is_number) || names.size() == fields.size()) {
         return {};
     }
     const std::string told = fmt::format("the header has {} and the rows {}", counted(names.size(), "name"),
                                          counted(fields.size(), "field"));
     stream::InputOptions with_header = input;
     with_header.header = stream::HeaderMode::yes;
-    if (reads(text, with_header)) {
-        return told + ": add --header yes";
-    }
     const bool selects = input.columns.empty() && names.size() == input.numbers.names.size();
-    return selects ? told + ": add --header yes --columns LIST" : told;
+    return told + (reads(text, with_header) ? ": add --header yes"
+                   : selects                ? ": add --header yes --columns LIST"
+                                            : "");
 }
 
 /// A key as jq names it.
@@ -198,8 +192,8 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
             return is_inside && !is_start ? each : std::string_view();
         },
         "to read only the rows between two lines: sed -n '/DATA_START/,/DATA_STOP/{//!p}'" + name);
-    if (found.empty() && !input.columns.has_names()) {
-        found = advice_on_width(beginning, lines, at, row, input);
+    if (found.empty() && row <= at + 1 && row < lines.size() && !input.columns.has_names()) {
+        found = advice_on_width(beginning, lines, row, input);
     }
     if (found.empty() && row > at && row < lines.size()) {
         const std::string_view rows =
