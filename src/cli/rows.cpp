@@ -63,14 +63,13 @@ public:
     void summarize() const {
         for (const Count& count : counts_) {
             const stream::Diagnostic& first = count.first;
-            if (command_->diagnostics != ShowDiagnostics::summary || count.rows == 0 || is_told_apart(first)) {
-                continue;
+            if (command_->diagnostics == ShowDiagnostics::summary && count.rows > 0 && !is_told_apart(first)) {
+                tell(0,
+                     command_->has_values ? messages::describe(first)
+                                          : fmt::format("{}: {}; {}", name_of(first.kind),
+                                                        rows_from(count.rows, first.line), messages::meaning(first)),
+                     first.of_reference);
             }
-            tell(0,
-                 command_->has_values ? messages::describe(first)
-                                      : fmt::format("{}: {}; {}", name_of(first.kind),
-                                                    rows_from(count.rows, first.line), messages::meaning(first)),
-                 first.of_reference);
         }
     }
     /// The row errors that were not told one by one.
@@ -225,18 +224,19 @@ std::vector<std::unique_ptr<stream::File>> open_inputs(const RowsCommand& comman
     return files;
 }
 
-/// Writes to an output for as long as it has a reader.
+/// Writes to an output; for a check only as long as it has a reader.
 class WhileRead final : public stream::Sink {
 public:
-    explicit WhileRead(stream::Sink& to) : to_(&to) {}
+    WhileRead(stream::Sink& to, bool is_check) : to_(&to), is_check_(is_check) {}
     int write(std::string_view bytes) override {
         const int error = is_read_ ? to_->write(bytes) : 0;
         is_read_ = is_read_ && error != EPIPE;
-        return error == EPIPE ? 0 : error;
+        return is_check_ && error == EPIPE ? 0 : error;
     }
 
 private:
     stream::Sink* to_;
+    bool is_check_;
     bool is_read_ = true;
 };
 
@@ -289,9 +289,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
 
     Conclusion* const conclusion = command.conclusion.get();
     stream::Sink* const other = conclusion != nullptr ? conclusion->rows() : nullptr;
-    const bool is_check = conclusion != nullptr && conclusion->is_check();
-    WhileRead while_read(output);
-    stream::Sink& rows_output = is_check ? static_cast<stream::Sink&>(while_read) : output;
+    WhileRead rows_output(output, conclusion != nullptr && conclusion->is_check());
     stream::Sink& sink = other != nullptr ? *other : rows_output;
     stream::TextSource values(command.values);
     const bool on_screen = other == nullptr && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
