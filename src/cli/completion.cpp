@@ -55,9 +55,9 @@ std::string completion_words() {
         if (!command.name.empty()) {
             commands += fmt::format("{} - {}\n", command.name, command.about);
         }
-        options += fmt::format("    {})\n        options={}\n", in_shell(command.name), lines_of(command.options));
-        options += command.options.takes_names() ? "        operands=\"$names $presets methods presets\"\n        ;;\n"
-                                                 : "        ;;\n";
+        options += fmt::format(
+            "    {})\n        options={}\n{}        ;;\n", in_shell(command.name), lines_of(command.options),
+            command.options.takes_names() ? "        operands=\"$names $presets methods presets\"\n" : "");
     }
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"

@@ -162,28 +162,26 @@ std::optional<Guess> find(std::span<const Meaning> table, std::string_view text)
     return found == table.end() ? std::nullopt : std::optional(Guess{std::string(found->text)});
 }
 
-/// Three letters or digits from `from` on become those from `to` on.
-void exchange(std::string& letters, char from, char to) {
-    std::ranges::transform(letters, letters.begin(), [from, to](char c) {
-        return c >= from && c <= from + 2 ? static_cast<char>(to + (c - from)) : c;
-    });
-}
-
 /// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating
 /// axes) and sxyz (static ones).
 std::optional<Guess> guess_sequence(std::string_view text) {
     std::string letters = without_marks(text);
+    const auto exchange = [&letters](char from, char to) { // three letters or digits from these on
+        for (char& c : letters) {
+            c = c >= from && c <= from + 2 ? static_cast<char>(to + (c - from)) : c;
+        }
+    };
     if (text.find('\'') != std::string_view::npos) {
-        exchange(letters, 'x', 'X');
+        exchange('x', 'X');
     }
     if (lower(letters).starts_with("euler")) {
         letters.erase(0, 5);
     }
     if (letters.size() == 4 && (letters[0] == 'r' || letters[0] == 's')) {
-        exchange(letters, 'x', letters[0] == 'r' ? 'X' : 'x');
+        exchange('x', letters[0] == 'r' ? 'X' : 'x');
         letters.erase(0, 1);
     }
-    exchange(letters, '1', 'X');
+    exchange('1', 'X');
     return EulerSequence::parse(letters) ? std::optional(Guess{"euler:" + letters}) : std::nullopt;
 }
 

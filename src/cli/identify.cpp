@@ -17,16 +17,13 @@ namespace {
 
 constexpr std::size_t listed = 10;
 
-std::string name_of(const Spec& spec) { return std::string(representation(spec.name).text); }
-
 /// What the rows are.
 messages::Subject subject_of(const operations::IdentificationRows& rows, double tolerance) {
+    messages::Subject subject = messages::subject_of(rows.known, tolerance);
     const std::string unknown = fmt::format("{} unknown numbers", rows.count);
-    if (rows.paired) {
-        return {unknown, rows.count, rows.known.name, tolerance};
-    }
-    return {(rows.count == 0 ? "" : unknown + " with ") + name_of(rows.known), rows.count + rows.known.size(),
-            rows.known.name, tolerance};
+    subject.text = rows.paired ? unknown : (rows.count == 0 ? "" : unknown + " with ") + subject.text;
+    subject.count = rows.count + (rows.paired ? 0 : subject.count);
+    return subject;
 }
 
 /// How many of a row's numbers are not the known attitude's.
@@ -39,7 +36,7 @@ std::string no_such_count(std::size_t all, const operations::IdentificationRows&
     std::vector<std::size_t> legal{1, 2, 3, 4, 5, 6, 7, 8, 9};
     std::erase_if(legal, [](std::size_t each) { return !Identification::is_count(each); });
     const std::string known =
-        rows.paired ? "" : fmt::format(" where {} has {}", name_of(rows.known), rows.known.size());
+        rows.paired ? "" : fmt::format(" where {} has {}", representation(rows.known.name).text, rows.known.size());
     return fmt::format("{}{}: {} unknown (legal: {})", counted(all, "number"), known, unknown_of(all, rows),
                        fmt::join(legal, " "));
 }
@@ -54,7 +51,7 @@ std::optional<RepresentationId> name_of(const std::string& text) {
     const auto spec = parse_spec(text);
     throw Usage("--from takes a name alone, because all its modifiers and sequences are tried: " +
                 (std::holds_alternative<Spec>(spec)
-                     ? fmt::format("{}, not {}", name_of(std::get<Spec>(spec)), quoted(text))
+                     ? fmt::format("{}, not {}", representation(std::get<Spec>(spec).name).text, quoted(text))
                      : messages::explain(SpecError{SpecError::What::unknown_name, text})));
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -69,8 +68,6 @@ std::string own_name(const Spec& spec, const std::string& text) {
     return is_one ? std::string("q") + name.back() : name;
 }
 
-std::string_view unit_of(const Spec& spec) { return spec.unit == AngleUnit::degrees ? "deg" : "rad"; }
-
 /// The first of a SPEC's numbers that is an angle, as are those after it.
 std::size_t first_angle(const Spec& spec) {
     return !representation(spec.name).has_angles() ? spec.size() : spec.name == RepresentationId::axis_angle ? 3 : 0;
@@ -112,7 +109,7 @@ public:
         }
         for (const auto& [first, spec] : attitudes_) {
             for (std::size_t i = first_angle(spec); i < spec.size(); ++i) {
-                units_[first + i] = unit_of(spec);
+                units_[first + i] = spec.unit == AngleUnit::degrees ? "deg" : "rad";
             }
         }
     }

@@ -119,11 +119,9 @@ std::string no_rotation(const Given& given, std::string_view option, const AxesC
 }
 
 ShowDiagnostics shown_diagnostics_of(const Given& given) {
+    using enum ShowDiagnostics;
     return one_of<ShowDiagnostics>("place for --diagnostics", or_else(given.text("--diagnostics"), "summary"),
-                                   {{"off", ShowDiagnostics::off},
-                                    {"summary", ShowDiagnostics::summary},
-                                    {"rows", ShowDiagnostics::rows},
-                                    {"columns", ShowDiagnostics::columns}});
+                                   {{"off", off}, {"summary", summary}, {"rows", rows}, {"columns", columns}});
 }
 
 stream::Digits digits_of(const Given& given) {
@@ -163,13 +161,11 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
         given, "--header", "mode of --header",
         {{"auto", HeaderMode::automatic}, {"yes", HeaderMode::yes}, {"no", HeaderMode::no}, {"add", HeaderMode::add}});
     in.refuses_json = in.header == HeaderMode::automatic && on_error_of(given) == stream::OnError::stop;
-    if (given.has("--delimiter")) {
-        in.delimiter = stream::Delimiter::parse(given.text("--delimiter"));
-        if (!in.delimiter) {
-            throw Usage(
-                "--delimiter {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
-                quoted(given.text("--delimiter")));
-        }
+    const std::string& delimiter = given.text("--delimiter");
+    in.delimiter = stream::Delimiter::parse(delimiter);
+    if (!in.delimiter && !delimiter.empty()) {
+        throw Usage("--delimiter {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
+                    quoted(delimiter));
     }
     if (!selected.list.empty()) {
         const std::size_t count = in.numbers.names.size();

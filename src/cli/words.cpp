@@ -1,7 +1,5 @@
 #include "words.hpp"
 
-#include <cmath>
-
 #include <unistd.h>
 
 #include "../stream/file.hpp"
@@ -80,9 +78,6 @@ std::string in_shell(std::string_view word) {
 std::string file_in_shell(const std::string& file) { return in_shell((file.starts_with('-') ? "./" : "") + file); }
 
 JsonValue::JsonValue(const std::string& value) : text(stream::json_string(value)) {}
-JsonValue::JsonValue(double value) : text(fmt::to_string(value)) {
-    text = std::isfinite(value) ? text : JsonValue(text).text;
-}
 
 JsonValue json_object(const std::vector<std::pair<std::string_view, JsonValue>>& object) {
     std::string text;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -67,7 +68,7 @@ struct JsonValue {
     JsonValue(const char* value) : JsonValue(std::string(value)) {}
     JsonValue(bool value) : text(value ? "true" : "false") {}
     JsonValue(std::size_t value) : text(std::to_string(value)) {}
-    JsonValue(double value);
+    JsonValue(double value) : text(std::isfinite(value) ? fmt::to_string(value) : fmt::format("\"{}\"", value)) {}
     /// A number that is already text; without a text the key is left out.
     static JsonValue as_written(std::string number) {
         JsonValue value;
