@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include "../stream/file.hpp"
-#include "../stream/json.hpp"
 #include "../stream/utf8.hpp"
 
 namespace rotconv::cli {
@@ -76,8 +75,6 @@ std::string in_shell(std::string_view word) {
 }
 
 std::string file_in_shell(const std::string& file) { return in_shell((file.starts_with('-') ? "./" : "") + file); }
-
-JsonValue::JsonValue(const std::string& value) : text(stream::json_string(value)) {}
 
 JsonValue json_object(const std::vector<std::pair<std::string_view, JsonValue>>& object) {
     std::string text;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../stream/fmt.hpp"
+#include "../stream/json.hpp"
 
 /// How texts from outside, counts and values look in messages and other output.
 namespace rotconv::cli {
@@ -64,7 +65,7 @@ struct JsonValue {
     std::string text = "null";
 
     JsonValue() = default;
-    JsonValue(const std::string& value);
+    JsonValue(const std::string& value) : text(stream::json_string(value)) {}
     JsonValue(const char* value) : JsonValue(std::string(value)) {}
     JsonValue(bool value) : text(value ? "true" : "false") {}
     JsonValue(std::size_t value) : text(std::to_string(value)) {}
