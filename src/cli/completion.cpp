@@ -33,7 +33,7 @@ std::string modifiers() {
 std::string lines_of(const OptionSet& options) {
     std::string lines;
     for (const Option& option : options.all()) {
-        for (const std::string& name : option.each_name()) {
+        for (const std::string_view name : items_of(option.names)) {
             lines += fmt::format("{} {} {}\n", name, option.takes_argument() ? option.argument : "-", option.about);
         }
     }

@@ -58,48 +58,30 @@ std::pair<std::string, stream::Delimiter> row_of_values(const std::vector<std::s
     if (text.find_first_of("[](){};\r\n") == std::string::npos) {
         return {std::move(text), *given};
     }
-    ValueRow row{{}, *given};
-    std::string blanks; // since the last character of a number, like these:
-    std::size_t delimiters = 0;
-    bool has_bracket = false;
-    bool has_line_end = false;
-    const auto separate = [&](bool at_edge) { // a bracket or line end leaves no empty field beside it
-        if (!has_bracket && !has_line_end && delimiters == 0) {
-            row.text += at_edge ? "" : blanks;
-        } else {
+    const std::string separators = fmt::format("{}; \t\r\n{}", brackets, given->text());
+    std::string row;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = std::min(text.find_first_not_of(separators, at), text.size());
+        const std::string gap = text.substr(at, begin - at);
+        const bool at_edge = at == 0 || begin == text.size();
+        const bool has_bracket = gap.find_first_of(brackets) != std::string::npos;
+        const auto delimiters = static_cast<std::size_t>(std::ranges::count_if(
+            gap, [&](char c) { return c == ';' || (c == given->text() && !given->is_blanks()); }));
+        if (!has_bracket && delimiters == 0 && gap.find_first_of("\r\n") == std::string::npos) {
+            row += at_edge ? "" : gap;
+        } else { // a bracket or line end leaves no empty field beside it
             const std::size_t least = at_edge ? 0 : 1;
-            row.text.append(has_bracket || given->is_blanks() ? least : std::max(delimiters, least), given->text());
+            row.append(has_bracket || given->is_blanks() ? least : std::max(delimiters, least), given->text());
         }
-        blanks.clear();
-        delimiters = 0;
-        has_bracket = has_line_end = false;
-    };
-    for (const char c : text) {
-        if (c == ';' || (c == given->text() && !given->is_blanks())) {
-            ++delimiters;
-        } else if (brackets.find(c) != std::string_view::npos) {
-            has_bracket = true;
-        } else if (c == '\n' || c == '\r') {
-            has_line_end = true;
-        } else if (c == ' ' || c == '\t') {
-            blanks += c;
-        } else {
-            separate(row.text.empty());
-            row.text += c;
-        }
+        at = std::min(text.find_first_of(separators, begin), text.size());
+        row += text.substr(begin, at - begin);
     }
-    separate(true);
-    return row;
-}
-
-std::vector<std::string> Option::each_name() const {
-    const std::string last(name());
-    return last == names ? std::vector{last} : std::vector{std::string(names.substr(0, names.find(','))), last};
+    return {row, *given};
 }
 
 Option* OptionSet::find(std::string_view name) {
     const auto found = std::ranges::find_if(
-        options_, [&](const Option& option) { return std::ranges::count(option.each_name(), name) > 0; });
+        options_, [&](const Option& option) { return std::ranges::count(items_of(option.names), name) > 0; });
     return found == options_.end() ? nullptr : &*found;
 }
 

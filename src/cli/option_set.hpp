@@ -35,8 +35,6 @@ struct Option {
     std::string given{};    ///< the argument, or the name of an option without one; empty: the option is not given
 
     [[nodiscard]] bool takes_argument() const noexcept { return !argument.empty(); }
-    /// "-f" and "--from".
-    [[nodiscard]] std::vector<std::string> each_name() const;
     /// "--from".
     [[nodiscard]] std::string_view name() const { return names.substr(names.find(',') + 1); }
 };
