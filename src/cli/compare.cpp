@@ -31,8 +31,8 @@ Limit limit_of(const Given& given, std::string_view option) {
     double value = 0.0;
     if (stream::trimmed(number) != number || stream::read_number(number, value) != stream::NumberError::none ||
         !(value >= 0.0)) {
-        throw Usage(fmt::format("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option,
-                                quoted(text)));
+        throw Usage("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option,
+                    quoted(text));
     }
     unit = unit != units.end() ? unit : degrees ? &units[2] : &units[1];
     const auto [name, per_radian] = *unit;
@@ -53,10 +53,10 @@ std::vector<std::pair<std::string, double>> percentiles_of(const std::string& li
     for (const std::string_view text : items_of(list)) {
         double value = 0.0;
         if (stream::read_number(text, value) != stream::NumberError::none || !(value > 0.0 && value <= 100.0)) {
-            throw Usage(fmt::format("--percentiles {}: {} is not above 0 and at most 100", quoted(list), quoted(text)));
+            throw Usage("--percentiles {}: {} is not above 0 and at most 100", quoted(list), quoted(text));
         }
         if (std::ranges::count(percentiles, value, &std::pair<std::string, double>::second) > 0) {
-            throw Usage(fmt::format("--percentiles {} has {} twice", quoted(list), quoted(text)));
+            throw Usage("--percentiles {} has {} twice", quoted(list), quoted(text));
         }
         percentiles.emplace_back(fmt::format("p{}", value), value);
     }
@@ -177,7 +177,7 @@ Command compare(const Given& given) {
     check.file = command.has_values ? "argument" : command.input;
     check.reference = command.reference;
     check.aligned = given.has("--align") ? align(given, command, comparison, rows, check.watch) : nullptr;
-    command.conclusion = std::make_shared<ComparisonConclusion>(std::move(check));
+    command.conclusion = comparison_conclusion(std::move(check));
     return command;
 }
 

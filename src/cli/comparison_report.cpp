@@ -1,0 +1,289 @@
+#include "comparison_report.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include <rotconv/axis_angle.hpp>
+#include <rotconv/quaternion.hpp>
+
+#include "../stream/fmt.hpp"
+#include "../stream/json.hpp"
+#include "messages.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// The report and the verdict.
+class ComparisonConclusion final : public Conclusion {
+public:
+    explicit ComparisonConclusion(Check check)
+        : check_(std::move(check)), unit_(check_.comparing.unit == AngleUnit::degrees ? "deg" : "rad") {
+        pairs_.finds_turns = check_.rows.delta == 0;
+    }
+
+    [[nodiscard]] stream::Sink* rows() override { return check_.format == Check::Format::csv ? nullptr : &pairs_; }
+    [[nodiscard]] bool is_check() const override { return true; }
+
+    [[nodiscard]] Answer answer(const RowsResult& result) override {
+        const std::size_t pairs = check_.watch->pairs();
+        if (pairs == 0 && result.code == ExitCode::done) {
+            print_error(
+                check_.rows.by_key && !result.keys.any_pair && result.unpaired[0].rows + result.unpaired[1].rows > 0
+                    ? messages::no_key_met(result.keys)
+                : check_.rows.delta > 0 && result.answered > 0 ? "no pair has one after it at the distance of --delta"
+                                                               : std::string(messages::nothing_read));
+        }
+        const std::string fault = fault_of(result);
+        const bool is_checked = !check_.within.text.empty() || !check_.within_p95.text.empty();
+        const std::string verdict = !is_checked ? "not checked" : fault.empty() ? "pass" : "fail: " + fault;
+        if (const std::string of_p95 = fault_of_p95(); check_.format == Check::Format::csv && !of_p95.empty()) {
+            print_error(of_p95); // of which the rows say nothing
+        }
+        return {.text = check_.format == Check::Format::csv    ? ""
+                        : check_.format == Check::Format::json ? in_json(result, is_checked ? verdict : JsonValue())
+                                                               : in_lines(result, verdict),
+                .holds = fault.empty()};
+    }
+
+private:
+    [[nodiscard]] std::string number(double value) const {
+        stream::Buffer text;
+        stream::append_number(text, value, check_.digits);
+        return fmt::to_string(text);
+    }
+    /// Of radians.
+    [[nodiscard]] double in_unit(double radians) const {
+        return unit_ == "deg" ? degrees_per_radian * radians : radians;
+    }
+    /// With its unit.
+    [[nodiscard]] std::string angle(double value) const { return fmt::format("{} {}", number(value), unit_); }
+    [[nodiscard]] std::string in_unit_of(const Limit& limit, double value) const {
+        const double radians = unit_ == "deg" ? radians_per_degree * value : value;
+        return fmt::format("{} {}", number(limit.unit == unit_ ? value : limit.per_radian * radians), limit.unit);
+    }
+
+    [[nodiscard]] std::string fault_of_p95() const {
+        const std::size_t pairs = check_.watch->pairs();
+        if (check_.watch->beyond() * 100 <= pairs * 5) {
+            return {};
+        }
+        const std::string figure =
+            pairs_.angles.count() == 0 ? "" : in_unit_of(check_.within_p95, pairs_.angles.percentile(95.0)) + " ";
+        return fmt::format("p95 {}is beyond {}, {} of {} rows", figure, check_.within_p95.text, check_.watch->beyond(),
+                           pairs);
+    }
+
+    /// What does not hold; empty if all does.
+    [[nodiscard]] std::string fault_of(const RowsResult& result) const {
+        std::vector<std::string> faults;
+        const std::size_t pairs = check_.watch->pairs();
+        if (pairs == 0) {
+            faults.emplace_back("no pairs");
+        }
+        if (result.beyond > 0) {
+            faults.push_back(fmt::format("max {} is beyond {}, {} of {} rows, first at line {}",
+                                         in_unit_of(check_.within, check_.watch->worst().begin()->angle),
+                                         check_.within.text, result.beyond, pairs, result.first_beyond));
+        }
+        if (const std::string fault = fault_of_p95(); !fault.empty()) {
+            faults.push_back(fault);
+        }
+        for (const std::size_t side : {0U, 1U}) {
+            const std::size_t rows = result.unpaired.at(side).rows;
+            if (rows > 0 && !check_.allow_unpaired.at(side)) {
+                faults.push_back(
+                    fmt::format("{} of {} unpaired", counted(rows, "row"), side == 0 ? "FILE" : "REFERENCE"));
+            }
+        }
+        if (result.failed > 0 && !check_.allow_failed) {
+            faults.push_back(counted(result.failed, "row") + " failed");
+        } else if (result.code == ExitCode::completed_with_failures) {
+            faults.emplace_back("--strict met a diagnostic");
+        }
+        return fmt::format("{}", fmt::join(faults, "; "));
+    }
+
+    /// The turns on one side that leave less than a hundredth, if there are such, and what they leave, in radians.
+    [[nodiscard]] std::optional<std::pair<TurnOptions, double>> constant() const {
+        if (check_.rows.delta > 0 || pairs_.angles.count() < 2) {
+            return std::nullopt;
+        }
+        const double all = pairs_.angles.root_mean_square() / in_unit(1.0);
+        const double left = pairs_.left.rms();
+        const double right = pairs_.right.rms();
+        constexpr double rounding = 0x1p-50;
+        const bool is_left = left <= std::max(1.01 * right, rounding); // of equals
+        const double rest = is_left ? left : right;
+        if (!(rest < 0.01 * all) || all < rounding) {
+            return std::nullopt;
+        }
+        const ConstantTurns turns =
+            is_left ? ConstantTurns{pairs_.left.mean(), {}} : ConstantTurns{{}, pairs_.right.mean()};
+        return std::pair(turn_options(turns, check_.comparing.reading), rest);
+    }
+
+    /// The figures of all angles by their names.
+    [[nodiscard]] std::vector<std::pair<std::string, double>> figures() const {
+        std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles.root_mean_square()},
+                                                        {"mean", pairs_.angles.mean()},
+                                                        {"std", pairs_.angles.standard_deviation()}};
+        for (const auto& [name, percent] : check_.percentiles) {
+            all.emplace_back(name, pairs_.angles.percentile(percent));
+        }
+        return all;
+    }
+
+    [[nodiscard]] std::string in_lines(const RowsResult& result, const std::string& verdict) const {
+        const auto line = [](std::string_view name, const auto& value) {
+            return fmt::format("{:9} {}\n", name, value);
+        };
+        std::string text = line("rows", check_.watch->pairs());
+        if (!check_.within.text.empty()) {
+            text += line("beyond", result.beyond);
+        }
+        const auto& [own, other] = result.unpaired;
+        text +=
+            line("unpaired",
+                 own.rows + other.rows == 0 ? "0" : fmt::format("{} of FILE, {} of REFERENCE", own.rows, other.rows));
+        text += line("failed", result.failed);
+        const auto at = [this](std::size_t row, const std::string& key) {
+            return fmt::format("{}{}", row, check_.rows.by_key ? fmt::format(" (key {})", key) : "");
+        };
+        const auto where = [&](const operations::WorstPair& pair) {
+            return fmt::format("{} at {}", angle(pair.angle), at(pair.line, pair.keys[0]));
+        };
+        if (check_.aligned) {
+            text += line("aligned", in_words(*check_.aligned));
+        }
+        if (pairs_.angles.count() > 0) {
+            text += line("max", where(*check_.watch->worst().begin()));
+            for (const auto& [name, value] : figures()) {
+                text += line(name, angle(value));
+            }
+        }
+        if (const auto found = constant()) {
+            text += line("constant",
+                         fmt::format("{}, which leaves {}", in_words(found->first), angle(in_unit(found->second))));
+        }
+        std::size_t shown = 0;
+        for (const operations::WorstPair& pair : check_.watch->worst()) {
+            if (shown++ == check_.worst) {
+                break;
+            }
+            const std::string reference =
+                pair.reference_line > 0 ? ", reference " + at(pair.reference_line, pair.keys[1]) : "";
+            text += line(fmt::format("worst {}", shown),
+                         fmt::format("{}{}: {} against {}", where(pair), reference, fmt::join(pair.attitudes[0], " "),
+                                     fmt::join(pair.attitudes[1], " ")));
+        }
+        return text + verdict + "\n";
+    }
+
+    [[nodiscard]] std::string in_words(const TurnOptions& turns) const {
+        std::string sizes;
+        std::string options;
+        for (const TurnOption& turn : turns) {
+            sizes += (sizes.empty() ? "" : " and ") + angle(in_unit(turn.size));
+            options += fmt::format(" --{} '{}'", turn.side, turn.text);
+        }
+        return options.empty() ? "by nothing" : fmt::format("by {}:{}", sizes, options);
+    }
+    [[nodiscard]] JsonValue in_json(const TurnOptions& turns) const {
+        std::vector<std::pair<std::string_view, JsonValue>> object;
+        for (const TurnOption& turn : turns) {
+            object.emplace_back(turn.side, turn.text);
+            object.emplace_back(turn.side == "left" ? "left_angle" : "right_angle",
+                                JsonValue::as_written(number(in_unit(turn.size))));
+        }
+        return json_object(object);
+    }
+    /// The key of a row or, from 1, of its partner.
+    [[nodiscard]] JsonValue key(const operations::WorstPair& pair, std::size_t side) const {
+        const std::string& text = pair.keys.at(side);
+        return !check_.rows.by_key ? JsonValue() : stream::is_json_number(text) ? JsonValue::as_written(text) : text;
+    }
+
+    [[nodiscard]] JsonValue worst_in_json() const {
+        std::vector<std::string> pairs;
+        for (const operations::WorstPair& pair : check_.watch->worst()) {
+            const auto list = [](const auto& items) {
+                return JsonValue::as_written(fmt::format("[{}]", fmt::join(items, ", ")));
+            };
+            pairs.push_back(
+                json_object({{"angle", JsonValue::as_written(number(pair.angle))},
+                             {"line", pair.line},
+                             {"reference_line", pair.reference_line > 0 ? JsonValue(pair.reference_line) : JsonValue()},
+                             {"key", key(pair, 0)},
+                             {"reference_key", key(pair, 1)},
+                             {"attitude", list(pair.attitudes[0])},
+                             {"reference", list(pair.attitudes[1])}})
+                    .text);
+        }
+        return check_.worst == 0 ? JsonValue() : JsonValue::as_written(fmt::format("[{}]", fmt::join(pairs, ", ")));
+    }
+
+    [[nodiscard]] std::string in_json(const RowsResult& result, const JsonValue& verdict) const {
+        const bool has_pairs = pairs_.angles.count() > 0;
+        const auto value_if = [](bool is_there, JsonValue value) { return is_there ? std::move(value) : JsonValue(); };
+        const auto figure = [&](double value) { return value_if(has_pairs, JsonValue::as_written(number(value))); };
+        const auto limit = [&](const Limit& given) { return value_if(!given.text.empty(), given.angle); };
+        const operations::WorstPair worst = has_pairs ? *check_.watch->worst().begin() : operations::WorstPair();
+        std::vector<std::pair<std::string_view, JsonValue>> object{
+            {"rows", check_.watch->pairs()},
+            {"unit", std::string(unit_)},
+            {"file", check_.file},
+            {"reference", value_if(!check_.reference.empty(), check_.reference)},
+            {"version", ROTCONV_VERSION},
+            {"within", limit(check_.within)},
+            {"beyond", value_if(!check_.within.text.empty(), result.beyond)},
+            {"first_beyond", value_if(result.beyond > 0, result.first_beyond)},
+            {"within_p95", limit(check_.within_p95)},
+            {"beyond_p95", value_if(!check_.within_p95.text.empty(), check_.watch->beyond())},
+            {"unpaired", result.unpaired[0].rows + result.unpaired[1].rows},
+            {"unpaired_file", result.unpaired[0].rows},
+            {"unpaired_reference", result.unpaired[1].rows},
+            {"failed", result.failed},
+            {"max", figure(worst.angle)},
+            {"max_line", value_if(has_pairs, worst.line)},
+            {"max_key", value_if(has_pairs, key(worst, 0))}};
+        const auto all = figures();
+        for (const auto& [name, value] : all) {
+            object.emplace_back(name, figure(value));
+        }
+        const auto found = constant();
+        object.emplace_back("constant", found ? in_json(found->first) : JsonValue());
+        object.emplace_back("aligned", check_.aligned ? in_json(*check_.aligned) : JsonValue());
+        object.emplace_back("worst", worst_in_json());
+        object.emplace_back("verdict", verdict);
+        return json_line(object);
+    }
+
+    Check check_;
+    std::string_view unit_; ///< of angles
+    operations::PairStatistics pairs_;
+};
+
+} // namespace
+
+TurnOptions turn_options(const ConstantTurns& found, const ConversionSettings& given) {
+    TurnOptions options;
+    const auto add = [&](std::string_view side, const Rotation& turn, const FixedRotation& all) {
+        if (all.rotation.vector_length() > 0.0) {
+            const Eigen::Quaterniond q = quaternion::from_rotation(all.rotation);
+            const std::array numbers{q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0}; // no -0
+            options.push_back({side, fmt::format("quat: {}", fmt::join(numbers, " ")),
+                               FixedRotation::of_numbers(Spec{}, numbers), axis_angle::from_rotation(turn).angle});
+        }
+    };
+    const FixedRotation none{Rotation{}};
+    add("left", found.left, FixedRotation(found.left) * given.left.value_or(none));
+    add("right", found.right, given.right.value_or(none) * FixedRotation(found.right));
+    return options;
+}
+
+std::shared_ptr<Conclusion> comparison_conclusion(Check check) {
+    return std::make_shared<ComparisonConclusion>(std::move(check));
+}
+
+} // namespace rotconv::cli
