@@ -134,14 +134,14 @@ stream::Digits digits_of(const Given& given) {
 }
 
 /// Doubles of a binary row; 0 if the input is text.
-std::size_t width_of(const Given& given, const stream::InputOptions& in) {
+std::size_t width_of(const Given& given, const std::string& columns_option, const stream::InputOptions& in) {
     const std::size_t needed = in.numbers.names.size();
     const std::size_t row = count_of(given, "--width", widest_row, 1, needed);
     if (!one_of<bool>(given, "--input-format", "input format", {{"csv", false}, {"f64", true}})) {
         return 0;
     }
     if (in.columns.has_names()) {
-        throw Usage("--columns selects by name, but f64 rows have no names; use indices");
+        throw Usage("{} selects by name, but f64 rows have no names; use indices", columns_option);
     }
     const auto positions = in.columns.positions();
     const std::size_t least = positions.empty() ? needed : *std::ranges::max_element(positions) + 1;
@@ -180,9 +180,9 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
     const bool has_values = !given.values.empty();
     const bool headless = in.header == HeaderMode::no || in.header == HeaderMode::add;
     if (in.columns.has_names() && (headless || has_values)) {
-        throw Usage("--columns selects by name, but there is no header with names; use indices");
+        throw Usage("{} selects by name, but there is no header with names; use indices", selected.option);
     }
-    in.width = has_values ? 0 : width_of(given, in);
+    in.width = has_values ? 0 : width_of(given, selected.option, in);
     in.comment = has_values || given.text("--comment") == "none" ? "" : or_else(given.text("--comment"), in.comment);
     add_notes(given, selected.time_option, refuses, in);
     return in;

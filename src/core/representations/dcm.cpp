@@ -124,8 +124,8 @@ Error read_far_matrix(const double* matrix, double* q, double& defect) noexcept 
 double defect_of_matrix(const double* matrix) noexcept {
     const Eigen::Map<const RowMajor> m(matrix);
     const Matrix3d excess = m.transpose() * m - Matrix3d::Identity();
-    constexpr double near_rotation = 0.05;
-    if (!(0.5 * excess.norm() <= near_rotation)) {
+    constexpr double small_excess = 0.05;
+    if (!(0.5 * excess.norm() <= small_excess)) {
         const auto scale = PowerOfTwo::to_unit(m.cwiseAbs().maxCoeff());
         return defect_of(SingularValues(m.unaryExpr(scale)), scale);
     }

@@ -126,7 +126,7 @@ void refine(const double* numbers, Careful (&q)[4]) noexcept {
     }
 }
 
-/// A matrix, after read_clean(), of which one power step is not known to serve. `is_far`: to be refined.
+/// Improves the quaternion of read_clean() where one power step may not be enough. `is_far`: it is to be refined.
 Error read_unclean_matrix(const double (&m)[9], double square, double (&q)[4], double& defect, bool& is_far) noexcept {
     if (!all_finite(m, 9)) {
         return Error::not_finite;
@@ -159,7 +159,7 @@ struct Matrix {
     }
 
     /// Any matrix, in double.
-    static Error read_near(const double* numbers, double (&q)[4], double& defect, bool& is_far) noexcept {
+    static Error read_in_double(const double* numbers, double (&q)[4], double& defect, bool& is_far) noexcept {
         double m[9];
         take(numbers, m);
         defect = clean_defect;
@@ -169,7 +169,7 @@ struct Matrix {
 
     static Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
         bool is_far = false;
-        const Error error = read_near(numbers, q, defect, is_far);
+        const Error error = read_in_double(numbers, q, defect, is_far);
         if (is_far && error == Error::none) [[unlikely]] {
             Careful exact[4] = {q[0], q[1], q[2], q[3]};
             refine(numbers, exact);
@@ -184,7 +184,7 @@ struct Matrix {
         double near[4];
         double defect = 0.0;
         bool is_far = false;
-        read_near(numbers, near, defect, is_far);
+        read_in_double(numbers, near, defect, is_far);
         take(near, q);
         refine(numbers, q);
     }
