@@ -29,15 +29,20 @@ std::string effect_of(const Preset& preset, const Representation& entry) {
 
 /// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat", or "nothing".
 std::string effects_of(const Preset& preset) {
-    const auto effect_on = [&preset](RepresentationId id) { return effect_of(preset, representation(id)); };
-    std::string text;
+    std::vector<std::pair<std::string, std::string>> effects;
     for (const RepresentationId id : all_representations) {
-        if (const std::string effect = effect_on(id); !effect.empty()) {
-            const auto same = filtered(all_representations, [&](auto other) { return effect_on(other) == effect; });
-            const auto names = mapped(same, [](auto other) { return representation(other).text; });
-            const std::string words = fmt::format("{} on {}", effect, fmt::join(names, ", "));
-            text += same[0] != id ? "" : text.empty() ? words : "; " + words;
+        const Representation& entry = representation(id);
+        const std::string effect = effect_of(preset, entry);
+        const auto found = std::ranges::find(effects, effect, &std::pair<std::string, std::string>::first);
+        if (found != effects.end()) {
+            found->second += fmt::format(", {}", entry.text);
+        } else if (!effect.empty()) {
+            effects.emplace_back(effect, fmt::format("{} on {}", effect, entry.text));
         }
+    }
+    std::string text;
+    for (const auto& [effect, words] : effects) {
+        text += (text.empty() ? "" : "; ") + words;
     }
     return text.empty() ? "nothing" : text;
 }
