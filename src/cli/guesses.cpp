@@ -227,7 +227,7 @@ std::optional<Guess> guess_name(std::string_view word, const std::vector<std::st
 }
 
 std::optional<Guess> guess_modifier(std::string_view word, const Representation& entry) {
-    const auto meaning = find(other_modifiers, word);
+    auto meaning = find(other_modifiers, word);
     if (meaning && meaning->text.empty()) {
         return Guess{{}, fmt::format(" {} needs no modifier: leave it out", quoted(word))};
     }

@@ -1,8 +1,9 @@
 #include "row_writer.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -190,7 +191,8 @@ void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, st
     for (const std::string_view answer : answers) {
         write_around(to, *layout_, line, numbers, room_for(width, digits) + answer.size() + 2, [&](char* at) {
             for (std::size_t k = 0; k + 1 < width; ++k, ++number) {
-                const bool repeats = places[k + 1] > 0 && std::memcmp(number, number - width, sizeof *number) == 0;
+                const bool repeats = places[k + 1] > 0 && std::bit_cast<std::uint64_t>(*number) ==
+                                                              std::bit_cast<std::uint64_t>(*(number - width));
                 const std::size_t last = std::exchange(places[k], static_cast<std::size_t>(at - to.data()));
                 at = repeats ? std::copy(to.data() + last, to.data() + places[k + 1] - 1, at)
                              : write_numbers(at, {number, 1}, delimiter, digits);

@@ -20,13 +20,13 @@ Reading to_rotation(const Vector5& y, double tolerance) noexcept {
 }
 
 // With a power of two f, so that y'y cannot overflow: (f^2 y'y - f^2, 2 f fy) is parallel to the two columns.
-double defect(const Vector5& number) noexcept {
-    const auto scale = PowerOfTwo::to_unit(std::max(1.0, number.cwiseAbs().maxCoeff()));
+double defect(const Vector5& y) noexcept {
+    const auto scale = PowerOfTwo::to_unit(std::max(1.0, y.cwiseAbs().maxCoeff()));
     const double f = scale(1.0);
-    const Vector5 y = number.unaryExpr(scale);
-    const double square = y.squaredNorm();
+    const Vector5 fy = y.unaryExpr(scale);
+    const double square = fy.squaredNorm();
     TwoColumns m;
-    m << square - f * f, 2.0 * f * y[2], 2.0 * f * y[0], 2.0 * f * y[3], 2.0 * f * y[1], 2.0 * f * y[4];
+    m << square - f * f, 2.0 * f * fy[2], 2.0 * f * fy[0], 2.0 * f * fy[3], 2.0 * f * fy[1], 2.0 * f * fy[4];
     return two_column::defect(m * (sqrt2 / (square + f * f)));
 }
 
@@ -57,7 +57,16 @@ Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates, Frame f
 } // namespace rotconv::five_d
 
 namespace rotconv {
+namespace {
 
+/// sqrt 2 - r11.
+double turn_per_error(const double* y) noexcept {
+    return 2.0 * std::numbers::sqrt2 / (1.0 + std::inner_product(y, y + 5, y, 0.0));
+}
+
+} // namespace
+
+// NOLINTNEXTLINE(cert-err58-cpp): a constant, nothing runs
 constinit const Codec codecs::five_d{
     .representation = {.name = RepresentationId::five_d,
                        .text = "5d",
@@ -69,8 +78,7 @@ constinit const Codec codecs::five_d{
                        .range = "norm between 0.41 and 2.41",
                        .formula = "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"},
     .exact_defect = [](const double* y) noexcept { return five_d::defect(Eigen::Map<const five_d::Vector5>(y)); },
-    .turn_per_error = // sqrt 2 - r11
-    [](const double* y) noexcept { return 2.0 * std::numbers::sqrt2 / (1.0 + std::inner_product(y, y + 5, y, 0.0)); },
+    .turn_per_error = turn_per_error,
     .sensitivity = sensitivity_of<five_d::sensitivity>,
     .rate = rate_of<five_d::Vector5, five_d::rate>,
     .angular_velocity = angular_velocity_of<five_d::Vector5, five_d::angular_velocity>};
