@@ -234,14 +234,15 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
 void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
                     std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept {
     relate(attitudes, references, frame, rows, relative);
-    const auto careful = [&](std::size_t i) {
-        Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};
-        const Careful other[4] = {references[0][i], references[1][i], references[2][i], references[3][i]};
-        relate(other, frame, q);
-        set_rounded(q, i, relative);
-    };
-    for_each_careful_row({}, nullptr, attitudes, rows, careful); // numbers of quaternions are not looked at
-    for_each_careful_row({}, nullptr, references, rows, careful);
+    const bool are_plain = all_plain(attitudes, 0, rows) && all_plain(references, 0, rows);
+    for (std::size_t i = 0; i < rows && !are_plain; ++i) {
+        if (!all_plain(attitudes, i, 1) || !all_plain(references, i, 1)) {
+            Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};
+            const Careful other[4] = {references[0][i], references[1][i], references[2][i], references[3][i]};
+            relate(other, frame, q);
+            set_rounded(q, i, relative);
+        }
+    }
     Column<double> scalars;
     Column<double> lengths;
     Column<DoubleDouble> halves;
