@@ -919,9 +919,6 @@ private:
                             "error"};
         }
         if (rules_.format == "result") {
-            if (!std::isnan(answer.numbers.back())) {
-                answer.numbers.back() = static_cast<double>(number);
-            }
             for (const double value : answer.numbers) {
                 outcome_.bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
             }
