@@ -8,6 +8,10 @@
 #include <cstring>
 #include <iterator>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <dragonbox/dragonbox.h>
 #include <fmt/compile.h>
 
@@ -39,17 +43,42 @@ constexpr int lowest_point = -3; // digits before the point, less zeros behind i
 
 double without_sign_of_nan(double value) noexcept { return std::isnan(value) ? std::abs(value) : value; }
 
-/// The digits of a number below 10^8, one in a byte, the first of them in the lowest: it is halved until each has its
-/// own.
-std::uint64_t eight_digits(std::uint64_t number) noexcept {
-    std::uint64_t parts = number / 10'000 | (number % 10'000) << 32U;
-    const std::uint64_t hundreds = parts * 5243 >> 19U & 0x7f'0000'007f;
-    parts = hundreds | (parts - 100 * hundreds) << 16U;
-    const std::uint64_t tens = parts * 103 >> 10U & 0x000f'000f'000f'000f;
-    return tens | (parts - 10 * tens) << 8U;
-}
+/// Sixteen digits.
+struct Digits16 {
+    Uint128 text; ///< the first in its lowest byte
+    int count;    ///< of them, less zeros at the end
+};
 
-constexpr std::uint64_t ascii = 0x3030'3030'3030'3030; // eight zeros
+/// The digits of two numbers below 10^8: they are halved until each digit stands alone, all of them at once.
+Digits16 split(std::uint64_t first, std::uint64_t second) noexcept {
+#ifdef __SSE2__
+    __m128i parts = _mm_set_epi64x(static_cast<std::int64_t>(second), static_cast<std::int64_t>(first));
+    const __m128i myriads = _mm_srli_epi64(_mm_mul_epu32(parts, _mm_set1_epi64x(3'518'437'209)), 45);
+    parts = _mm_sub_epi64(parts, _mm_mul_epu32(myriads, _mm_set1_epi64x(10'000)));
+    parts = _mm_or_si128(myriads, _mm_slli_epi64(parts, 32));
+    const __m128i hundreds = _mm_srli_epi16(_mm_mulhi_epu16(parts, _mm_set1_epi16(5243)), 3);
+    parts = _mm_sub_epi16(parts, _mm_mullo_epi16(hundreds, _mm_set1_epi16(100)));
+    parts = _mm_or_si128(hundreds, _mm_slli_epi32(parts, 16));
+    const __m128i tens = _mm_mulhi_epu16(parts, _mm_set1_epi16(6554));
+    parts = _mm_sub_epi16(parts, _mm_mullo_epi16(tens, _mm_set1_epi16(10)));
+    parts = _mm_or_si128(tens, _mm_slli_epi16(parts, 8));
+    const auto zeros = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(parts, _mm_setzero_si128())));
+    return {std::bit_cast<Uint128>(_mm_or_si128(parts, _mm_set1_epi8('0'))), static_cast<int>(std::bit_width(zeros ^ 0xffffU))};
+#else
+    const auto eight_digits = [](std::uint64_t number) {
+        std::uint64_t parts = number / 10'000 | (number % 10'000) << 32U;
+        const std::uint64_t hundreds = parts * 5243 >> 19U & 0x7f'0000'007f;
+        parts = hundreds | (parts - 100 * hundreds) << 16U;
+        const std::uint64_t tens = parts * 103 >> 10U & 0x000f'000f'000f'000f;
+        return tens | (parts - 10 * tens) << 8U;
+    };
+    const std::uint64_t high = eight_digits(first);
+    const std::uint64_t low = eight_digits(second);
+    constexpr std::uint64_t zeros = 0x3030'3030'3030'3030;
+    return {static_cast<Uint128>(low | zeros) << 64U | (high | zeros),
+            16 - (low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high)) / 8};
+#endif
+}
 
 /// 17 digits, of which the first is not 0 and `point` (-3 to 15) stand before the point, without zeros at their end.
 /// Writes beyond the end that it returns.
@@ -57,11 +86,7 @@ char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noe
     constexpr std::uint64_t half = powers_of_ten[8];
     const auto first = static_cast<char>('0' + digits / powers_of_ten[16]);
     const std::uint64_t rest = digits % powers_of_ten[16];
-    const std::uint64_t high = eight_digits(rest / half);
-    const std::uint64_t low = rest % half != 0 ? eight_digits(rest % half) : 0;
-    const int trailing = (low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high)) / 8;
-    const int count = most_digits - trailing;
-    Uint128 others = static_cast<Uint128>(low | ascii) << 64U | (high | ascii);
+    const auto [others, count] = split(rest / half, rest % half);
 
     *to = '-';
     to += negative ? 1 : 0;
@@ -71,17 +96,17 @@ char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noe
         to += 2 - point;
         *to = first;
         std::memcpy(to + 1, &others, sizeof others);
-        return to + count;
+        return to + 1 + count;
     }
     *to = first;
     std::memcpy(to + 1, &others, sizeof others);
-    if (count <= point) {
+    if (count < point) {
         return to + point;
     }
     to[point] = '.';
-    others >>= static_cast<unsigned>(8 * (point - 1));
-    std::memcpy(to + point + 1, &others, sizeof others);
-    return to + count + 1;
+    const Uint128 decimals = others >> static_cast<unsigned>(8 * (point - 1));
+    std::memcpy(to + point + 1, &decimals, sizeof decimals);
+    return to + count + 2;
 }
 
 /// The shortest digits in the form of fmt's {}.
@@ -197,9 +222,9 @@ char* write_fixed(char* to, double value, int decimals) {
     }
     constexpr std::uint64_t half = powers_of_ten[8];
     const std::uint64_t fraction = units % unit * powers_of_ten[static_cast<std::size_t>(most_decimals - decimals)];
-    const std::array halves{eight_digits(fraction / half) | ascii, eight_digits(fraction % half) | ascii};
+    const Uint128 digits = split(fraction / half, fraction % half).text;
     *to++ = '.';
-    std::memcpy(to, halves.data(), sizeof halves);
+    std::memcpy(to, &digits, sizeof digits);
     return to + decimals;
 }
 
