@@ -166,8 +166,7 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
 void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
                         double* out, std::vector<RowReport>& reports) const {
     const AttitudeBatch<double>& attitudes = input.attitudes;
-    const double largest_defect = settings_.sensitivity ? -1.0 : std::min(settings_.tolerance, reported_defect);
-    if (!any_remarkable(attitudes, diagnostics, rows, largest_defect)) {
+    if (!any_remarkable(attitudes, diagnostics, rows, InputBatch::largest_unreported(settings_))) {
         return;
     }
     const std::size_t width = to_.size();

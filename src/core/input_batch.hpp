@@ -31,10 +31,13 @@ public:
     /// The numbers in the representation's own order.
     [[nodiscard]] const double* own() const noexcept { return own_; }
 
+    /// A row with a defect above this is reported; none is too small where every row is.
+    [[nodiscard]] static double largest_unreported(const ConversionSettings& settings) noexcept {
+        return settings.sensitivity ? -1.0 : std::min(settings.tolerance, reported_defect);
+    }
     /// Whether report() may have something to tell of the row.
     [[nodiscard]] bool is_remarkable(std::size_t row, const ConversionSettings& settings) const noexcept {
-        return settings.sensitivity || attitudes.error[row] != Error::none ||
-               !(attitudes.defect[row] <= std::min(settings.tolerance, reported_defect));
+        return attitudes.error[row] != Error::none || !(attitudes.defect[row] <= largest_unreported(settings));
     }
     /// The row's error, or its defect and whether that is to be reported.
     [[nodiscard]] RowReport report(std::size_t row, const ConversionSettings& settings) const noexcept {

@@ -49,7 +49,8 @@ struct Digits16 {
     int count;    ///< of them, less zeros at the end
 };
 
-/// The digits of two numbers below 10^8: they are halved until each digit stands alone, all of them at once.
+/// The digits of two numbers below 10^8: they are halved until each digit stands alone, all of them at once. Quotients
+/// are products with the reciprocal, rounded up, and exact for all that come.
 Digits16 split(std::uint64_t first, std::uint64_t second) noexcept {
 #ifdef __SSE2__
     __m128i parts = _mm_set_epi64x(static_cast<std::int64_t>(second), static_cast<std::int64_t>(first));
@@ -63,7 +64,8 @@ Digits16 split(std::uint64_t first, std::uint64_t second) noexcept {
     parts = _mm_sub_epi16(parts, _mm_mullo_epi16(tens, _mm_set1_epi16(10)));
     parts = _mm_or_si128(tens, _mm_slli_epi16(parts, 8));
     const auto zeros = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(parts, _mm_setzero_si128())));
-    return {std::bit_cast<Uint128>(_mm_or_si128(parts, _mm_set1_epi8('0'))), static_cast<int>(std::bit_width(zeros ^ 0xffffU))};
+    return {std::bit_cast<Uint128>(_mm_or_si128(parts, _mm_set1_epi8('0'))),
+            static_cast<int>(std::bit_width(zeros ^ 0xffffU))};
 #else
     const auto eight_digits = [](std::uint64_t number) {
         std::uint64_t parts = number / 10'000 | (number % 10'000) << 32U;

@@ -44,7 +44,7 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     if (has_other_fields) {
         line = next_line(text);
         end = begin + line.text.size();
-        if (std::find(begin, end, '"') != end) {
+        if (line.text.find('"') != std::string_view::npos) { // quicker than std::find
             return std::nullopt;
         }
         for (std::size_t i = 0; i < layout_->first_field; ++i) {

@@ -309,19 +309,25 @@ void RowTransformer::write(Output& output) {
         output.answered += rows_.size();
         return;
     }
-    const std::size_t answers = operation_->answers_of_row();
-    const std::size_t size = answers * operation_->names.size();
-    for (auto row = rows_.begin(); row != rows_.end() && !output.stopped; ++row) {
-        if (row->is_scanned() && !is_reported_before(*row, (row->index + 1) * answers) && !may_have_notes_ &&
-            writer_.writes_results_alone()) {
-            writer_.write(output.bytes, row->line, row->numbers, std::span(results_).subspan(row->index * size, size));
-            ++output.answered;
-        } else if (!row->passes) {
+    const auto stands_alone = [&, answers = operation_->answers_of_row()](const Row& row) {
+        return row.is_scanned() && !is_reported_before(row, (row.index + 1) * answers);
+    };
+    const bool may_stand_alone = !may_have_notes_ && writer_.writes_results_alone();
+    for (auto row = rows_.begin(); row != rows_.end() && !output.stopped;) {
+        const auto end = may_stand_alone ? std::find_if_not(row, rows_.end(), stands_alone) : row;
+        if (end != row) {
+            writer_.write(output.bytes, {row, end}, results_);
+            output.answered += static_cast<std::size_t>(end - row);
+            row = end;
+            continue;
+        }
+        if (!row->passes) {
             write_row(*row, output);
         } else if (options_->format == Format::csv) {
             append(output.bytes, row->line.text);
             append(output.bytes, row->line.end);
         }
+        ++row;
     }
 }
 

@@ -96,6 +96,31 @@ template <class WriteResult> void write_around(Buffer& to, const Layout& layout,
     }
 }
 
+constexpr std::size_t most_between = 3; // a delimiter and a line end
+
+/// Numbers of an answer, its name before the last. Those that repeat the answer above, which stands before in memory,
+/// are copied from there.
+/// @param places of the numbers in the answer above, and of its name; they become those of this one
+char* write_answer(char* at, std::span<const double> numbers, bool is_first, const char** places, std::string_view name,
+                   char delimiter, Digits digits) {
+    const double* number = numbers.data();
+    const double* const end = number + numbers.size() - 1;
+    for (; number != end; ++number, ++places) {
+        const char* const last = std::exchange(*places, at);
+        if (!is_first &&
+            std::bit_cast<std::uint64_t>(*number) == std::bit_cast<std::uint64_t>(*(number - numbers.size()))) {
+            at = std::copy(last, places[1], at); // with the delimiter
+        } else {
+            at = write_numbers(at, {number, 1}, delimiter, digits);
+            *at++ = delimiter;
+        }
+    }
+    *places = at;
+    at = std::ranges::copy(name, at).out;
+    *at++ = delimiter;
+    return write_numbers(at, {number, 1}, delimiter, digits);
+}
+
 } // namespace
 
 std::vector<std::string_view> result_columns(const Options& options) {
@@ -176,33 +201,33 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
     }
 }
 
-void RowWriter::write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> results) const {
+void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const {
     const char delimiter = layout_->delimiter.text();
     const Digits digits = options_->digits;
     const auto& answers = options_->operation->answers;
+    const std::size_t width = options_->operation->names.size();
     if (answers.empty()) {
-        write_around(to, *layout_, line, numbers, room_for(results.size(), digits),
-                     [&](char* at) { return write_numbers(at, results, delimiter, digits); });
+        const std::size_t room = room_for(width, digits);
+        for (const Row& row : rows) {
+            const auto result = results.subspan(row.index * width, width);
+            write_around(to, *layout_, row.line, row.numbers, room,
+                         [&](char* at) { return write_numbers(at, result, delimiter, digits); });
+        }
         return;
     }
-    const std::size_t width = results.size() / answers.size();
-    std::vector<std::size_t> places(width); // of the last answer's numbers, which many repeat, and of its name
-    const double* number = results.data();
-    for (const std::string_view answer : answers) {
-        write_around(to, *layout_, line, numbers, room_for(width, digits) + answer.size() + 2, [&](char* at) {
-            for (std::size_t k = 0; k + 1 < width; ++k, ++number) {
-                const bool repeats = places[k + 1] > 0 && std::bit_cast<std::uint64_t>(*number) ==
-                                                              std::bit_cast<std::uint64_t>(*(number - width));
-                const std::size_t last = std::exchange(places[k], static_cast<std::size_t>(at - to.data()));
-                at = repeats ? std::copy(to.data() + last, to.data() + places[k + 1] - 1, at)
-                             : write_numbers(at, {number, 1}, delimiter, digits);
-                *at++ = delimiter;
-            }
-            places[width - 1] = static_cast<std::size_t>(at - to.data());
-            at = std::ranges::copy(answer, at).out;
-            *at++ = delimiter;
-            return write_numbers(at, {number++, 1}, delimiter, digits);
-        });
+    const std::size_t room = room_for(width, digits) + std::ranges::max(answers, {}, &std::string::size).size() + 2;
+    std::vector<const char*> places(width);
+    for (const Row& row : rows) {
+        to.reserve(to.size() + answers.size() * (room + row.line.text.size() + most_between)); // so that places remain
+        const double* numbers = results.data() + row.index * answers.size() * width;
+        bool is_first = true;
+        for (const std::string_view answer : answers) {
+            write_around(to, *layout_, row.line, row.numbers, room, [&](char* at) {
+                return write_answer(at, {numbers, width}, is_first, places.data(), answer, delimiter, digits);
+            });
+            numbers += width;
+            is_first = false;
+        }
     }
 }
 

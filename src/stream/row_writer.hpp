@@ -9,6 +9,7 @@
 
 #include "event.hpp"
 #include "io_block.hpp"
+#include "job.hpp"
 #include "layout.hpp"
 #include "options.hpp"
 #include "preamble.hpp"
@@ -41,9 +42,9 @@ public:
     RowWriter(const Options& options, const Layout& layout);
 
     void write(Buffer& to, const ConvertedRow& row) const;
-    /// A row without other columns of the output than the result's, which stands in the place of `numbers` in the line,
-    /// or at its end; each answer to it.
-    void write(Buffer& to, const Line& line, std::string_view numbers, std::span<const double> results) const;
+    /// Rows without other columns of the output than the result's, which stands in the place of the row's numbers, or
+    /// at its end; each answer to them. `results` are those of all rows at hand.
+    void write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const;
     /// Whether such rows are all that is written where there is no failure.
     [[nodiscard]] bool writes_results_alone() const noexcept { return writes_results_alone_; }
 

@@ -1,10 +1,12 @@
-// bare_loop dcm|euler|rpy: quaternions to matrices or Euler angles, or matrices to roll, pitch and yaw in degrees by
-// Eigen, from stdin to stdout, read and printed by the program's own libraries, with no check, no other field and no
-// line counted.
+// bare_loop dcm|rotvec|rpy|quat [libraries]: quaternions to matrices or rotation vectors, matrices to roll, pitch and
+// yaw in degrees, or these to quaternions, in plain double, from stdin to stdout, read by the program's library, with
+// no check, no other field and no line counted. Numbers are printed as the program prints them or, with `libraries`, by
+// Dragonbox, with an exponent each.
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstring>
+#include <iterator>
 #include <numbers>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include <Eigen/Geometry>
+#include <dragonbox/dragonbox_to_chars.h>
 
 #include "stream/number_text.hpp"
 #include "stream/scan_number.hpp"
@@ -20,39 +23,73 @@ namespace {
 
 using rotconv::stream::Buffer;
 
-void print(Buffer& out, std::span<const double> numbers) {
-    rotconv::stream::append_numbers(out, numbers, ',', {});
-    out.push_back('\n');
+constexpr double degree = std::numbers::pi / 180.0;
+
+template <bool by_libraries> void print(Buffer& out, std::span<const double> numbers) {
+    if constexpr (by_libraries) {
+        std::array<char, 9 * 25> text;
+        char* at = text.data();
+        for (const double number : numbers) {
+            at = jkj::dragonbox::to_chars_n(number, at);
+            *at++ = ',';
+        }
+        *(at - 1) = '\n';
+        out.append(text.data(), at);
+    } else {
+        rotconv::stream::append_numbers(out, numbers, ',', {});
+        out.push_back('\n');
+    }
 }
 
-void to_dcm(Buffer& out, const double* q) {
+template <bool by_libraries> void to_dcm(Buffer& out, const double* q) {
     const double w = q[0], x = q[1], y = q[2], z = q[3];
     const double m[9] = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
                          2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
                          2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
-    print(out, m);
+    print<by_libraries>(out, m);
 }
 
-void to_euler(Buffer& out, const double* q) {
-    const double w = q[0], x = q[1], y = q[2], z = q[3];
-    const double angles[3] = {std::atan2(2 * (x * y + w * z), w * w + x * x - y * y - z * z),
-                              std::asin(std::clamp(2 * (w * y - x * z), -1.0, 1.0)),
-                              std::atan2(2 * (y * z + w * x), w * w - x * x - y * y + z * z)};
-    print(out, angles);
+template <bool by_libraries> void to_rotvec(Buffer& out, const double* q) {
+    const Eigen::AngleAxisd turn(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
+    const Eigen::Vector3d rotvec = turn.angle() * turn.axis();
+    print<by_libraries>(out, {rotvec.data(), 3});
 }
 
-void to_rpy(Buffer& out, const double* numbers) {
+template <bool by_libraries> void to_rpy(Buffer& out, const double* numbers) {
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> m(numbers);
-    const Eigen::Vector3d angles = m.eulerAngles(2, 1, 0).reverse() * (180 / std::numbers::pi);
-    print(out, {angles.data(), 3});
+    const Eigen::Vector3d angles = m.eulerAngles(2, 1, 0).reverse() / degree;
+    print<by_libraries>(out, {angles.data(), 3});
 }
+
+template <bool by_libraries> void to_quat(Buffer& out, const double* rpy) {
+    const Eigen::Quaterniond q = Eigen::AngleAxisd(degree * rpy[2], Eigen::Vector3d::UnitZ()) *
+                                 Eigen::AngleAxisd(degree * rpy[1], Eigen::Vector3d::UnitY()) *
+                                 Eigen::AngleAxisd(degree * rpy[0], Eigen::Vector3d::UnitX());
+    const double numbers[4] = {q.w(), q.x(), q.y(), q.z()};
+    print<by_libraries>(out, numbers);
+}
+
+/// A conversion, with either way of printing.
+struct Loop {
+    std::string_view to;
+    std::size_t size; ///< of what is read
+    void (*convert[2])(Buffer& out, const double* numbers);
+};
+
+constexpr Loop loops[] = {{"dcm", 4, {to_dcm<false>, to_dcm<true>}},
+                          {"rotvec", 4, {to_rotvec<false>, to_rotvec<true>}},
+                          {"rpy", 9, {to_rpy<false>, to_rpy<true>}},
+                          {"quat", 3, {to_quat<false>, to_quat<true>}}};
 
 } // namespace
 
 int main(int argc, char** argv) {
-    const std::string_view to = argc > 1 ? argv[1] : "dcm";
-    const auto convert = to == "rpy" ? to_rpy : to == "euler" ? to_euler : to_dcm;
-    const std::size_t size = to == "rpy" ? 9 : 4;
+    const auto* const loop = std::ranges::find(loops, argc > 1 ? std::string_view(argv[1]) : "", &Loop::to);
+    if (loop == std::end(loops)) {
+        return 2;
+    }
+    const auto convert = loop->convert[argc > 2 ? 1 : 0];
+    const std::size_t size = loop->size;
     std::vector<char> block(std::size_t{64} << 10U);
     Buffer out;
     std::size_t held = 0;

@@ -48,7 +48,7 @@ void compare(const Comparison& comparison) {
 /// The same attitudes as rows, four times, in two halves, with a header and more columns, and as doubles.
 void write_inputs(const Folder& folder) {
     Attitudes attitudes;
-    std::ofstream plain(folder / "plain");
+    std::ofstream plain(folder / "quat");
     std::ofstream columns(folder / "columns");
     std::ofstream first(folder / "first");
     std::ofstream second(folder / "second");
@@ -61,7 +61,7 @@ void write_inputs(const Folder& folder) {
     }
     plain.close();
     for (int i = 0; i < 4; ++i) {
-        std::ofstream(folder / "four", std::ios::app) << std::ifstream(folder / "plain").rdbuf();
+        std::ofstream(folder / "four", std::ios::app) << std::ifstream(folder / "quat").rdbuf();
     }
     Attitudes again;
     std::ofstream doubles(folder / "doubles", std::ios::binary);
@@ -71,22 +71,38 @@ void write_inputs(const Folder& folder) {
     }
 }
 
-std::string rotconv(const std::string& to, int threads) {
-    return fmt::format("exec {} -f quat -t {} --diagnostics off --threads {}", ROTCONV_PROGRAM, to, threads);
+std::string rotconv(const std::string& to, int threads, const std::string& from = "quat") {
+    return fmt::format("exec {} -f {} -t {} --diagnostics off --threads {}", ROTCONV_PROGRAM, from, to, threads);
+}
+
+/// Against loops that compute in plain double, of the same libraries alone and with the program's digits.
+void compare_loops(const Folder& folder) {
+    struct Loop {
+        std::string from, to, name;
+    };
+    for (const auto& [from, to, name] : {Loop{"quat", "dcm", "dcm"}, Loop{"dcm", "rpy:deg", "rpy"},
+                                         Loop{"rpy:deg", "quat", "quat"}, Loop{"quat", "rotvec", "rotvec"}}) {
+        const std::string input = " < " + folder / from.c_str();
+        const std::string away = " > /dev/null";
+        if (from != "quat") {
+            static_cast<void>(time_of(rotconv(from, 2) + " < " + folder / "quat" + " > " + folder / from.c_str()));
+        }
+        for (const std::string digits : {"", " libraries"}) {
+            compare({fmt::format("{} to {}, against a bare loop {}", from, to,
+                                 digits.empty() ? "with the same digits" : "of the libraries alone"),
+                     rotconv(to, 1, from) + input + away, "exec " BARE_LOOP " " + name + digits + input + away,
+                     Measure::processor, 9});
+        }
+    }
 }
 
 void compare_floors(const Folder& folder) {
-    const std::string plain = " < " + folder / "plain" + " > /dev/null";
+    const std::string plain = " < " + folder / "quat" + " > /dev/null";
     const std::string columns = " < " + folder / "columns" + " > /dev/null";
     const std::string four = " < " + folder / "four" + " > /dev/null";
-    const std::string bare = "exec " BARE_LOOP " ";
     const auto half = [&](const char* name) {
         return "(" + rotconv("dcm", 1) + " < " + folder / name + " > /dev/null) & ";
     };
-    compare({"one thread, quat to dcm, against a bare loop of the same libraries", rotconv("dcm", 1) + plain,
-             bare + "dcm" + plain, Measure::processor});
-    compare({"quat to euler, against the same with libm", rotconv("euler:ZYX", 1) + plain, bare + "euler" + plain,
-             Measure::processor});
     compare({"with header and extra columns, against plain rows",
              rotconv("dcm", 1) + " --columns qw,qx,qy,qz" + columns, rotconv("dcm", 1) + plain, Measure::processor});
     compare({"two threads, against one, 4 million rows", rotconv("dcm", 2) + four, rotconv("dcm", 1) + four,
@@ -119,6 +135,7 @@ int main() {
         write_inputs(folder);
         fmt::print("{} rows of 17 digits, the least of several runs in turns\n\n", rows);
         fmt::print("| what | rotconv | reference | measure | times as fast |\n| --- | --- | --- | --- | --- |\n");
+        compare_loops(folder);
         compare_floors(folder);
         compare_starts();
     } catch (const std::exception& error) {
