@@ -31,7 +31,7 @@ public:
     /// The numbers in the representation's own order.
     [[nodiscard]] const double* own() const noexcept { return own_; }
 
-    /// A row with a defect above this is reported; none is too small where every row is.
+    /// Rows with a larger defect are looked at; below 0: all are.
     [[nodiscard]] static double largest_unreported(const ConversionSettings& settings) noexcept {
         return settings.sensitivity ? -1.0 : std::min(settings.tolerance, reported_defect);
     }

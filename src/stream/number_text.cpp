@@ -76,8 +76,8 @@ Digits16 split(std::uint64_t first, std::uint64_t second) noexcept {
     };
     const std::uint64_t high = eight_digits(first);
     const std::uint64_t low = eight_digits(second);
-    constexpr std::uint64_t zeros = 0x3030'3030'3030'3030;
-    return {static_cast<Uint128>(low | zeros) << 64U | (high | zeros),
+    constexpr std::uint64_t ascii = 0x3030'3030'3030'3030;
+    return {static_cast<Uint128>(low | ascii) << 64U | (high | ascii),
             16 - (low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high)) / 8};
 #endif
 }

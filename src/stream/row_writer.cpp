@@ -96,7 +96,7 @@ template <class WriteResult> void write_around(Buffer& to, const Layout& layout,
     }
 }
 
-constexpr std::size_t most_between = 3; // a delimiter and a line end
+constexpr std::size_t most_around = 3; // a delimiter and a line end
 
 /// Numbers of an answer, its name before the last. Those that repeat the answer above, which stands before in memory,
 /// are copied from there.
@@ -218,7 +218,7 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
     const std::size_t room = room_for(width, digits) + std::ranges::max(answers, {}, &std::string::size).size() + 2;
     std::vector<const char*> places(width);
     for (const Row& row : rows) {
-        to.reserve(to.size() + answers.size() * (room + row.line.text.size() + most_between)); // so that places remain
+        to.reserve(to.size() + answers.size() * (room + row.line.text.size() + most_around)); // so that places remain
         const double* numbers = results.data() + row.index * answers.size() * width;
         bool is_first = true;
         for (const std::string_view answer : answers) {

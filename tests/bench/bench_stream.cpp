@@ -1,5 +1,5 @@
-// bench_stream: the program against its floors, as processes, in one table of ratios: a bare loop that only reads and
-// prints with the same libraries, a copy of the bytes, and the start of mawk. bench_tools has other tools.
+// bench_stream: the program against its floors, as processes, in one table of ratios: bare loops that read, convert in
+// plain double and print, a copy of the bytes, and the start of mawk. bench_tools has other tools.
 //
 // Each pair is run in turns; the least of each side counts. One process with one thread is measured in processor time,
 // several by the clock. Two processes with half of the rows each show what the machine had for two threads at the time.
