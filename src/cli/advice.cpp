@@ -125,7 +125,7 @@ std::vector<std::string> keys_of(std::string_view object) {
 
 } // namespace
 
-std::string advice(std::string_view beginning, std::size_t line, const stream::Options& options,
+std::string advice(std::string_view beginning, std::size_t line, bool has_header, const stream::Options& options,
                    const std::string& file) {
     const stream::InputOptions& input = options.input;
     if (beginning.size() >= most_kept) { // its last line is cut
@@ -137,7 +137,18 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
     };
     const auto row = static_cast<std::size_t>(std::ranges::find_if(lines, is_first_row) - lines.begin());
     const std::size_t at = line - 1;
-    if (at >= lines.size() || at > row) {
+    const std::string name = file == "-" ? "" : " " + file_in_shell(file);
+    const auto has_names = [&input](const stream::Line& each) {
+        const stream::HeaderLine header(each, input.delimiter.value_or(stream::Delimiter::of_row(each.text)));
+        return std::holds_alternative<std::vector<std::size_t>>(input.columns.positions(header.names()));
+    };
+    if (input.columns.has_names() && at < lines.size()) {
+        const auto later = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(line), lines.end(), has_names);
+        if (later != lines.end()) {
+            return fmt::format("line {0} has them: tail -n +{0}{1} | rotconv ...", later - lines.begin() + 1, name);
+        }
+    }
+    if (at >= lines.size() || at > row || has_header) {
         return {};
     }
 
@@ -155,7 +166,15 @@ std::string advice(std::string_view beginning, std::size_t line, const stream::O
         offer(edited, input, command + " | rotconv ...");
     };
     const std::string_view text = lines[at].text;
-    const std::string name = file == "-" ? "" : " " + file_in_shell(file);
+    if (text.find('\t') != std::string_view::npos && text.find(' ') != std::string_view::npos) {
+        stream::InputOptions with_blanks = input;
+        with_blanks.delimiter = stream::Delimiter::blanks();
+        offer(beginning, with_blanks, "tabs and blanks part the numbers: add --delimiter blank");
+    }
+    if (const auto inside = text.find_first_not_of("[ \t");
+        text.starts_with('[') && inside != std::string_view::npos && stream::is_number(text.substr(inside, 1))) {
+        return "a matrix printed over several lines can be given as one VALUE, in quotes";
+    }
     for (const std::string_view mark : {"//", "%", "COMMENT"}) {
         if (text.starts_with(mark)) {
             stream::InputOptions with_comment = input;

@@ -417,7 +417,8 @@ std::string mend(const stream::RowError& error) {
     const bool has_comma = error.text.find(',') != std::string::npos && !error.text.ends_with(',');
     const bool is_count = error.what == What::wrong_count && has_comma;
     const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
-    return mended.empty() && is_count && error.found == 2 * error.expected ? "; decimal commas must be points" : mended;
+    const bool may_be_decimal = error.found == 2 * error.expected && error.text.find('.') == std::string::npos;
+    return mended.empty() && is_count && may_be_decimal ? "; decimal commas must be points" : mended;
 }
 
 std::string answer_to_verb(std::string_view word) { return find(verbs, word).value_or(Guess{}).text; }

@@ -83,6 +83,9 @@ std::string why(const stream::RowError& error, const Subject& subject) {
                            error.found > error.expected ? " (--columns selects)" : "");
     case stream::RowError::What::missing_column:
         return fmt::format("no column {}, the row has {}", error.expected, error.found);
+    case stream::RowError::What::other_width:
+        return fmt::format("{} where line {} has {} (--ragged takes such rows)", counted(error.found, "field"),
+                           error.first_line, error.expected);
     case stream::RowError::What::key_order: return "the key does not increase";
     case stream::RowError::What::open_quote: return "a quote is left open";
     case stream::RowError::What::time: return "not a time that is read";
@@ -202,6 +205,9 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
                            quoted_list(error.lacking), quoted_list(error.present),
                            error.header.empty() ? "" : "; the columns are " + numbered(error.header),
                            quoted(error.text));
+    case What::other_width:
+        return fmt::format("the header has {} and this row {}: {}; select by index", counted(error.count, "name"),
+                           counted(error.fields, "field"), quoted(error.text));
     case What::ambiguous:
         return fmt::format("more than one column is called {}: {}; select by index", quoted(error.text),
                            fmt::join(error.indices, " and "));

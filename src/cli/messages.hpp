@@ -80,9 +80,10 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 // The ends of messages that say how to read what stands in the way at the beginning of a stream:
 
 /// For a line at which reading stopped: a command or option with which the text at hand can be read, or nothing.
-/// `file`: its name in the command.
-[[nodiscard]] std::string advice(std::string_view beginning, std::size_t line, const stream::Options& options,
-                                 const std::string& file);
+/// @param has_header the message names the columns of a header: only a later one that has the names is looked for
+/// @param file its name in the command
+[[nodiscard]] std::string advice(std::string_view beginning, std::size_t line, bool has_header,
+                                 const stream::Options& options, const std::string& file);
 
 /// For JSON: the filter that turns it into rows.
 [[nodiscard]] std::string json_advice(std::string_view beginning, const stream::InputOptions& input);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../stream/number_text.hpp"
+#include "column_names.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
@@ -16,57 +17,7 @@ using Kind = stream::Note::Kind;
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double most_turns = 10.0; ///< of unwrapped angles, such as those of --continuous
 
-/// deg or rad, also of a rate, or a unit of time, as headers write it; empty for others.
-std::string_view unit_of(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
-        {{"deg", " deg degree degrees dps \u00B0 "},
-         {"rad", " rad radian radians rps "},
-         {"s", " s sec secs second seconds "},
-         {"ms", " ms msec millisecond milliseconds "},
-         {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
-         {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
-    std::string unit = lower(text);
-    std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
-    for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
-        const std::string word = ' ' + unit.substr(0, unit.size() - std::min(unit.size(), per_second.size())) + ' ';
-        for (const auto& [name, words] : units) {
-            const bool fits = per_second.empty() || name == "deg" || name == "rad";
-            if (fits && unit.ends_with(per_second) && word.size() > 2 && words.find(word) != std::string_view::npos) {
-                return name;
-            }
-        }
-    }
-    return {};
-}
-
 bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
-
-/// The name and the unit that a text of a header holds: "yaw [deg]", "w_x_rad_s".
-std::pair<std::string, std::string_view> name_and_unit(const std::string& text) {
-    const auto bracket = text.ends_with(']')   ? text.rfind('[')
-                         : text.ends_with(')') ? text.rfind('(')
-                                               : std::string::npos;
-    if (bracket != std::string::npos) {
-        return {lower(stream::trimmed(text.substr(0, bracket))),
-                unit_of(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2))};
-    }
-    for (auto at = text.find('_', 1); at != std::string::npos; at = text.find('_', at + 1)) {
-        if (const auto unit = unit_of(std::string_view(text).substr(at)); !unit.empty()) {
-            return {lower(text.substr(0, at)), unit};
-        }
-    }
-    return {lower(text), {}};
-}
-
-/// A number's canonical name: w, q_w and q_RS_w of a quaternion are qw.
-std::string own_name(const Spec& spec, const std::string& text) {
-    const std::string name = name_and_unit(text).first;
-    const auto letter = name.find_last_of("wxyz");
-    const std::string stem = name.substr(0, letter);
-    const bool is_one = spec.name == RepresentationId::quat && !name.empty() && letter + 1 == name.size() &&
-                        (stem.empty() || stem == "q" || (stem.starts_with("q_") && stem.ends_with('_')));
-    return is_one ? std::string("q") + name.back() : name;
-}
 
 /// The first of a SPEC's numbers that is an angle, as are those after it.
 std::size_t first_angle(const Spec& spec) {
@@ -93,7 +44,7 @@ class Notes {
 public:
     Notes(const Given& given, std::string_view time_option, bool refuses, const stream::InputOptions& input)
         : degrees_(given.has("--degrees")), time_option_(time_option), refuses_(refuses && input.columns.empty()),
-          units_(input.numbers.names.size()) {
+          is_by_index_(!input.columns.empty() && !input.columns.has_names()), units_(input.numbers.names.size()) {
         const std::string& time_unit = given.text(given.has(time_option) ? time_option : "--time-unit");
         const auto& names = input.numbers.names;
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -115,15 +66,28 @@ public:
     }
 
     [[nodiscard]] std::vector<std::string> own_names(std::vector<std::string> names) const {
-        for (std::string& name : names) {
-            name = name_and_unit(name).first;
-        }
         for (const auto& [first, spec] : attitudes_) {
-            for (std::size_t i = first; i < std::min(first + spec.size(), names.size()); ++i) {
-                names[i] = own_name(spec, names[i]);
+            const auto own = std::span(names).subspan(first, spec.size());
+            if (const auto known = find_names(spec, own); known && !known->is_numbered) {
+                for (std::size_t i = 0; i < own.size(); ++i) {
+                    own[known->places[i]] = spec.columns().at(i);
+                }
             }
         }
-        return names;
+        return mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
+    }
+
+    /// Refuses selected names in another order than the SPEC's, which would give a wrong attitude in silence.
+    void refuse_other_order(const stream::ColumnList& columns, std::string_view option) const {
+        const auto names = columns.names();
+        for (const auto& [first, spec] : attitudes_) {
+            const std::vector<std::string> own(names.begin() + static_cast<std::ptrdiff_t>(first),
+                                               names.begin() + static_cast<std::ptrdiff_t>(first + spec.size()));
+            const auto known = find_names(spec, own);
+            if (const std::string wrong = wrong_order(spec, own); !wrong.empty() && !known->is_numbered) {
+                throw Usage("{} {} (if the file is mislabelled, select by index)", option, wrong);
+            }
+        }
     }
 
     [[nodiscard]] std::vector<stream::Note> operator()(const stream::Said& said) const {
@@ -138,13 +102,16 @@ public:
             add(Kind::comments,
                 fmt::format("there were only comments, such as {}; if these are rows: --comment none", comment));
         }
+        if (said.only_header) {
+            add(Kind::only_header, "the only row was taken for the header; if it is data: --header no");
+        }
         for (const auto& [first, spec] : attitudes_) {
             if (!said.numbers.empty()) {
                 add(Kind::angle, large_angle(spec, said.numbers.subspan(first, spec.size()),
                                              said.is_first ? full_turn : most_turns * full_turn));
             }
             if (!said.names.empty()) {
-                add(Kind::order, other_order(spec, std::span(said.names).subspan(first, spec.size())), refuses_);
+                tell_names(spec, std::span(said.names).subspan(first, spec.size()), said.header, add);
             }
         }
         for (std::size_t i = 0; i < said.names.size(); ++i) {
@@ -170,12 +137,30 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string other_order(const Spec& spec, std::span<const std::string> names) const {
-        const auto own = mapped(names, [&spec](const std::string& name) { return own_name(spec, name); });
-        const std::string wrong = wrong_order(spec, {own.begin(), own.end()}, fmt::format("{}", fmt::join(names, ",")));
-        return wrong.empty()
-                   ? wrong
-                   : fmt::format("the header {}{}", wrong, refuses_ ? " (if it is mislabelled, select by index)" : "");
+    /// Of the columns that are read, and of the header that they are in.
+    template <class Add> void tell_names(const Spec& spec, std::span<const std::string> names,
+                                         std::span<const std::string> header, const Add& add) const {
+        if (const auto known = find_names(spec, names)) {
+            const bool is_error = refuses_ && !known->is_numbered;
+            const std::string wrong = wrong_order(spec, names);
+            add(Kind::order,
+                wrong.empty()
+                    ? wrong
+                    : fmt::format("the header {}{}", wrong, is_error ? " (if it is mislabelled, select by index)" : ""),
+                is_error);
+        } else if (const auto others = is_by_index_ ? find_names(spec, header) : known;
+                   others && !others->is_numbered) {
+            const auto& places = others->places;
+            const auto last = std::ranges::adjacent_find(places, [](auto one, auto next) { return next != one + 1; });
+            add(Kind::order,
+                fmt::format(
+                    "the header has {} at {}, but {} are read",
+                    fmt::join(mapped(places, [&](auto place) { return header[place]; }), ","),
+                    last == places.end()
+                        ? fmt::format("{}-{}", places.front() + 1, places.back() + 1)
+                        : fmt::format("{}", fmt::join(mapped(places, [](auto place) { return place + 1; }), ",")),
+                    fmt::join(names, ",")));
+        }
     }
 
     [[nodiscard]] std::string mend(std::size_t at, std::string_view unit) const {
@@ -198,14 +183,18 @@ private:
     bool degrees_;                                        ///< angular velocities too
     std::string time_option_;                             ///< that names the unit
     bool refuses_;                                        ///< names in another order
+    bool is_by_index_;                                    ///< the columns are selected so, and not by name
     std::vector<std::string> units_;                      ///< of each number; empty: not one of those in headers
     std::vector<std::pair<std::size_t, Spec>> attitudes_; ///< each with the place of its first number
 };
 
 } // namespace
 
-void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input) {
-    const Notes notes(given, time_option, refuses, input);
+void add_notes(const Given& given, const SelectedColumns& selected, bool refuses, stream::InputOptions& input) {
+    const Notes notes(given, selected.time_option, refuses, input);
+    if (refuses && input.columns.has_names()) {
+        notes.refuse_other_order(input.columns, selected.option);
+    }
     input.largest = notes.largest(input.numbers.kept);
     input.notes_of = notes;
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };

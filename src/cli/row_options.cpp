@@ -18,58 +18,6 @@
 namespace rotconv::cli {
 namespace {
 
-/// The canonical names of quat, dcm, or roll, pitch and yaw, in the SPEC's order; none for other SPECs.
-std::vector<std::string_view> name_order(const Spec& spec) {
-    if (spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
-        const auto columns = spec.columns();
-        return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
-    }
-    std::vector<std::string_view> order;
-    // Roll is about x and pitch about y: not in Metashape's -ZXY of yaw, pitch and roll, for example.
-    const bool has_usual_axes = !spec.sequence.has_signs() || spec.sequence.axis(1) == 1;
-    if (spec.name == RepresentationId::rpy ||
-        (spec.name == RepresentationId::euler && !spec.sequence.proper() && has_usual_axes)) {
-        for (std::size_t i = 0; i < spec.size(); ++i) {
-            order.push_back(
-                representation(RepresentationId::rpy).columns.at(static_cast<std::size_t>(spec.sequence.axis(i))));
-        }
-    }
-    return order;
-}
-
-/// The SPEC with the same modifiers whose numbers have the canonical names in that order.
-std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::string_view>& names) {
-    Spec first = like;
-    Spec second = like;
-    if (like.name == RepresentationId::quat) {
-        second.scalar_last = !like.scalar_last;
-    } else if (like.name == RepresentationId::dcm) {
-        second.column_major = !like.column_major;
-    } else { // yaw, pitch, roll about the body's axes are roll, pitch, yaw about the fixed ones
-        std::array<bool, 3> is_negative{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            is_negative.at(static_cast<std::size_t>(like.sequence.axis(i))) = like.sequence.sign(i) < 0.0;
-        }
-        const auto [x, y, z] = is_negative;
-        first.name = x || y || z ? RepresentationId::euler : RepresentationId::rpy;
-        first.sequence = roll_pitch_yaw.with_signs(x, y, z);
-        second.name = RepresentationId::euler;
-        second.sequence = EulerSequence("ZYX").with_signs(z, y, x);
-    }
-    return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
-}
-
-/// Refuses canonical names in another order than the SPEC's, which would give a wrong attitude in silence.
-void refuse_other_order(const SelectedColumns& columns, const stream::InputOptions& input) {
-    const Spec& spec = *input.numbers.attitude;
-    auto names = input.columns.names();
-    names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(input.numbers.kept)); // such as a key
-    names.resize(std::min(names.size(), spec.size()));
-    if (const std::string wrong = wrong_order(spec, names, columns.list); !wrong.empty()) {
-        throw Usage("{} {} (if the file is mislabelled, select by index)", columns.option, wrong);
-    }
-}
-
 stream::ColumnList parse(const std::string& list, std::size_t count, std::string_view option,
                          const messages::Subject& subject) {
     auto parsed = stream::ColumnList::parse(list, count);
@@ -160,6 +108,7 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
     in.header = one_of<HeaderMode>(
         given, "--header", "mode of --header",
         {{"auto", HeaderMode::automatic}, {"yes", HeaderMode::yes}, {"no", HeaderMode::no}, {"add", HeaderMode::add}});
+    in.ragged = given.has("--ragged");
     in.refuses_json = in.header == HeaderMode::automatic && on_error_of(given) == stream::OnError::stop;
     const std::string& delimiter = given.text("--delimiter");
     in.delimiter = stream::Delimiter::parse(delimiter);
@@ -173,9 +122,6 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
         static_cast<void>(parse(selected.list, count - keys, selected.option, subject)); // for its message
         in.columns = parse(selected.key.empty() ? selected.list : selected.key + "," + selected.list, count,
                            selected.option, subject);
-        if (refuses) {
-            refuse_other_order(selected, in);
-        }
     }
     const bool has_values = !given.values.empty();
     const bool headless = in.header == HeaderMode::no || in.header == HeaderMode::add;
@@ -184,21 +130,11 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
     }
     in.width = has_values ? 0 : width_of(given, selected.option, in);
     in.comment = has_values || given.text("--comment") == "none" ? "" : or_else(given.text("--comment"), in.comment);
-    add_notes(given, selected.time_option, refuses, in);
+    add_notes(given, selected, refuses, in);
     return in;
 }
 
 } // namespace
-
-std::string wrong_order(const Spec& spec, const std::vector<std::string_view>& names, std::string_view list) {
-    const auto order = name_order(spec);
-    if (names == order || !std::ranges::is_permutation(names, order)) {
-        return {};
-    }
-    const auto right = spec_in_order(spec, names);
-    return fmt::format("{} is not the order of {}, which is {}{}", quoted(list), spec.text(), fmt::join(order, ","),
-                       right ? fmt::format("; it is the order of {}", right->text()) : "");
-}
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     if (text.empty()) {
@@ -339,6 +275,7 @@ void add_reading(OptionSet& set) {
     set.add("--columns", "LIST", "The columns to read: indices from 1, ranges such as 5-8, or names");
     set.add("--header", "MODE", "Header of the input: auto (default), yes, no, or add (none; print one)");
     set.add("--comment", "PREFIX", "What comments begin with (default #); none: there are none");
+    set.add_flag("--ragged", "Take rows of any number of fields that have the columns");
     set.add("--delimiter", "D", "What separates fields: a character, or comma, tab, semicolon, blank");
     set.add("-i,--input", "FILE", "Read FILE; - is standard input");
     set.add("--input-format", "FORMAT", "csv (default), which is text, or f64, little-endian doubles");

@@ -38,9 +38,6 @@ Value one_of(const Given& given, std::string_view option, std::string_view what,
 [[nodiscard]] inline Spec spec_of(const Given& given, std::string_view option) {
     return spec_of(option, given.text(option), given.has("--degrees"));
 }
-/// What is wrong with canonical names, written as the list, in another order than the SPEC's; otherwise empty.
-[[nodiscard]] std::string wrong_order(const Spec& spec, const std::vector<std::string_view>& names,
-                                      std::string_view list);
 /// Refuses a SPEC whose numbers have no rates.
 void require_rates(std::string_view option, const Spec& spec);
 /// An option's "SPEC: NUMBERS".
@@ -70,14 +67,6 @@ struct GivenNumbers {
 /// The same with what is done to attitudes before they are written.
 [[nodiscard]] ConversionSettings attitude_settings_of(const Given& given);
 
-// What the input says of its numbers against how they are read: names and units in a header, large angles; in
-// notes.cpp.
-
-/// @param refuses names in another order end the run, unless --columns selects
-void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input);
-/// The same for options that are "SPEC: NUMBERS".
-[[nodiscard]] std::vector<stream::Note> notes_on_options(const Given& given);
-
 inline constexpr std::size_t widest_row = 100'000; ///< doubles
 
 // Options that several commands have: where rows come from, how they are read and written, and where the answer goes.
@@ -106,6 +95,16 @@ struct SelectedColumns {
     std::string key{}; ///< a column before them
     std::string time_option = "--time-unit";
 };
+// What the input says of its numbers against how they are read: names and units in a header, large angles; in
+// notes.cpp.
+
+/// @param refuses names in another order are an error, unless columns are selected by index
+/// @throw Usage if the selected names are in another order
+void add_notes(const Given& given, const SelectedColumns& selected, bool refuses, stream::InputOptions& input);
+
+/// The same for options that are "SPEC: NUMBERS".
+[[nodiscard]] std::vector<stream::Note> notes_on_options(const Given& given);
+
 /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
 /// @throw Usage if an option about keys is given without a key
 [[nodiscard]] SelectedColumns columns_of_file(const Given& given);

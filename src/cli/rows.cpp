@@ -47,8 +47,8 @@ public:
         std::string message = messages::explain(error, subject_of(error.of_reference));
         if (error.what == What::json) {
             message += messages::json_advice(beginning_, command_->options.input);
-        } else if (error.what == What::columns && error.column.header.empty() && !error.of_reference) {
-            message += advice_at(error.line);
+        } else if (error.what == What::columns && !error.of_reference) {
+            message += advice_at(error.line, !error.column.header.empty());
         }
         tell(error.what == What::read ? 0 : error.line, message, error.of_reference);
     }
@@ -142,10 +142,11 @@ private:
         print_error(fmt::format("{}{}: {}", of_reference ? reference_ : where_, at, message));
     }
     /// The end of the message on a line before the first row that could be read.
-    [[nodiscard]] std::string advice_at(std::size_t line) const {
+    [[nodiscard]] std::string advice_at(std::size_t line, bool has_header = false) const {
         const bool is_text = !command_->has_values && command_->options.input.width == 0;
         const std::string text =
-            is_text ? messages::advice(beginning_, line, command_->options, command_->input) : std::string();
+            is_text ? messages::advice(beginning_, line, has_header, command_->options, command_->input)
+                    : std::string();
         return text.empty() ? text : "; " + text;
     }
     /// One of several answers to VALUEs: each is told, because a summary would name only one.

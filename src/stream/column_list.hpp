@@ -11,10 +11,11 @@ namespace rotconv::stream {
 
 /// Why a list of columns cannot be used.
 struct ColumnError {
-    enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous };
+    enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous, other_width };
     What what = What::not_an_item;
-    std::string text;                   ///< the item at fault; the row in which names are missing
-    std::size_t count = 0;              ///< how many columns the list names
+    std::string text;                   ///< the item at fault; the row in which names are missing, or of other width
+    std::size_t count = 0;              ///< how many columns the list names, or the header
+    std::size_t fields = 0;             ///< of the row, where that is not the header's count
     std::vector<std::string> lacking{}; ///< the names that the row has not...
     std::vector<std::string> present{}; ///< ...and those that it has
     std::vector<std::string> header{};  ///< all names of the header in which they are missing, where there is one

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +37,14 @@ public:
     /// The field's content: blanks around it, and where fields may be quoted the quotes around it, left out. Doubled
     /// quotes inside stay.
     [[nodiscard]] std::string_view text_of(std::string_view field) const noexcept;
+
+    /// The number of fields, without empty ones at the end.
+    [[nodiscard]] std::size_t count(std::span<const std::string_view> fields) const noexcept {
+        while (!fields.empty() && text_of(fields.back()).empty()) {
+            fields = fields.first(fields.size() - 1);
+        }
+        return fields.size();
+    }
 
 private:
     [[nodiscard]] bool is_quoted(std::string_view field) const noexcept;

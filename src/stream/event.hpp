@@ -26,6 +26,7 @@ struct RowError {
         too_large,      ///< `text` is the field
         wrong_count,    ///< `found` fields where the representation has `expected`
         missing_column, ///< `found` fields, column `expected` is selected
+        other_width,    ///< `found` fields where the row at `first_line` has `expected`
         open_quote,
         key_order, ///< `text` is a key that does not increase
         time,      ///< `text` resembles a time, and `time` says what is wrong with it
@@ -36,6 +37,7 @@ struct RowError {
     std::string text;
     std::size_t found = 0;
     std::size_t expected = 0;
+    std::size_t first_line = 0;
     Error error = Error::none;
     double defect = 0.0;
     TimeError time = TimeError::none;
@@ -61,7 +63,7 @@ struct FirstBytes {
 
 /// What the input says of its numbers that is at odds with how they are read, in words. Each kind is told once.
 struct Note {
-    enum class Kind : std::uint8_t { order, unit, time_unit, angle, comments, limit };
+    enum class Kind : std::uint8_t { order, unit, time_unit, angle, comments, only_header, limit };
     Kind kind = Kind::order;
     std::string text;
     bool ends_run = false;     ///< it is an error

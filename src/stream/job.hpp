@@ -58,9 +58,10 @@ struct PairBlock {
 /// A block on its way from the input to the output.
 struct Job {
     IoBlock block;
-    std::string_view rest; ///< its data rows, not yet converted...
-    std::size_t line = 1;  ///< ...and the line of the first
-    PairBlock pairs;       ///< in their place where two streams are read side by side
+    std::string_view rest;            ///< its data rows, not yet converted...
+    std::size_t line = 1;             ///< ...and the line of the first
+    PairBlock pairs;                  ///< in their place where two streams are read side by side
+    std::array<RowWidth, 2> widths{}; ///< see JobReader
     Output output;
     bool had_its_turn = false; ///< see InTurn
     bool done = false;
@@ -88,6 +89,8 @@ public:
     [[nodiscard]] virtual const Layout& layout() const = 0;
     /// Of the other stream, if there are two.
     [[nodiscard]] virtual const Layout* reference_layout() const { return nullptr; }
+    /// Of the rows of the stream, and of the reference, as far as it is known after the last job.
+    [[nodiscard]] virtual std::array<RowWidth, 2> widths() const = 0;
     /// Of the stream, and of the reference.
     [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
     [[nodiscard]] virtual KeysMet keys() const { return {}; }

@@ -14,6 +14,13 @@
 
 namespace rotconv::stream {
 
+/// How many fields the rows of a stream have, without empty ones at the end: as many as the first row whose selected
+/// fields are numbers.
+struct RowWidth {
+    std::size_t fields = 0; ///< 0: there was no such row yet
+    std::size_t line = 0;   ///< of that row
+};
+
 /// Where things stand in a row. It is known once the first data row has come, and is the same for all rows.
 struct Layout {
     Delimiter delimiter = Delimiter::blanks();

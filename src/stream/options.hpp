@@ -36,7 +36,9 @@ enum class OnError : std::uint8_t { stop, nan, skip };
 
 /// What the input says of its numbers: one of these at a time.
 struct Said {
-    std::vector<std::string> names{};  ///< those of the selected columns in the header
+    std::vector<std::string> names{};  ///< those of the selected columns in the header...
+    std::vector<std::string> header{}; ///< ...among all of it
+    bool only_header = false;          ///< a stream without a data row has a header
     std::span<const double> numbers{}; ///< those of a row...
     bool is_first = false;             ///< ...which is the first
     std::string_view comment{};        ///< the first of a stream that has no row
@@ -53,6 +55,7 @@ struct InputOptions {
     HeaderMode header = HeaderMode::automatic;
     std::string comment = "#"; ///< what comments begin with; empty: there are none
     bool refuses_json = false; ///< a first row that is JSON ends the run
+    bool ragged = false;       ///< rows may have any number of fields, if the selected ones are there
     /// Where the numbers are not yet known: of the count of fields of the first row, the count of numbers, or what is
     /// wrong with it.
     std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};

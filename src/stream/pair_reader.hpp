@@ -33,6 +33,9 @@ public:
     [[nodiscard]] std::optional<StreamError> error() const override;
     [[nodiscard]] const Layout& layout() const override { return rows_.blocks.layout(); }
     [[nodiscard]] const Layout* reference_layout() const override { return &references_.blocks.layout(); }
+    [[nodiscard]] std::array<RowWidth, 2> widths() const override {
+        return {rows_.blocks.widths()[0], references_.blocks.widths()[0]};
+    }
     [[nodiscard]] std::array<Unpaired, 2> unpaired() const override { return {rows_.unpaired, references_.unpaired}; }
     [[nodiscard]] KeysMet keys() const override;
 

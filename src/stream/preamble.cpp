@@ -31,12 +31,29 @@ bool has_decimal_comma(std::string text) noexcept {
     return is_number(text);
 }
 
-/// Lines of other programs that may look like a header: remarks after // or %, COMMENT, KEY = value, FMT.
+/// Lines of other programs that may look like a header: COMMENT, KEY = value, FMT.
 bool is_remark(const HeaderLine& row) noexcept {
-    const std::string_view text = row.prefix.empty() ? row.line.text : "";
     const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
-    return text.starts_with("//") || text.starts_with('%') || first == "FMT" || first == "COMMENT" ||
+    return first == "FMT" || first == "COMMENT" ||
            std::ranges::any_of(row.fields, [](auto field) { return trimmed(field) == "="; });
+}
+
+/// An object with keys, or an array of objects or of numbers between commas; not "[INFO]" or a matrix of NumPy.
+bool begins_json(std::string_view text) noexcept {
+    if (!text.starts_with('{') && !text.starts_with('[')) {
+        return false;
+    }
+    const std::string_view inside = trimmed(text.substr(std::min(text.find_first_not_of("{[ \t"), text.size())));
+    const std::size_t end = std::min(inside.find_first_not_of("0123456789+-.eE"), inside.size());
+    const std::string_view after = trimmed(inside.substr(end));
+    return after.empty() || (end == 0 ? after.front() == '"' : text.starts_with('[') && after.front() == ',') ||
+           after.front() == ']' || after.front() == '}';
+}
+
+/// A character of a mark before the first name. Letters beyond ASCII are not.
+bool is_mark(char c) noexcept {
+    return (static_cast<unsigned char>(c) & 0x80U) == 0U && (c < '0' || c > '9') && (c < 'A' || c > 'Z') &&
+           (c < 'a' || c > 'z') && c != '_' && c != '"' && c != '\'';
 }
 
 /// The decision on one list of lines.
@@ -49,7 +66,7 @@ public:
         if (is_json(row)) {
             return error({.what = StreamError::What::json}, lines_.size() - 1);
         }
-        const HeaderLine fields(row, delimiter_of(row.text));
+        HeaderLine fields(row, delimiter_of(row.text));
         const bool must_be = options_.header == HeaderMode::yes;
         const bool may_be = is_header(fields);
         if (must_be ? are_numbers(fields) : !may_be) {
@@ -58,7 +75,7 @@ public:
             }
         }
         if (must_be || may_be) {
-            return {.is_decided = true, .header = fields};
+            return {.is_decided = true, .header = fields.begins_with_mark() ? fields.without_mark() : fields};
         }
         return {.is_decided = true, .is_data = true};
     }
@@ -130,7 +147,9 @@ private:
     /// The texts of the selected fields; nothing if one is not there.
     [[nodiscard]] std::optional<std::vector<std::string>> selected(const HeaderLine& header) const {
         if (options_.columns.empty()) {
-            return count() == 0 || header.fields.size() == count() ? std::optional(header.names()) : std::nullopt;
+            auto names = header.names();
+            names.resize(header.width());
+            return count() == 0 || names.size() == count() ? std::optional(std::move(names)) : std::nullopt;
         }
         std::vector<std::string> texts;
         for (const std::size_t position : options_.columns.positions()) {
@@ -150,32 +169,49 @@ private:
     /// None of the selected fields is a number or a word for a missing one.
     [[nodiscard]] bool is_header(const HeaderLine& header) const {
         const auto texts = selected(header);
-        return header.is_closed && texts && !is_remark(header) && std::ranges::none_of(*texts, [](const auto& text) {
-                   return is_number(text) || is_missing(text) || has_decimal_comma(text);
+        const std::string_view text = header.prefix.empty() ? header.line.text : "";
+        const bool has_mark = text.starts_with("//") || text.starts_with('%'); // a remark, unless it has the names
+        return header.is_closed && texts && !has_mark && !is_remark(header) &&
+               std::ranges::none_of(*texts, [](const auto& name) {
+                   return is_number(name) || is_missing(name) || has_decimal_comma(name);
                });
     }
 
     /// The row is the beginning of JSON, and nothing that can be converted.
     [[nodiscard]] bool is_json(const Line& row) const {
-        const char first = trimmed(row.text).front();
-        if ((first != '{' && first != '[') || !options_.refuses_json || options_.header != HeaderMode::automatic) {
+        if (!begins_json(trimmed(row.text)) || !options_.refuses_json || options_.header != HeaderMode::automatic) {
             return false;
         }
         return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
     }
 
+    /// Not of a blank line, whatever comments begin with.
+    [[nodiscard]] bool is_comment(std::string_view line) const noexcept {
+        return options_.is_comment(line) && !is_blank(line);
+    }
+
     /// The last comment; an empty line where there is none.
     [[nodiscard]] Line last_comment() const {
-        const auto found = std::find_if(lines_.rbegin(), lines_.rend(),
-                                        [this](const Line& line) { return options_.is_comment(line.text); });
+        const auto found =
+            std::find_if(lines_.rbegin(), lines_.rend(), [this](const Line& line) { return is_comment(line.text); });
         return found == lines_.rend() ? Line{} : *found;
+    }
+
+    /// The last comment, split as the row is, or at its commas where blanks part the row and then the width is the
+    /// same.
+    [[nodiscard]] HeaderLine above(const HeaderLine& row) const {
+        const Line comment = last_comment();
+        HeaderLine with_commas(comment, Delimiter::character(','), options_.comment);
+        return row.delimiter.is_blanks() && with_commas.width() == row.width()
+                   ? with_commas
+                   : HeaderLine(comment, row.delimiter, options_.comment);
     }
 
     /// The last comment, if it is the header of a row; under HeaderMode::yes as many fields are enough.
     [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
-        HeaderLine header(last_comment(), row.delimiter, options_.comment);
+        HeaderLine header = above(row);
         auto names = selected(header);
-        if (header.line.text.empty() || !header.is_closed || header.fields.size() != row.fields.size() || !names) {
+        if (header.line.text.empty() || !header.is_closed || header.width() != row.width() || !names) {
             return std::nullopt;
         }
         if (options_.header == HeaderMode::yes) {
@@ -195,22 +231,29 @@ private:
         return header;
     }
 
-    /// Looks the names up under each delimiter, or the one given, until they are all there.
+    /// Looks the names up under each delimiter, or the one given, until they are all there; commas may part those of a
+    /// comment where blanks part the rows. A mark before the first name is no part of it where they are not there as
+    /// they stand.
     [[nodiscard]] std::pair<HeaderLine, Lookup> find_names(const Line& line, std::optional<Delimiter> delimiter) const {
         if (!delimiter) {
             delimiter = options_.delimiter;
         }
+        const bool takes_commas = delimiter && delimiter->is_blanks() && is_comment(line.text);
         std::vector<Delimiter> tried{delimiter.value_or(Delimiter::blanks())};
         for (const char c : {';', '\t', ','}) {
-            if (!delimiter && line.text.find(c) != std::string_view::npos) {
+            if ((!delimiter || (takes_commas && c == ',')) && line.text.find(c) != std::string_view::npos) {
                 tried.push_back(Delimiter::character(c));
             }
         }
         for (;; tried.pop_back()) {
-            HeaderLine header(line, tried.back(), options_.comment);
-            auto found = options_.columns.positions(is_remark(header) ? std::vector<std::string>() : header.names());
-            if (has_all(found) || tried.size() == 1) {
-                return {std::move(header), std::move(found)};
+            const HeaderLine header(line, tried.back(), options_.comment);
+            const bool has_mark = header.begins_with_mark();
+            for (const bool is_without : {has_mark, !has_mark}) {
+                HeaderLine each = is_without ? header.without_mark() : header;
+                auto found = options_.columns.positions(is_remark(each) ? std::vector<std::string>() : each.names());
+                if (has_all(found) || (tried.size() == 1 && is_without != has_mark)) {
+                    return {std::move(each), std::move(found)};
+                }
             }
         }
     }
@@ -220,9 +263,9 @@ private:
         const HeaderLine row(line, delimiter_of(line.text));
         ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);
         column.text = line.text;
-        const HeaderLine above(last_comment(), row.delimiter, options_.comment);
-        for (const HeaderLine* header : {&row, &above}) {
-            if (header->is_closed && header->fields.size() == row.fields.size() && !is_remark(*header) &&
+        const HeaderLine comment = above(row);
+        for (const HeaderLine* header : {&row, &comment}) {
+            if (header->is_closed && header->width() == row.width() && !is_remark(*header) &&
                 std::ranges::none_of(header->names(), is_number)) {
                 column.header = header->names();
                 break;
@@ -244,6 +287,21 @@ HeaderLine::HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view
         is_comment ? std::min(line.text.find_first_not_of(" \t", comment.size()), line.text.size()) : 0;
     prefix = line.text.substr(0, size);
     is_closed = delimiter.split(line.text.substr(size), fields);
+}
+
+bool HeaderLine::begins_with_mark() const {
+    return !fields.empty() && !fields.front().empty() && std::ranges::all_of(fields.front(), is_mark);
+}
+
+HeaderLine HeaderLine::without_mark() const {
+    HeaderLine made = *this;
+    const std::string_view rest = line.text.substr(prefix.size());
+    const auto is_part = [this](char c) { return is_mark(c) && (delimiter.is_blanks() || c != delimiter.text()); };
+    const auto size = std::ranges::find_if_not(rest, is_part) - rest.begin();
+    made.prefix = line.text.substr(0, prefix.size() + static_cast<std::size_t>(size));
+    made.fields.clear();
+    made.is_closed = delimiter.split(line.text.substr(made.prefix.size()), made.fields);
+    return made;
 }
 
 std::string HeaderLine::name(std::size_t at) const {
@@ -324,6 +382,9 @@ void Preamble::finish(Output& output, bool at_end) {
         follow(decide(lines(), *options_, true), output);
     }
     release(held_.size(), output);
+    if (at_end && header_line_ > 0) {
+        hear({.only_header = true}, header_line_);
+    }
     if (at_end && !error_) {
         layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
         layout_.field_count = options_->width > 0 ? options_->width : options_->columns.empty() ? layout_.count : 0;
@@ -336,7 +397,10 @@ void Preamble::finish(Output& output, bool at_end) {
 void Preamble::hold(std::string_view line) {
     const std::size_t begin = held_.size();
     held_.append(line);
-    if (options_->is_comment(line)) {
+    if (const std::string_view text = line.substr(0, line.find_last_not_of("\r\n") + 1); is_blank(text)) {
+        blank_ += line.size();
+    } else if (options_->is_comment(text)) {
+        blank_ = 0;
         comment_begin_ = begin;
         comment_end_ = held_.size();
     }
@@ -345,9 +409,15 @@ void Preamble::hold(std::string_view line) {
 std::vector<Line> Preamble::lines() const {
     std::vector<Line> lines;
     for (std::string_view rest = held_; !rest.empty();) {
-        lines.push_back(next_line(rest));
+        if (const Line line = next_line(rest); !is_blank(line.text)) {
+            lines.push_back(line);
+        }
     }
     return lines;
+}
+
+std::size_t Preamble::number_of(const Line& line) const {
+    return held_line_ + static_cast<std::size_t>(std::count(held_.data(), line.text.data(), '\n'));
 }
 
 bool Preamble::follow(const Beginning& beginning, Output& output) {
@@ -356,7 +426,7 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
     }
     if (beginning.error) {
         error_ = beginning.error;
-        error_->line += held_line_;
+        error_->line = number_of(lines()[error_->line]);
     }
     if (!beginning.positions.empty()) {
         layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
@@ -368,8 +438,8 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
     if (beginning.header) {
         const HeaderLine& header = *beginning.header;
         const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
-        hear_names(header, held_line_ + static_cast<std::size_t>(std::count(
-                                            held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(begin), '\n')));
+        header_line_ = number_of(header.line);
+        hear_names(header, header_line_);
         if (error_) {
             held_.clear();
             return false;
@@ -379,6 +449,7 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
             write_header(output.bytes, *written_, layout_, header);
         }
         names_ = header.names();
+        name_count_ = header.width();
         held_.erase(0, begin + header.line.text.size() + header.line.end.size());
     }
     if (beginning.is_decided) {
@@ -401,18 +472,22 @@ void Preamble::release(std::size_t bytes, Output& output) {
     held_.erase(0, bytes);
     comment_begin_ -= std::min(comment_begin_, bytes);
     comment_end_ -= std::min(comment_end_, bytes);
+    blank_ = std::min(blank_, held_.size());
 }
 
 void Preamble::limit(Output& output) {
     constexpr std::size_t most_held = std::size_t{64} << 10U;
-    if (header_done_ || error_ || held_.size() - (comment_end_ - comment_begin_) <= most_held) {
+    const auto is_too_much = [this](std::size_t size) {
+        return size - blank_ > most_held || size > IoBlockReader::longest_line;
+    };
+    if (header_done_ || error_ || !is_too_much(held_.size() - (comment_end_ - comment_begin_))) {
         return;
     }
     if (options_->columns.has_names()) {
         follow(decide(lines(), *options_, true), output);
     }
     if (!header_done_ && !error_) {
-        release(held_.size() - comment_end_ > most_held ? held_.size() : comment_begin_, output);
+        release(is_too_much(held_.size() - comment_end_) ? held_.size() : comment_begin_, output);
     }
 }
 
@@ -431,9 +506,9 @@ void Preamble::hear(const Said& said, std::size_t line) {
 }
 
 void Preamble::hear_names(const HeaderLine& header, std::size_t line) {
-    Said said;
+    Said said{.header = header.names()};
     if (layout_.positions.empty()) {
-        said.names = header.names();
+        said.names.assign(said.header.begin(), said.header.begin() + static_cast<std::ptrdiff_t>(header.width()));
     }
     for (const std::size_t position : layout_.positions) {
         if (position < header.fields.size()) {

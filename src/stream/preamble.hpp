@@ -16,6 +16,13 @@ namespace rotconv::stream {
 struct HeaderLine {
     HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view comment = {});
 
+    /// The same with another mark before the first name, such as the % of "%time", in the prefix. A mark is made of
+    /// characters other than letters, digits, _ and quotes.
+    [[nodiscard]] HeaderLine without_mark() const;
+    /// The first field is such a mark and nothing else.
+    [[nodiscard]] bool begins_with_mark() const;
+    /// The number of names, without empty ones at the end.
+    [[nodiscard]] std::size_t width() const { return delimiter.count(fields); }
     [[nodiscard]] std::string name(std::size_t at) const;
     [[nodiscard]] std::vector<std::string> names() const;
 
@@ -55,12 +62,15 @@ public:
     [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
     /// The header's names; none without one.
     [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+    /// How many there are, without empty ones at the end.
+    [[nodiscard]] std::size_t name_count() const noexcept { return name_count_; }
     [[nodiscard]] const std::optional<StreamError>& error() const noexcept { return error_; }
 
 private:
     void hold(std::string_view line);
-    /// The lines that are held.
+    /// The lines that are held, without blank ones, and the number of one.
     [[nodiscard]] std::vector<Line> lines() const;
+    [[nodiscard]] std::size_t number_of(const Line& line) const;
     /// Follows a decision; true where the last line is data, and not held any more.
     bool follow(const Beginning& beginning, Output& output);
     [[nodiscard]] bool is_written() const noexcept { return written_ != nullptr && written_->format == Format::csv; }
@@ -91,7 +101,10 @@ private:
     std::size_t held_line_ = 1;     ///< the number of the first line that is held
     std::size_t comment_begin_ = 0; ///< where the last comment among them stands
     std::size_t comment_end_ = 0;
+    std::size_t blank_ = 0; ///< bytes of blank lines behind that comment
     std::vector<std::string> names_;
+    std::size_t name_count_ = 0;
+    std::size_t header_line_ = 0; ///< its number; 0: there is none
 };
 
 } // namespace rotconv::stream

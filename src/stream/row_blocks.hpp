@@ -8,6 +8,7 @@
 #include "job.hpp"
 #include "options.hpp"
 #include "preamble.hpp"
+#include "row_reader.hpp"
 
 namespace rotconv::stream {
 
@@ -16,7 +17,7 @@ class RowBlocks final : public JobReader {
 public:
     /// `written`: how what stands before the first row is written; null: not at all.
     RowBlocks(Source& source, const InputOptions& options, const Options* written, std::size_t block_size)
-        : is_told_(written != nullptr && options.width == 0),
+        : is_told_(written != nullptr && options.width == 0), options_(&options),
           blocks_(source, options.width * sizeof(double), block_size), preamble_(options, written) {}
 
     bool read(Job& job) override {
@@ -27,21 +28,51 @@ public:
             job.output.events.emplace_back(FirstBytes{std::string(job.rest.substr(0, most_first_bytes))});
         }
         preamble_.read(job.rest, job.line, job.output);
-        return goes_on && !preamble_.error();
+        if (width_.fields == 0 && options_->width == 0 && !options_->columns.empty()) {
+            find_width(job);
+        }
+        return goes_on && !error();
     }
     [[nodiscard]] bool is_ready() const override { return blocks_.is_ready(); }
     void finish(Output& output, bool at_end) override { preamble_.finish(output, at_end); }
     [[nodiscard]] std::optional<StreamError> error() const override {
-        return preamble_.error() ? preamble_.error() : blocks_.error();
+        return preamble_.error() ? preamble_.error() : error_ ? error_ : blocks_.error();
     }
     [[nodiscard]] const Layout& layout() const override { return preamble_.layout(); }
+    [[nodiscard]] std::array<RowWidth, 2> widths() const override { return {width_}; }
 
 private:
     static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
 
+    /// Looks for the first row whose selected fields are numbers; it must have as many as a header with selected names.
+    void find_width(Job& job) {
+        const RowReader reader(*options_, layout());
+        RowParts parts;
+        std::size_t line = job.line;
+        for (std::string_view rest = job.rest; !rest.empty() && width_.fields == 0; ++line) {
+            const std::string_view row = next_line(rest).text;
+            parts.clear();
+            if (!options_->is_row(row) || !reader.read(row, parts)) {
+                continue;
+            }
+            width_ = {layout().delimiter.count(parts.fields), line};
+            if (options_->columns.has_names() && preamble_.name_count() != width_.fields) {
+                error_ = {.what = StreamError::What::columns, .line = line};
+                error_->column = {.what = ColumnError::What::other_width,
+                                  .text = std::string(row),
+                                  .count = preamble_.name_count(),
+                                  .fields = width_.fields};
+                job.rest = job.rest.substr(0, static_cast<std::size_t>(row.data() - job.rest.data()));
+            }
+        }
+    }
+
     bool is_told_; ///< what the stream begins with
+    const InputOptions* options_;
     IoBlockReader blocks_;
     Preamble preamble_;
+    RowWidth width_{};
+    std::optional<StreamError> error_{};
 };
 
 } // namespace rotconv::stream

@@ -1,7 +1,9 @@
 #include "row_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -30,6 +32,37 @@ namespace {
     }
 }
 
+using Bytes [[gnu::vector_size(16)]] = char;
+using Words [[gnu::vector_size(16)]] = std::uint64_t;
+
+Bytes sixteen(const char* at) noexcept {
+    Bytes bytes;
+    std::memcpy(&bytes, at, sizeof bytes);
+    return bytes;
+}
+
+/// How often a character stands between `at` and the end of a row of sixteen or more. std::count adds up numbers of
+/// eight bytes, and takes twice as long.
+std::size_t count_of(char character, const char* at, const char* end) noexcept {
+    constexpr std::ptrdiff_t size = sizeof(Bytes);
+    if (end - at > 126 * size) { // otherwise the sum of two counts is a byte
+        return static_cast<std::size_t>(std::count(at, end, character));
+    }
+    constexpr Bytes none{};
+    constexpr Bytes all = none - 1;
+    alignas(size) static constexpr std::array<Bytes, 2> masks{none, all};
+    Bytes counts{};
+    for (; end - at >= size; at += size) {
+        counts -= sixteen(at) == character;
+    }
+    const auto* const mask = reinterpret_cast<const char*>(masks.data()) + (end - at);
+    counts -= (sixteen(end - size) == character) & sixteen(mask); // those that are not yet counted
+    const auto halves = reinterpret_cast<Words>(counts);
+    constexpr std::uint64_t even = 0x00FF00FF00FF00FF;
+    const std::uint64_t sums = halves[0] + halves[1];
+    return static_cast<std::size_t>((((sums & even) + ((sums >> 8U) & even)) * 0x0001000100010001) >> 48U);
+}
+
 } // namespace
 
 std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) const {
@@ -48,7 +81,9 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
             return std::nullopt;
         }
         for (std::size_t i = 0; i < layout_->first_field; ++i) {
-            const char* const stop = std::find(begin, end, delimiter.text());
+            const auto* const found =
+                static_cast<const char*>(std::memchr(begin, delimiter.text(), static_cast<std::size_t>(end - begin)));
+            const char* const stop = found == nullptr ? end : found;
             if (stop == end || (delimiter.is_blanks() && (stop == begin || std::find(begin, stop, '\t') != stop))) {
                 return std::nullopt;
             }
@@ -61,7 +96,14 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
         scan_numbers(begin, end, delimiter.text(), layout_->number_of_field, std::span(to.numbers).subspan(first));
     bool is_plain = at != nullptr;
     if (is_plain && has_other_fields) {
-        is_plain = at == end || (*at == delimiter.text() && !delimiter.is_blanks());
+        const bool ends_here = at == end;
+        is_plain = ends_here || (*at == delimiter.text() && !delimiter.is_blanks());
+        if (is_plain && width_.fields > 0) {
+            const auto last = static_cast<unsigned char>(end[-1]); // of an empty field, perhaps
+            is_plain = ends_here ? behind_ == 0
+                                 : last > ' ' && end[-1] != delimiter.text() && line.text.size() >= sizeof(Bytes) &&
+                                       count_of(delimiter.text(), at, end) == behind_;
+        }
     } else if (is_plain) {
         const char* const newline = at != end && *at == '\r' ? at + 1 : at;
         is_plain = at == end || (newline != end && *newline == '\n');
@@ -88,7 +130,7 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
     if (!split(row, layout_->positions, to)) {
         return false;
     }
-    const std::size_t count = to.fields.size() - first_field;
+    const std::size_t count = layout_->delimiter.count(std::span(to.fields).subspan(first_field));
     if (layout_->positions.empty() && count != layout_->count) {
         to.error = {
             .what = RowError::What::wrong_count, .text = std::string(row), .found = count, .expected = layout_->count};
@@ -118,6 +160,15 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
             to.numbers.resize(first_number);
             return false;
         }
+    }
+    if (width_.fields > 0 && !layout_->positions.empty() && count != width_.fields) {
+        to.error = {.what = RowError::What::other_width,
+                    .text = std::string(row),
+                    .found = count,
+                    .expected = width_.fields,
+                    .first_line = width_.line};
+        to.numbers.resize(first_number);
+        return false;
     }
     for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
         to.kept.push_back(layout_->delimiter.text_of(to.fields[first_field + position(i)]));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -29,6 +30,13 @@ class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
+    /// What follows has rows of these widths, in the stream and the reference.
+    void expect(const std::array<RowWidth, 2>& widths) noexcept {
+        reader_.expect(widths[0]);
+        if (reference_reader_) {
+            reference_reader_->expect(widths[1]);
+        }
+    }
     /// Adds what the rows of `text`, whole lines of which the first is line `line`, become. An operation that is
     /// continuous has its turn once, with all rows of the text; at once without turns.
     void transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn = {});

@@ -142,6 +142,7 @@ private:
         Job& job = *made;
         lock.unlock();
         const bool goes_on = reader_->read(job);
+        job.widths = reader_->widths();
         tell_notes(job.output, false);
         lock.lock();
         all_read_ = !goes_on;
@@ -177,6 +178,7 @@ private:
         if (!transformer) {
             transformer.emplace(*options_, reader_->layout(), reader_->reference_layout());
         }
+        transformer->expect(job.widths);
         if (job.pairs.rows.empty()) {
             transformer->transform(job.rest, job.line, job.output,
                                    [this, &job](const std::function<void()>& what) { return in_turn(job, what); });
