@@ -117,9 +117,6 @@ public:
         if (const auto* ambiguous = std::get_if<ColumnError>(&found)) {
             return error({.what = StreamError::What::columns, .column = *ambiguous}, at, is_end);
         }
-        if (delimiter && header.fields.size() == 1 && HeaderLine(header.line, *delimiter).fields.size() == 1) {
-            header.delimiter = *delimiter; // a name alone does not tell what delimits
-        }
         return {.is_decided = true,
                 .header = std::move(header),
                 .is_data = !is_end,
@@ -477,9 +474,8 @@ void Preamble::release(std::size_t bytes, Output& output) {
 
 void Preamble::limit(Output& output) {
     constexpr std::size_t most_held = std::size_t{64} << 10U;
-    const auto is_too_much = [this](std::size_t size) {
-        return size - blank_ > most_held || size > IoBlockReader::longest_line;
-    };
+    constexpr std::size_t most_blank = std::size_t{1} << 20U;
+    const auto is_too_much = [this](std::size_t size) { return size - blank_ > most_held || blank_ > most_blank; };
     if (header_done_ || error_ || !is_too_much(held_.size() - (comment_end_ - comment_begin_))) {
         return;
     }

@@ -6,7 +6,7 @@ using namespace program;
 
 TEST_CASE("without a selection a row has exactly the numbers") {
     // Catches surplus fields that are dropped and missing ones that are made up.
-    for (const char* row : {"1,0,0", "1,0,0,0,0", "1,0,0,0,", ",1,0,0,0", "1"}) {
+    for (const char* row : {"1,0,0", "1,0,0,0,0", "1,0,0,,", ",1,0,0,0", "1"}) {
         CHECK(run(reorder, std::string("1,0,0,0\n") + row + "\n") == stopped("0,0,0,1\n", {"rotconv: -:2: ", row}));
     }
 }
@@ -73,7 +73,6 @@ TEST_CASE("names in the SPEC's order are taken, and so are others") {
         CHECK(run(std::string("-t rotvec ") + arguments, "yaw,pitch,roll\n0,1,0\n").exit_code == 0);
     }
     CHECK(run("-f axis-angle -t quat --columns qx,qy,qz,qw", "qw,qx,qy,qz\n0,1,0,0\n").exit_code == 0);
-    CHECK(run("-f quat -t quat --columns x,y,z,w", "x,y,z,w\n1,0,0,0\n").exit_code == 0);
     CHECK(run("-f quat -t quat --columns qx,qy,qz,4", "qx,qy,qz,qw\n1,0,0,0\n").exit_code == 0);
 }
 

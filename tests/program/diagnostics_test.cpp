@@ -67,7 +67,7 @@ TEST_CASE("a defect that rounding explains is not told") {
     CHECK(figures_of("-f dcm -t quat 0.9998 0 0 0 1.0 0 0 0 1.0").notes == "-");
     CHECK(figures_of("-f dcm -t quat 0.9997 0 0 0 1.0 0 0 0 1.0").notes == "normalized");
     // Quoted, of selected columns in another order, after a header.
-    const auto others = run("-f quat:xyzw -t quat --columns z,y,x,w --diagnostics columns -p 3",
+    const auto others = run("-f quat:xyzw -t quat --columns 5,4,3,2 --diagnostics columns -p 3",
                             "t,w,x,y,z\n0.123,0.6132,\"0.5964\",-0.3311, -0.3986\n0.1,0.613200,0.59640,-0.331,-0.4\n");
     CHECK(missing(others.out,
                   {"t,qw,", "0.123,0.613,-0.399,-0.331,0.596,inf,0.5,0.0001", ",\n0.1,", ",normalized\n"}) == "");

@@ -105,8 +105,8 @@ TEST_CASE("a line without end is given up before it ends") {
 
 TEST_CASE("a NUL byte is a byte like any other") {
     // Catches text that ends at a NUL.
-    CHECK(run(reorder + "--columns 2-5", "a\0b,1,0,0,0,c\0\n\0,0,1,0,0,\n"s) ==
-          done("a\0b,0,0,0,1,c\0\n\0,1,0,0,0,\n"s));
+    CHECK(run(reorder + "--columns 2-5", "a\0b,1,0,0,0,c\0\n\0,0,1,0,0,\0\n"s) ==
+          done("a\0b,0,0,0,1,c\0\n\0,1,0,0,0,\0\n"s));
     CHECK(run(reorder, "# \0 note\n1,0,0,0\n"s) == done("# \0 note\n0,0,0,1\n"s));
     const auto result = run(reorder, "1,0,0,0\n1\0,0,0,0\n"s);
     CHECK(result.exit_code == 2);

@@ -20,7 +20,7 @@ TEST_CASE("with VALUEs stdin is not read") {
 
 TEST_CASE("a wrong number of VALUEs is an error") {
     // Catches missing numbers taken for zero, and surplus ones that are dropped.
-    for (const char* values : {"1", "1 0 0", "1 0 0 0 0", "1 0 0 0 1 0 0 0", "1,0,0", "1,0,0,0,"}) {
+    for (const char* values : {"1", "1 0 0", "1 0 0 0 0", "1 0 0 0 1 0 0 0", "1,0,0", "1,0,0,"}) {
         CHECK(run(std::string("-f quat -t dcm ") + values) == stopped("", {"rotconv: argument: "}));
     }
 }
