@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 
 #include <rotconv/euler.hpp>
 
@@ -54,10 +53,10 @@ std::vector<std::string_view> name_order(const Spec& spec) {
     return order;
 }
 
-/// The SPEC with the same modifiers whose numbers have the canonical names in that order.
-std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::string_view>& names) {
-    Spec first = like;
-    Spec second = like;
+/// The SPECs with the same modifiers whose numbers have those names in an order of their own.
+std::array<Spec, 2> alike(const Spec& like) {
+    std::array<Spec, 2> specs{like, like};
+    auto& [first, second] = specs;
     if (like.name == RepresentationId::quat) {
         second.scalar_last = !like.scalar_last;
     } else if (like.name == RepresentationId::dcm) {
@@ -73,7 +72,7 @@ std::optional<Spec> spec_in_order(const Spec& like, const std::vector<std::strin
         second.name = RepresentationId::euler;
         second.sequence = EulerSequence("ZYX").with_signs(z, y, x);
     }
-    return name_order(first) == names ? first : name_order(second) == names ? std::optional(second) : std::nullopt;
+    return specs;
 }
 
 /// What the names of a SPEC's numbers may be, without what they share.
@@ -170,15 +169,12 @@ std::string wrong_order(const Spec& spec, std::span<const std::string> names) {
     if (!known || known->are_in_order()) {
         return {};
     }
-    const auto order = name_order(spec);
-    std::vector<std::string_view> own(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        own[known->places[i]] = order[i];
-    }
-    const auto right = spec_in_order(spec, own);
+    const auto specs = alike(spec);
+    const auto* const right =
+        std::ranges::find_if(specs, [&](const Spec& each) { return find_names(each, names)->are_in_order(); });
     return fmt::format("{} is not the order of {}, which is {}{}", quoted(fmt::format("{}", fmt::join(names, ","))),
-                       spec.text(), fmt::join(order, ","),
-                       right ? fmt::format("; it is the order of {}", right->text()) : "");
+                       spec.text(), fmt::join(name_order(spec), ","),
+                       right == specs.end() ? "" : fmt::format("; it is the order of {}", right->text()));
 }
 
 } // namespace rotconv::cli
