@@ -653,8 +653,8 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         !operation.answers.empty() || operation.looks_ahead || ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
     }
-    // Nor are references between two rows, and keys with units: pieces and threads must give the same, and a test of the
-    // pairs looks at all rows. The options that an identification answers with are counted, and not tried.
+    // Nor are references between two rows, and keys with units: pieces and threads must give the same, and a test of
+    // the pairs looks at all rows. The options that an identification answers with are counted, and not tried.
     if (const auto& pairing = program.options().pairing;
         pairing && (pairing->interpolates || program.options().input.numbers.has_unit ||
                     pairing->reference.numbers.has_unit || pairing->reference.key_power != 0)) {
