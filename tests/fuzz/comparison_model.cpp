@@ -162,6 +162,28 @@ Agreement check_angle(const Compared& compared, Numbers numbers, double angle) {
     return std::fabs(angle / unit - exact) <= 4.0 * oracle::eps ? Agreement::yes : Agreement::no;
 }
 
+Agreement ComparedTurns::check_angle(const Compared& compared, Numbers numbers, double angle) {
+    auto& now = pairs_.emplace_back();
+    if (compared.turns && is_well_conditioned(compared, numbers)) {
+        const std::size_t size = compared.from.size();
+        now = {compared.turns->left * oracle::attitude(compared.from, numbers.first(size)) * compared.turns->right,
+               oracle::attitude(compared.reference, numbers.subspan(size))};
+    }
+    if (pairs_.size() <= compared.delta) {
+        return std::isnan(angle) ? Agreement::yes : Agreement::no;
+    }
+    const auto& before = pairs_[pairs_.size() - 1 - compared.delta];
+    if (!now || !before) {
+        return Agreement::not_modelled;
+    }
+    const auto turn = [&](std::size_t side) {
+        return oracle::Quaternion(before->at(side).conjugate() * now->at(side)).normalized();
+    };
+    const double exact = oracle::eps * oracle::error_in_eps(turn(0), turn(1));
+    const double unit = compared.degrees ? rotconv::degrees_per_radian : 1.0;
+    return std::fabs(angle / unit - exact) <= 32.0 * oracle::eps ? Agreement::yes : Agreement::no;
+}
+
 Agreement check_relative(const Compared& compared, Numbers numbers, Numbers relative) {
     if (!compared.turns || !is_well_conditioned(compared, numbers) || !is_finite(relative)) { // the half-turn of cayley
         return Agreement::not_modelled;

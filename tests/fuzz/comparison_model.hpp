@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <rotconv/spec.hpp>
 
@@ -27,6 +30,7 @@ struct Compared {
     bool degrees = false;           ///< the angle
     double tolerance = 1e-3;
     double lock_margin = 1e-15;
+    std::size_t delta = 0; ///< not 0: the turns from each pair to the so many-th after it are compared
     /// Of the first attitude, by --left, --right and other axes. Not given: they are not modelled.
     std::optional<Turns> turns = Turns{};
 };
@@ -45,6 +49,17 @@ enum class Agreement { yes, no, not_modelled };
 
 /// The angle to 4 eps, where both attitudes are well-conditioned; 0 where the same is compared.
 [[nodiscard]] Agreement check_angle(const Compared& compared, std::span<const double> numbers, double angle);
+
+/// Remembers the attitudes of rows that are not refused, for their turns.
+class ComparedTurns {
+public:
+    /// The angle between the turns from the pair `delta` rows before, to 32 eps; nan where there is none.
+    [[nodiscard]] Agreement check_angle(const Compared& compared, std::span<const double> numbers, double angle);
+
+private:
+    using Pair = std::array<oracle::Quaternion, 2>;
+    std::vector<std::optional<Pair>> pairs_; ///< nothing: not modelled
+};
 
 /// The attitude that the relative one's numbers stand for, likewise.
 [[nodiscard]] Agreement check_relative(const Compared& compared, std::span<const double> numbers,

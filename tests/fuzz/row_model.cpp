@@ -442,6 +442,9 @@ private:
                                              ? as_number(content(fields[positions_[0]], delimiter_))
                                              : "";
                 key = read(text, value) ? key_of(text, modelled) : std::nullopt;
+                if (key && !rules_.key_offset.empty()) {
+                    *key += key_of(rules_.key_offset, modelled).value_or(0);
+                }
                 if (key && !rows.empty() && *key <= rows.back().second) {
                     key.reset();
                 }

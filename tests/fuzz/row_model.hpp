@@ -51,6 +51,7 @@ struct Rules {
     std::shared_ptr<const Rules> reference;
     bool by_key = false; ///< the first number of both
     std::string key_within;
+    std::string key_offset; ///< of the stream's keys; empty: 0
 };
 
 /// A row without a result.

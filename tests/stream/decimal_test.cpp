@@ -75,6 +75,7 @@ TEST_CASE("times of many digits lose nothing in their difference") {
     // Catches a difference of doubles, in which these are 0 or off.
     CHECK(difference("1403715524907143169", "1403715524907143168", -9) == 1e-9);
     CHECK(difference("9999999999999999999", "9999999999999999998", -9) == 1e-9);
+    CHECK(difference("18446744073709551618", "1") == 0x1p64); // 20 digits: 2^64 + 1 is not 1
     CHECK(difference("1305031098.6758", "1305031098.6659") == 0.0099);
     CHECK(difference("1305031098.66590000000000000000000000000000000000001",
                      "1305031098.66590000000000000000000000000000000000000") == 1e-41);
