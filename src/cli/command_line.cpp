@@ -7,7 +7,7 @@
 #include <rotconv/version.hpp>
 
 #include "../stream/file.hpp"
-#include "command.hpp"
+#include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -129,6 +129,10 @@ Command read_command_line(int argc, const char* const* argv) {
     if (table.front().options.has("--version")) {
         return "rotconv " ROTCONV_VERSION "\n";
     }
+    const Given given{options, arguments.values, arguments.files};
+    for (const Option& option : options.all()) { // whose numbers would else be taken for VALUEs
+        static_cast<void>(option.argument == "ATTITUDE" ? attitude_of(given, option.name()) : std::nullopt);
+    }
     if (!arguments.unknown.empty()) {
         throw Usage(messages::no_such_option(arguments.unknown, mapped(options.all(), &Option::name)));
     }
@@ -141,7 +145,7 @@ Command read_command_line(int argc, const char* const* argv) {
         refuse_compressed(words, arguments.file_words);
     }
     try {
-        return entry->read({options, arguments.values, arguments.files});
+        return entry->read(given);
     } catch (const MissingSpec& error) {
         throw Usage(error.what() + messages::contents_advice(arguments.files.empty() ? input : arguments.files[0]));
     }

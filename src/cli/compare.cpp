@@ -17,33 +17,6 @@
 namespace rotconv::cli {
 namespace {
 
-/// An angle, perhaps with its unit, as a limit in the unit of the output.
-Limit limit_of(const Given& given, std::string_view option) {
-    const std::string& text = given.text(option);
-    const bool degrees = given.has("--degrees");
-    if (text.empty()) {
-        return {};
-    }
-    static constexpr std::array<std::pair<std::string_view, double>, 3> units{
-        {{"mrad", 1000.0}, {"rad", 1.0}, {"deg", degrees_per_radian}}};
-    const auto* unit = std::ranges::find_if(units, [&](const auto& each) { return text.ends_with(each.first); });
-    const std::string number = text.substr(0, text.size() - (unit != units.end() ? unit->first.size() : 0));
-    double value = 0.0;
-    if (stream::trimmed(number) != number || stream::read_number(number, value) != stream::NumberError::none ||
-        !(value >= 0.0)) {
-        throw Usage("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option,
-                    quoted(text));
-    }
-    unit = unit != units.end() ? unit : degrees ? &units[2] : &units[1];
-    const auto [name, per_radian] = *unit;
-    const bool is_degrees = name == "deg";
-    value = is_degrees ? value : value / per_radian;
-    return {.text = fmt::format("{} {}", number, name),
-            .angle = is_degrees == degrees ? value : value * (degrees ? degrees_per_radian : radians_per_degree),
-            .unit = name,
-            .per_radian = per_radian};
-}
-
 /// "50,95.5" with names such as "p95.5".
 std::vector<std::pair<std::string, double>> percentiles_of(const std::string& list) {
     if (list.empty()) {
@@ -116,11 +89,12 @@ void note_unit(const Given& given, std::string_view option, double limit, RowsCo
 Command compare(const Given& given) {
     const Spec from = spec_of(given, "--from");
     const Spec reference = given.has("--to") ? spec_of(given, "--to") : from;
+    const bool degrees = given.has("--degrees");
     Check check{.format = one_of<Check::Format>(
                     given, "--format", "format of compare",
                     {{"pretty", Check::Format::pretty}, {"json", Check::Format::json}, {"csv", Check::Format::csv}}),
-                .within = limit_of(given, "--within"),
-                .within_p95 = limit_of(given, "--within-p95"),
+                .within = limit_of(given, "--within", degrees),
+                .within_p95 = limit_of(given, "--within-p95", degrees),
                 .allow_failed = given.has("--allow-failed"),
                 .percentiles = percentiles_of(given.text("--percentiles")),
                 .worst = count_of(given, "--worst", 1'000'000),
@@ -128,7 +102,7 @@ Command compare(const Given& given) {
                          .by_key = is_by_key(given),
                          .interpolates = given.has("--interpolate") && is_paired(given)},
                 .comparing = {.reading = attitude_settings_of(given),
-                              .unit = given.has("--degrees") ? AngleUnit::degrees : AngleUnit::radians}};
+                              .unit = degrees ? AngleUnit::degrees : AngleUnit::radians}};
     if (given.has("--allow-unpaired")) {
         check.allow_unpaired = one_of<std::array<bool, 2>>(
             "kind of rows for --allow-unpaired", given.text("--allow-unpaired"),

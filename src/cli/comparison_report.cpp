@@ -27,16 +27,18 @@ public:
 
     [[nodiscard]] Answer answer(const RowsResult& result) override {
         const std::size_t pairs = check_.watch->pairs();
-        if (pairs == 0 && result.code == ExitCode::done) {
-            print_error(
-                check_.rows.by_key && !result.keys.any_pair && result.unpaired[0].rows + result.unpaired[1].rows > 0
-                    ? messages::no_key_met(result.keys)
-                : check_.rows.delta > 0 && result.answered > 0 ? "no pair has one after it at the distance of --delta"
-                                                               : std::string(messages::nothing_read));
+        if (check_.rows.by_key && !result.keys.any_pair && result.unpaired[0].rows + result.unpaired[1].rows > 0) {
+            print_error(messages::no_key_met(result.keys));
+        } else if (pairs == 0 && result.code == ExitCode::done) {
+            print_error(check_.rows.delta > 0 && result.answered > 0
+                            ? "no pair has one after it at the distance of --delta"
+                            : std::string(messages::nothing_read));
         }
         const std::string fault = fault_of(result);
         const bool is_checked = !check_.within.text.empty() || !check_.within_p95.text.empty();
-        const std::string verdict = !is_checked ? "not checked" : fault.empty() ? "pass" : "fail: " + fault;
+        const std::string verdict = !is_checked     ? "not checked: no --within"
+                                    : fault.empty() ? "pass"
+                                                    : "fail: " + fault;
         if (const std::string of_p95 = fault_of_p95(); check_.format == Check::Format::csv && !of_p95.empty()) {
             print_error(of_p95); // of which the rows say nothing
         }

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,18 +14,10 @@
 
 #include "../operations/operations.hpp"
 #include "../stream/number_text.hpp"
-#include "command.hpp"
+#include "row_options.hpp"
 
 /// What compare prints of its pairs, and the verdict.
 namespace rotconv::cli {
-
-/// The largest angle that passes.
-struct Limit {
-    std::string text{};                                     ///< as it was given, with its unit; empty: there is none
-    double angle = std::numeric_limits<double>::infinity(); ///< in the unit of the output
-    std::string_view unit{};
-    double per_radian = 1.0; ///< of that unit
-};
 
 /// A constant turn as an option, --left or --right.
 struct TurnOption {

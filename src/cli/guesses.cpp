@@ -89,7 +89,7 @@ constexpr auto projects = std::to_array<Meaning>({
      " opk pix4d metashape agisoft "},
     {"phi1, Phi, phi2 are euler:ZXZ:deg (.ang: euler:ZXZ); the matrix g is dcm:bunge, MTEX's dcm",
      " bunge mtex ang ctf "},
-    {"rot, tilt, psi are euler:ZYZ:passive:deg; cryoSPARC's pose is then rotvec:passive", " relion cryosparc "},
+    {"rot, tilt, psi are euler:ZYZ:passive:deg; cryoSPARC's pose is rotvec:passive", " relion cryosparc "},
     {"az, alt, phi are euler:ZXZ:passive:deg", " eman eman2 "},
     {"the quaternion is quat:xyzw; GMAT's matrix is dcm:passive, its 321 euler:ZYX:deg", " stk gmat "},
     {"m2eul(r, 3, 2, 1) is euler:zyx; C-matrices are dcm:spice", " m2eul eul2m "},

@@ -268,10 +268,7 @@ Command identify(const Given& given) {
         .identification = {.tolerance = tolerance_of(given)},
         .degrees = degrees,
         .json = one_of<bool>(given, "--format", "format of identify", {{"pretty", false}, {"json", true}})};
-    if (given.has("--within")) {
-        settings.identification.within =
-            amount_of(given, "--within", 0.0, false) * (degrees ? radians_per_degree : 1.0);
-    }
+    settings.identification.within = angle_of(given, "--within", settings.identification.within);
     operations::IdentificationRows& rows = settings.rows;
     rows.known = spec_of(given, "--to");
     rows.paired = is_paired(given);

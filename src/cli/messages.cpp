@@ -15,7 +15,9 @@ std::string_view mend(stream::TimeError error) {
     switch (error) {
     case none:
     case not_a_time: break;
-    case blank: return R"(between date and time write T: sed 's/\(-[0-9]*\) \([0-9]*:\)/\1T\2/' FILE | rotconv ...)";
+    case blank:
+        return R"(a time is written as 2026-11-22T13:00: sed -e 's,\(-[0-9]*\)[ /][ /]*\([0-9]*:\),\1T\2,' -e t )"
+               R"(-e 's,[0-9]\{4\}-[0-9-]*,&T00:00,' FILE | rotconv ...)";
     case offset: return "offsets are not read: write UTC, as in 2026-11-22T13:00:00Z";
     case decimal_comma: return "seconds have a decimal point";
     case leap_second: return "leap seconds are not read: a minute has the seconds 00 to 59";
@@ -28,7 +30,8 @@ std::string_view mend(stream::TimeError error) {
 /// A row of blanks that begins with a date and a time of day, which are two fields.
 bool has_blank_in_time(std::string_view row) {
     const std::size_t blank = row.find(' ');
-    return blank != std::string_view::npos && row.find(':') < row.find(' ', blank + 1) &&
+    const std::size_t colon = row.find(':');
+    return colon != std::string_view::npos && row.find_first_not_of(" /0123456789", blank) == colon &&
            stream::read_time(row.substr(0, blank)).error == stream::TimeError::blank;
 }
 

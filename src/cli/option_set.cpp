@@ -133,9 +133,8 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
             read.error = is_joined ? name + " takes no argument" : read.error;
             return;
         }
-        if (!is_joined && at + 1 == words.size()) {
-            read.error = name + " awaits its argument";
-            return;
+        if (!is_joined && (at + 1 == words.size() || words[at + 1].starts_with("--"))) {
+            throw Usage("{} needs {}: {}", name, option->argument, option->about);
         }
         const FileWord place = is_joined ? FileWord{at, begin_of_argument} : FileWord{++at, 0};
         const std::string argument = words[place.word].substr(place.begin);

@@ -159,7 +159,7 @@ GivenNumbers numbers_of(const Given& given, std::string_view option) {
     const std::string& text = given.text(option);
     const auto colon = text.rfind(':');
     if (colon == std::string::npos) {
-        throw Usage("{} {} is not SPEC: NUMBERS, such as 'quat: 1 0 0 0'", option, quoted(text));
+        throw Usage("{} needs 'SPEC: NUMBERS' in one argument, such as 'quat: 1 0 0 0', not {}", option, quoted(text));
     }
     GivenNumbers read{spec_of(option, text.substr(0, colon), given.has("--degrees")),
                       stream::trimmed(std::string_view(text).substr(colon + 1))};
@@ -225,6 +225,39 @@ std::size_t count_of(const Given& given, std::string_view option, std::size_t mo
         [range](double value) { return value == std::floor(value) && value >= range.first && value <= range.second; }));
 }
 
+Limit limit_of(const Given& given, std::string_view option, bool in_degrees) {
+    const std::string& text = given.text(option);
+    if (text.empty()) {
+        return {};
+    }
+    static constexpr std::array<std::pair<std::string_view, double>, 3> units{
+        {{"mrad", 1000.0}, {"rad", 1.0}, {"deg", degrees_per_radian}}};
+    const auto* unit = std::ranges::find_if(units, [&](const auto& each) { return text.ends_with(each.first); });
+    const std::string number = text.substr(0, text.size() - (unit != units.end() ? unit->first.size() : 0));
+    double value = 0.0;
+    if (stream::trimmed(number) != number || stream::read_number(number, value) != stream::NumberError::none ||
+        !(value >= 0.0)) {
+        throw Usage("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option,
+                    quoted(text));
+    }
+    unit = unit != units.end() ? unit : given.has("--degrees") ? &units[2] : &units[1];
+    const auto [name, per_radian] = *unit;
+    const bool is_degrees = name == "deg";
+    value = is_degrees ? value : value / per_radian;
+    return {.text = fmt::format("{} {}", number, name),
+            .angle = is_degrees == in_degrees ? value : value * (in_degrees ? degrees_per_radian : radians_per_degree),
+            .unit = name,
+            .per_radian = per_radian};
+}
+
+double angle_of(const Given& given, std::string_view option, double default_value) {
+    const double angle = given.has(option) ? limit_of(given, option, false).angle : default_value;
+    if (std::isinf(angle)) {
+        throw Usage("{} {} must be a finite angle", option, quoted(given.text(option)));
+    }
+    return angle;
+}
+
 Frame frame_of(const Given& given) {
     return one_of<Frame>(given, "--frame", "frame", {{"body", Frame::body}, {"reference", Frame::reference}});
 }
@@ -249,7 +282,7 @@ ConversionSettings settings_of(const Given& given) {
 
 ConversionSettings attitude_settings_of(const Given& given) {
     ConversionSettings settings = settings_of(given);
-    settings.lock_margin = amount_of(given, "--lock-margin", settings.lock_margin, false);
+    settings.lock_margin = angle_of(given, "--lock-margin", settings.lock_margin);
     settings.left = attitude_of(given, "--left");
     settings.right = attitude_of(given, "--right");
     const AxesChange reference = axes_of(given, "--reference-axes");
@@ -323,7 +356,7 @@ void add_continuous(OptionSet& set) {
 
 void add_lock_margin(OptionSet& set) {
     set.begin_group("Errors");
-    set.add("--lock-margin", "ANGLE", "Treat attitudes this near gimbal lock as locked (rad; default 1e-15)");
+    set.add("--lock-margin", "ANGLE", "Treat attitudes this near gimbal lock as locked (default 1e-15rad)");
 }
 
 void add_pairing(OptionSet& set) {
@@ -337,15 +370,9 @@ void add_pairing(OptionSet& set) {
     set.add("--reference-time-unit", "UNIT", "Unit of REFERENCE's keys (default: the same)");
 }
 
-bool is_paired(const Given& given) {
-    if (given.files.size() == 2 && given.files[0] == "-" && given.files[1] == "-") {
-        throw Usage("both FILE and REFERENCE are stdin (-), which can be read only once");
-    }
-    return given.files.size() == 2;
-}
-
 SelectedColumns columns_of_file(const Given& given) {
-    for (const std::string_view option : {"--time-unit", "--reference-time-unit", "--key-offset", "--interpolate"}) {
+    for (const std::string_view option :
+         {"--time-unit", "--reference-time-unit", "--key-offset", "--interpolate", "--key-within", "--reference-key"}) {
         if (given.has(option) && !given.has("--key")) {
             throw Usage("{} needs --key, because rows are paired by their number without it", option);
         }

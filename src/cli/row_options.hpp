@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,6 +58,16 @@ struct GivenNumbers {
 /// A whole number from `least` to `most`.
 [[nodiscard]] std::size_t count_of(const Given& given, std::string_view option, std::size_t most, std::size_t least = 1,
                                    std::size_t default_value = 0);
+/// The ANGLE of an option.
+struct Limit {
+    std::string text{};                                     ///< as it was given, with its unit; empty: there is none
+    double angle = std::numeric_limits<double>::infinity(); ///< in degrees or radians, as limit_of() was asked
+    std::string_view unit{};
+    double per_radian = 1.0; ///< of that unit
+};
+[[nodiscard]] Limit limit_of(const Given& given, std::string_view option, bool in_degrees);
+/// The same in radians, finite.
+[[nodiscard]] double angle_of(const Given& given, std::string_view option, double default_value);
 [[nodiscard]] Frame frame_of(const Given& given);
 /// The power of ten of the seconds in a unit of time.
 [[nodiscard]] int time_power_of(const std::string& text);
@@ -84,8 +95,7 @@ void add_lock_margin(OptionSet& set);
 void add_pairing(OptionSet& set);
 
 /// There is a REFERENCE.
-/// @throw Usage if both are stdin
-[[nodiscard]] bool is_paired(const Given& given);
+[[nodiscard]] inline bool is_paired(const Given& given) { return given.files.size() == 2; }
 [[nodiscard]] inline bool is_by_key(const Given& given) { return is_paired(given) && given.has("--key"); }
 
 /// The columns to read of one stream, and the option that names them.

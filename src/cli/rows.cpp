@@ -25,7 +25,7 @@ ExitCode failed(const std::string& file, stream::StreamError::What what, int err
     return failed(fmt::format("{}: {}", shown(file), messages::explain({.what = what, .error_number = error}, {})));
 }
 
-constexpr std::size_t most_errors = 20; ///< told one by one, if the output shows which rows failed
+constexpr std::size_t most_errors = 20; ///< of a run, told one by one
 
 std::string rows_from(std::size_t rows, std::size_t first_line) {
     return fmt::format("{}, first at line {}", counted(rows, "row"), first_line);
@@ -34,10 +34,9 @@ std::string rows_from(std::size_t rows, std::size_t first_line) {
 /// Counts the events of a run, and prints them and their summary.
 class Reporter {
 public:
-    /// @param failed_rows_show_it in the output, so that not every one needs a message
-    Reporter(const RowsCommand& command, bool failed_rows_show_it)
-        : command_(&command), failed_rows_show_it_(failed_rows_show_it),
-          where_(command.has_values ? "argument" : shown(command.input)), reference_(shown(command.reference)) {}
+    explicit Reporter(const RowsCommand& command)
+        : command_(&command), where_(command.has_values ? "argument" : shown(command.input)),
+          reference_(shown(command.reference)) {}
 
     void add(const stream::Event& event) {
         std::visit([this](const auto& what) { add(what); }, event);
@@ -74,8 +73,9 @@ public:
     }
     /// The row errors that were not told one by one.
     void count_rest() const {
-        if (failed_rows_show_it_ && errors_ > most_errors) {
-            tell(0, counted(errors_ - most_errors, "more row") + " without a result");
+        if (errors_ > most_errors) {
+            const std::string inputs = reference_.empty() ? where_ : fmt::format("{} and {}", where_, reference_);
+            print_error(fmt::format("{}: {} without a result", inputs, counted(errors_ - most_errors, "more row")));
         }
     }
 
@@ -113,7 +113,7 @@ private:
 
     void add(const stream::FirstBytes& first) { beginning_ = first.text; }
     void add(const stream::RowError& error) {
-        if (++errors_ > most_errors && failed_rows_show_it_) {
+        if (error.time != stream::TimeError::has_unit && ++errors_ > most_errors) { // which ends the run
             return;
         }
         const bool is_first = errors_ == 1 && !error.of_reference;
@@ -161,7 +161,6 @@ private:
     }
 
     const RowsCommand* command_;
-    bool failed_rows_show_it_;
     std::string where_;
     std::string reference_;
     std::string beginning_;                                 ///< of the input
@@ -214,10 +213,16 @@ private:
 };
 
 /// The input, and the reference if there is one, up to the first that cannot be opened: errno says why.
+/// @throw Usage if both are the same pipe
 std::vector<std::unique_ptr<stream::File>> open_inputs(const RowsCommand& command) {
     std::vector<std::unique_ptr<stream::File>> files;
     for (const std::string& path : {command.input, command.reference}) {
         if (!path.empty() && (files.empty() || files.back()->is_open())) {
+            if (!files.empty() &&
+                files.back()->shares_bytes(path.c_str())) { // opening a pipe again would wait for ever
+                throw Usage("FILE {} and REFERENCE {} are one input, which can be read only once",
+                            quoted(command.input), quoted(path));
+            }
             files.push_back(path == "-" ? std::make_unique<stream::File>(STDIN_FILENO)
                                         : std::make_unique<stream::File>(path.c_str(), stream::File::Mode::read));
         }
@@ -298,7 +303,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
     stream::Source& source = command.source       ? *command.source
                              : command.has_values ? static_cast<stream::Source&>(values)
                                                   : progress;
-    Reporter reporter(command, other == nullptr && command.options.on_error == stream::OnError::nan);
+    Reporter reporter(command);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
     const stream::RunResult ending = stream::run(
         source, sink, command.options, [&reporter](const stream::Event& event) { reporter.add(event); },

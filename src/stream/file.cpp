@@ -75,6 +75,17 @@ bool File::is_regular() const noexcept {
     return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool File::shares_bytes(const char* path) const noexcept {
+    struct stat mine {};
+    struct stat other {};
+    const bool is_stdin = std::strcmp(path, "-") == 0;
+    const int error = is_stdin ? ::fstat(STDIN_FILENO, &other) : ::stat(path, &other);
+    const bool is_same =
+        error == 0 && ::fstat(descriptor_, &mine) == 0 && mine.st_dev == other.st_dev && mine.st_ino == other.st_ino;
+    const bool is_read_once = S_ISFIFO(mine.st_mode) || S_ISSOCK(mine.st_mode) || ::isatty(descriptor_) != 0;
+    return (is_stdin && descriptor_ == STDIN_FILENO) || (is_same && is_read_once);
+}
+
 std::size_t File::size() const noexcept {
     struct stat status {};
     return is_regular() && ::fstat(descriptor_, &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;

@@ -74,6 +74,8 @@ public:
     /// An errno where no file of that name can be read; 0 where one can, and for "-".
     [[nodiscard]] static int why_unreadable(const char* path) noexcept;
     [[nodiscard]] bool is_regular() const noexcept;
+    /// A file of that name, or "-", would miss what is read from this one: a pipe, socket or terminal, or both stdin.
+    [[nodiscard]] bool shares_bytes(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.
     [[nodiscard]] std::size_t size() const noexcept;
     /// Lets a pipe hold more, where the system allows it: the two ends then seldom wait for each other.

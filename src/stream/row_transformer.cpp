@@ -360,9 +360,10 @@ void RowTransformer::write_row(Row& row, Output& output) {
         }
         if (failed && i == 0) {
             tell_error(row, given, report, output);
-            output.stopped = options_->on_error == OnError::stop;
+            const auto& error = std::get<RowError>(output.events.back());
+            output.stopped = options_->on_error == OnError::stop || error.time == TimeError::has_unit;
         }
-        if (failed && (options_->on_error != OnError::nan || !is_ours)) {
+        if (failed && (output.stopped || options_->on_error != OnError::nan || !is_ours)) {
             continue; // each answer's report is passed over
         }
         writer_.write(

@@ -81,7 +81,7 @@ TEST_CASE("compare ends as diff does") {
     files.add("none", "# nothing\n\n");
     const auto none = files("compare -f rotvec @none @none");
     CHECK(none == Failure{1,
-                          "rows      0\nunpaired  0\nfailed    0\nnot checked\n",
+                          "rows      0\nunpaired  0\nfailed    0\nnot checked: no --within\n",
                           {"none: there were only comments, such as '# nothing'; ",
                            "rotconv: there was no row with an attitude\n"},
                           3});
