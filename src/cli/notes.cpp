@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -12,9 +10,6 @@ namespace rotconv::cli {
 namespace {
 
 using Kind = stream::Note::Kind;
-
-constexpr double full_turn = 2.0 * std::numbers::pi;
-constexpr double most_turns = 10.0; ///< of unwrapped angles, such as those of --continuous
 
 /// deg or rad, also of a rate, or a unit of time, as headers write it; empty for others.
 std::string_view unit_of(std::string_view text) {
@@ -73,21 +68,6 @@ std::size_t first_angle(const Spec& spec) {
     return !representation(spec.name).has_angles() ? spec.size() : spec.name == RepresentationId::axis_angle ? 3 : 0;
 }
 
-/// That an angle above the limit, which is read in radians, may be in degrees; otherwise empty.
-std::string large_angle(const Spec& spec, std::span<const double> numbers, double limit) {
-    double squares = 0.0;
-    double largest = 0.0;
-    for (std::size_t i = first_angle(spec); i < spec.size(); ++i) {
-        squares += numbers[i] * numbers[i];
-        largest = std::max(largest, std::abs(numbers[i]));
-    }
-    const double angle = spec.name == RepresentationId::rotvec ? std::sqrt(squares) : largest;
-    return spec.unit == AngleUnit::radians && angle > limit && std::isfinite(angle)
-               ? fmt::format("an angle of {:.6g} is read in radians; if it is in degrees: {}", angle,
-                             spec.in_degrees().text())
-               : std::string();
-}
-
 /// The notes on one stream.
 class Notes {
 public:
@@ -139,10 +119,6 @@ public:
                 fmt::format("there were only comments, such as {}; if these are rows: --comment none", comment));
         }
         for (const auto& [first, spec] : attitudes_) {
-            if (!said.numbers.empty()) {
-                add(Kind::angle, large_angle(spec, said.numbers.subspan(first, spec.size()),
-                                             said.is_first ? full_turn : most_turns * full_turn));
-            }
             if (!said.names.empty()) {
                 add(Kind::order, other_order(spec, std::span(said.names).subspan(first, spec.size())), refuses_);
             }
@@ -156,17 +132,6 @@ public:
             }
         }
         return notes;
-    }
-
-    /// The size of each number above which its row may have a note: less than the norm of a rotation vector, and one
-    /// for all but keys and times, because that is quickly looked at.
-    [[nodiscard]] std::vector<double> largest(std::size_t kept) const {
-        const bool has_radians = std::ranges::any_of(attitudes_, [](const auto& attitude) {
-            return first_angle(attitude.second) < attitude.second.size() && attitude.second.unit == AngleUnit::radians;
-        });
-        std::vector<double> sizes(has_radians ? units_.size() : 0, most_turns * full_turn / 2.0);
-        std::fill_n(sizes.begin(), std::min(kept, sizes.size()), std::numeric_limits<double>::infinity());
-        return sizes;
     }
 
 private:
@@ -206,7 +171,6 @@ private:
 
 void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input) {
     const Notes notes(given, time_option, refuses, input);
-    input.largest = notes.largest(input.numbers.kept);
     input.notes_of = notes;
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
@@ -216,8 +180,10 @@ std::vector<stream::Note> notes_on_options(const Given& given) {
     for (const std::string_view option : {"--left", "--right", "--initial"}) {
         if (given.has(option)) {
             const GivenNumbers read = numbers_of(given, option);
-            if (const std::string large = large_angle(read.spec, read.numbers, full_turn); !large.empty()) {
-                notes.push_back({Kind::angle, fmt::format("{}: {}", option, large)});
+            if (const double angle = unusual_numbers(read.spec, read.numbers).angle; angle > 0.0) {
+                notes.push_back(
+                    {Kind::angle, fmt::format("{}: an angle of {:.6g} is read in radians; if it is in degrees: {}",
+                                              option, angle, read.spec.in_degrees().text())});
             }
         }
     }

@@ -70,8 +70,7 @@ struct GivenNumbers {
 /// The same with what is done to attitudes before they are written.
 [[nodiscard]] ConversionSettings attitude_settings_of(const Given& given);
 
-// What the input says of its numbers against how they are read: names and units in a header, large angles; in
-// notes.cpp.
+// What the input says of its numbers against how they are read: names and units in a header; in notes.cpp.
 
 /// @param refuses names in another order end the run, unless --columns selects
 void add_notes(const Given& given, std::string_view time_option, bool refuses, stream::InputOptions& input);
