@@ -49,6 +49,10 @@ struct ConversionSettings {
 /// @pre numbers.size() >= spec.size()
 [[nodiscard]] double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept;
 
+/// What is unusual about a row of finite numbers.
+/// @pre numbers.size() >= spec.size()
+[[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers) noexcept;
+
 struct Codec;
 struct ConversionBatch;
 class InputBatch;

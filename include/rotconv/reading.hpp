@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <numbers>
 #include <string_view>
 
 #include <rotconv/rotation.hpp>
@@ -68,6 +69,7 @@ private:
 /// Kinds of diagnostic, in the order in which they are reported.
 enum class DiagnosticKind : std::uint8_t {
     normalized,
+    large_angle,
     gimbal_lock,
     near_gimbal_lock,
     half_turn,
@@ -124,6 +126,21 @@ struct Sensitivity {
     double condition = 1.0;
 };
 
+/// A defect above this is reported.
+inline constexpr double reported_defect = 1e-6;
+/// An axis whose length differs from 1 by more than this is reported as normalized.
+inline constexpr double reported_axis_defect = 1e-3;
+/// An angle, or the norm of a rotation vector, that is read in radians and is larger than this is reported...
+inline constexpr double reported_angle = 2.0 * std::numbers::pi;
+/// ...and so is an angular velocity that is read in radians a second.
+inline constexpr double reported_velocity = 35.0;
+
+/// What is unusual about the numbers of an attitude; 0 where nothing is.
+struct UnusualNumbers {
+    double axis = 0.0;  ///< of an axis that is reported, | length - 1 |
+    double angle = 0.0; ///< the largest angle or angular velocity that is reported
+};
+
 /// The report on one row.
 struct RowReport {
     std::size_t row = 0; ///< its index among the rows of the run
@@ -136,6 +153,14 @@ struct RowReport {
     double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
     double deviation = 0.0;        ///< radians: the angle that method_error, coarse_step and beyond are about
     double openness = 0.0;         ///< how far the result is open by the digits given, which few_digits is about
+    UnusualNumbers unusual{};      ///< of the first attitude...
+    UnusualNumbers reference_unusual{}; ///< ...and of the second
+
+    /// Adds the diagnostics of the defect and of the unusual numbers of the first attitude.
+    void report_numbers() noexcept {
+        diagnostics |= {DiagnosticKind::normalized, defect > reported_defect || unusual.axis > 0.0};
+        diagnostics |= {DiagnosticKind::large_angle, unusual.angle > 0.0};
+    }
 };
 
 /// Attitudes nearer than this (radians) to a half-turn are reported as a half-turn.
@@ -148,7 +173,5 @@ inline constexpr double few_digits_condition = 10.0;
 inline constexpr double reported_openness = 1e-2;
 /// An integration step whose estimated error (radians) is above this is reported.
 inline constexpr double reported_step_error = 1e-3;
-/// A defect above this is reported.
-inline constexpr double reported_defect = 1e-6;
 
 } // namespace rotconv

@@ -43,6 +43,7 @@ DiagnosticWords words_for(DiagnosticKind kind) {
     using enum DiagnosticKind;
     switch (kind) {
     case normalized: return {"defect", "the numbers were not exactly those of a rotation"};
+    case large_angle: return {"angle", "angles are read in radians; if these are degrees: :deg after the NAME, or -d"};
     case gimbal_lock:
         return {"margin", "only the sum or difference of the outer angles is defined; the third is set to 0"};
     case near_gimbal_lock: return {"condition", "the outer angles are ill-conditioned, the attitude is not"};

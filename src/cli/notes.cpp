@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -14,29 +12,11 @@ namespace {
 
 using Kind = stream::Note::Kind;
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
-constexpr double most_turns = 10.0; ///< of unwrapped angles, such as those of --continuous
-
 bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
 
 /// The first of a SPEC's numbers that is an angle, as are those after it.
 std::size_t first_angle(const Spec& spec) {
     return !representation(spec.name).has_angles() ? spec.size() : spec.name == RepresentationId::axis_angle ? 3 : 0;
-}
-
-/// That an angle above the limit, which is read in radians, may be in degrees; otherwise empty.
-std::string large_angle(const Spec& spec, std::span<const double> numbers, double limit) {
-    double squares = 0.0;
-    double largest = 0.0;
-    for (std::size_t i = first_angle(spec); i < spec.size(); ++i) {
-        squares += numbers[i] * numbers[i];
-        largest = std::max(largest, std::abs(numbers[i]));
-    }
-    const double angle = spec.name == RepresentationId::rotvec ? std::sqrt(squares) : largest;
-    return spec.unit == AngleUnit::radians && angle > limit && std::isfinite(angle)
-               ? fmt::format("an angle of {:.6g} is read in radians; if it is in degrees: {}", angle,
-                             spec.in_degrees().text())
-               : std::string();
 }
 
 /// The notes on one stream.
@@ -106,10 +86,6 @@ public:
             add(Kind::only_header, "the only row was taken for the header; if it is data: --header no");
         }
         for (const auto& [first, spec] : attitudes_) {
-            if (!said.numbers.empty()) {
-                add(Kind::angle, large_angle(spec, said.numbers.subspan(first, spec.size()),
-                                             said.is_first ? full_turn : most_turns * full_turn));
-            }
             if (!said.names.empty()) {
                 tell_names(spec, std::span(said.names).subspan(first, spec.size()), said.header, add);
             }
@@ -123,17 +99,6 @@ public:
             }
         }
         return notes;
-    }
-
-    /// The size of each number above which its row may have a note: less than the norm of a rotation vector, and one
-    /// for all but keys and times, because that is quickly looked at.
-    [[nodiscard]] std::vector<double> largest(std::size_t kept) const {
-        const bool has_radians = std::ranges::any_of(attitudes_, [](const auto& attitude) {
-            return first_angle(attitude.second) < attitude.second.size() && attitude.second.unit == AngleUnit::radians;
-        });
-        std::vector<double> sizes(has_radians ? units_.size() : 0, most_turns * full_turn / 2.0);
-        std::fill_n(sizes.begin(), std::min(kept, sizes.size()), std::numeric_limits<double>::infinity());
-        return sizes;
     }
 
 private:
@@ -195,7 +160,6 @@ void add_notes(const Given& given, const SelectedColumns& selected, bool refuses
     if (refuses && input.columns.has_names()) {
         notes.refuse_other_order(input.columns, selected.option);
     }
-    input.largest = notes.largest(input.numbers.kept);
     input.notes_of = notes;
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
@@ -205,8 +169,10 @@ std::vector<stream::Note> notes_on_options(const Given& given) {
     for (const std::string_view option : {"--left", "--right", "--initial"}) {
         if (given.has(option)) {
             const GivenNumbers read = numbers_of(given, option);
-            if (const std::string large = large_angle(read.spec, read.numbers, full_turn); !large.empty()) {
-                notes.push_back({Kind::angle, fmt::format("{}: {}", option, large)});
+            if (const double angle = unusual_numbers(read.spec, read.numbers).angle; angle > 0.0) {
+                notes.push_back(
+                    {Kind::angle, fmt::format("{}: an angle of {:.6g} is read in radians; if it is in degrees: {}",
+                                              option, angle, read.spec.in_degrees().text())});
             }
         }
     }

@@ -105,9 +105,8 @@ struct SelectedColumns {
     std::string key{}; ///< a column before them
     std::string time_option = "--time-unit";
 };
-// What the input says of its numbers against how they are read: names and units in a header, large angles; in
-// notes.cpp.
 
+/// Has the input tell what its header says against how its numbers are read: names and units; in notes.cpp.
 /// @param refuses names in another order are an error, unless columns are selected by index
 /// @throw Usage if the selected names are in another order
 void add_notes(const Given& given, const SelectedColumns& selected, bool refuses, stream::InputOptions& input);

@@ -25,7 +25,8 @@ ExitCode failed(const std::string& file, stream::StreamError::What what, int err
     return failed(fmt::format("{}: {}", shown(file), messages::explain({.what = what, .error_number = error}, {})));
 }
 
-constexpr std::size_t most_errors = 20; ///< of a run, told one by one
+constexpr double least_doubtful_step = 1000.0; ///< seconds: a millisecond in microseconds
+constexpr std::size_t most_errors = 20;        ///< of a run, told one by one
 
 std::string rows_from(std::size_t rows, std::size_t first_line) {
     return fmt::format("{}, first at line {}", counted(rows, "row"), first_line);
@@ -96,11 +97,12 @@ public:
         const Count& beyond = counts_.at(index_of(DiagnosticKind::beyond, false));
         return {ending, ExitCode::incomplete, errors_, beyond.rows, beyond.first.line};
     }
-    /// A note, or any kind but normalized and few-digits.
+    /// A note, or any kind but three.
     [[nodiscard]] bool met_diagnostic() const noexcept {
         return !notes_.empty() || std::ranges::any_of(counts_, [](const Count& count) {
-            return count.rows > 0 && count.first.kind != DiagnosticKind::normalized &&
-                   count.first.kind != DiagnosticKind::few_digits;
+            using enum DiagnosticKind;
+            constexpr DiagnosticSet ignored{normalized, large_angle, few_digits};
+            return count.rows > 0 && !ignored.has(count.first.kind);
         });
     }
 
@@ -322,6 +324,13 @@ ExitCode run_last_pass(const RowsCommand& command) {
     const bool is_whole = !ending.error && !ending.stopped;
     RowsResult result = reporter.result(ending);
     if (is_whole) {
+        const auto& [seconds, line] = command.options.operation->first_step;
+        if (seconds >= least_doubtful_step && !command.options.input.numbers.has_unit) {
+            reporter.add(stream::Note{
+                .kind = stream::Note::Kind::time_unit,
+                .text = fmt::format("times {:.6g} apart are read in s; if not: --time-unit ms, us or ns", seconds),
+                .line = line});
+        }
         const bool strict = command.strict && reporter.met_diagnostic();
         const bool has_failures = result.failed > 0 && !command.allow_failed;
         result.code = has_failures || strict ? ExitCode::completed_with_failures : ExitCode::done;

@@ -24,6 +24,7 @@ RowReport report_of(const InputBatch& input, const InputBatch& reference, std::s
     }
     report.diagnostics |= other.diagnostics;
     report.reference_defect = other.defect;
+    report.reference_unusual = other.unusual;
     return report;
 }
 

@@ -8,14 +8,16 @@
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
+#include "numerics/power_of_two.hpp"
 #include "numerics/quaternion_algebra.hpp"
 
 namespace rotconv {
 namespace {
 
 /// Whether there may be something to report: one look at each column, because most batches have no such row.
-bool any_remarkable(const AttitudeBatch<double>& attitudes, const DiagnosticSet* diagnostics, std::size_t rows,
+bool any_remarkable(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t rows,
                     double largest_defect) noexcept {
+    const AttitudeBatch<double>& attitudes = input.attitudes;
     // Sums of bits, because compilers vectorise those.
     std::uint64_t defects = 0;
     for (std::size_t i = 0; i < rows; ++i) {
@@ -27,7 +29,7 @@ bool any_remarkable(const AttitudeBatch<double>& attitudes, const DiagnosticSet*
         errors = static_cast<std::uint8_t>(errors | static_cast<std::uint8_t>(attitudes.error[i]));
         kinds |= diagnostics[i];
     }
-    return defects != 0 || errors != 0 || !kinds.empty();
+    return defects != 0 || errors != 0 || !kinds.empty() || input.any_unusual(rows);
 }
 
 std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn) noexcept {
@@ -105,6 +107,29 @@ double attitude_error(const Spec& spec, std::span<const double> numbers, double 
     return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
 }
 
+UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
+    UnusualNumbers found;
+    if (!representation(spec.name).has_angles()) {
+        return found;
+    }
+    const bool has_axis = spec.name == RepresentationId::axis_angle;
+    const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
+    const auto scale = PowerOfTwo::to_unit(largest);
+    double square = 0.0;
+    for (const double number : numbers.first(3)) {
+        square += scale(number) * scale(number);
+    }
+    const double length = scale.undone(std::sqrt(square));
+    const double angle = has_axis ? std::abs(numbers[3]) : spec.name == RepresentationId::rotvec ? length : largest;
+    if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
+        found.axis = std::abs(length - 1.0);
+    }
+    if (spec.unit == AngleUnit::radians && angle > reported_angle) {
+        found.angle = angle;
+    }
+    return found;
+}
+
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {
     if (!settings.few_digits || (!settings.left && !settings.right && passes_numbers(from, to))) {
@@ -166,7 +191,7 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
 void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
                         double* out, std::vector<RowReport>& reports) const {
     const AttitudeBatch<double>& attitudes = input.attitudes;
-    if (!any_remarkable(attitudes, diagnostics, rows, InputBatch::largest_unreported(settings_))) {
+    if (!any_remarkable(input, diagnostics, rows, InputBatch::largest_unreported(settings_))) {
         return;
     }
     const std::size_t width = to_.size();

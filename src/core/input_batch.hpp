@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -18,10 +19,13 @@ namespace rotconv {
 /// A batch of rows of a SPEC and the attitudes that they describe, once a kernel has read them.
 class InputBatch {
 public:
+    /// @param spec must outlive this
     /// @param in as written, at most `batch_rows` rows, which must outlive this
     /// @param width numbers of a row, of which these are the first
     InputBatch(const Spec& spec, const double* in, std::size_t rows, std::size_t width) noexcept
-        : codec_(&codec_of(spec.name)), own_(in), size_(spec.size()) {
+        : codec_(&codec_of(spec.name)), spec_(&spec), own_(in), size_(spec.size()),
+          may_be_unusual_(codec_->representation.has_angles() &&
+                          (spec.unit == AngleUnit::radians || spec.name == RepresentationId::axis_angle)) {
         if (spec.is_reordered() || width != size_) {
             to_own_order(spec, in, rows, own_order_.data(), width);
             own_ = own_order_.data();
@@ -37,9 +41,17 @@ public:
     }
     /// Whether report() may have something to tell of the row.
     [[nodiscard]] bool is_remarkable(std::size_t row, const ConversionSettings& settings) const noexcept {
-        return attitudes.error[row] != Error::none || !(attitudes.defect[row] <= largest_unreported(settings));
+        return attitudes.error[row] != Error::none || !(attitudes.defect[row] <= largest_unreported(settings)) ||
+               (may_be_unusual_ && is_unusual(row));
     }
-    /// The row's error, or its defect and whether that is to be reported.
+    [[nodiscard]] bool any_unusual(std::size_t rows) const noexcept {
+        bool found = false;
+        for (std::size_t i = 0; may_be_unusual_ && i < rows; ++i) {
+            found |= is_unusual(i);
+        }
+        return found;
+    }
+    /// The row's error, or its defect, what is unusual about its numbers, and whether these are to be reported.
     [[nodiscard]] RowReport report(std::size_t row, const ConversionSettings& settings) const noexcept {
         RowReport report{.error = attitudes.error[row]};
         if (report.error != Error::none) {
@@ -52,7 +64,8 @@ public:
         if (report.defect > settings.tolerance) {
             report.error = Error::defect;
         } else {
-            report.diagnostics = {DiagnosticKind::normalized, report.defect > reported_defect};
+            report.unusual = unusual_numbers(*spec_, {own_ + row * size_, size_});
+            report.report_numbers();
         }
         return report;
     }
@@ -61,9 +74,20 @@ public:
     AttitudeBatch<double> attitudes; ///< rounded
 
 private:
+    /// Whether unusual_numbers() may find something: the sum of three squares is at least that of the largest, and
+    /// angles in their usual ranges have a sum below 22.
+    [[nodiscard]] bool is_unusual(std::size_t row) const noexcept {
+        const double* const v = own_ + row * size_;
+        const double square = (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2];
+        return size_ == 3 ? square > 39.0
+                          : std::abs(square - 1.0) > 1.9 * reported_axis_defect || std::abs(v[3]) > reported_angle;
+    }
+
     const Codec* codec_;
+    const Spec* spec_;
     const double* own_;
     std::size_t size_;
+    bool may_be_unusual_;
     std::array<double, batch_rows * most_numbers> own_order_;
 };
 

@@ -21,15 +21,21 @@ public:
         }
         if (text != nullptr) {
             next_text_ = stream::read_time(*text).value;
+            is_number_ = text->find_first_of("T:") == std::string_view::npos;
             return stream::Decimal::difference(next_text_, last_text_, power_);
         }
         next_ = time;
         return (next_ - last_) / per_second_;
     }
-    void accept() {
+    /// @param seconds since the time before
+    void accept(double seconds, std::size_t line) {
+        if (++times_ == 2 && is_number_) {
+            first_step_ = {seconds, line};
+        }
         std::swap(last_text_, next_text_);
         last_ = next_;
     }
+    [[nodiscard]] const auto& first_step() const noexcept { return first_step_; }
 
 private:
     int power_;
@@ -38,6 +44,9 @@ private:
     stream::Decimal next_text_;
     double last_ = 0.0;
     double next_ = 0.0;
+    std::size_t times_ = 0;                       ///< that are accepted
+    bool is_number_ = true;                       ///< the last one, not ISO 8601
+    std::pair<double, std::size_t> first_step_{}; ///< see RowOperation
 };
 
 } // namespace rotconv::operations

@@ -117,6 +117,7 @@ public:
                          .defect = report.defect};
             } else if (found.error == Error::none) {
                 found.reference_defect = report.defect;
+                found.reference_unusual = report.unusual;
                 found.diagnostics |= report.diagnostics;
             }
         }
@@ -190,6 +191,8 @@ public:
             report.diagnostics |= of_attitudes.diagnostics;
             report.defect = of_attitudes.defect;
             report.reference_defect = of_attitudes.reference_defect;
+            report.unusual = of_attitudes.unusual;
+            report.reference_unusual = of_attitudes.reference_unusual;
             of_attitudes = report;
         }
     }

@@ -62,9 +62,10 @@ public:
             if (found != found_.cend() && found->row == step) {
                 report.defect = found->defect;
                 report.sensitivity = found->sensitivity;
+                report.unusual = found->unusual;
                 ++found;
             }
-            report.diagnostics |= {DiagnosticKind::normalized, report.defect > reported_defect};
+            report.report_numbers();
             report.error = answer(step++, std::exchange(starts, false), out.subspan(row * 3, 3));
             if (comparison_.settings().reading.sensitivity || report.error != Error::none ||
                 !report.diagnostics.empty()) {
@@ -73,6 +74,7 @@ public:
         }
         if (!waits && !steps_.empty()) {
             clock_ = clock;
+            first_step = clock_.first_step();
             const auto numbers = numbers_of(rows, steps_.back().row);
             last_.assign(numbers.begin(), numbers.end());
         }
@@ -129,7 +131,7 @@ private:
             } else if (!is_first && !(step.seconds > 0.0)) {
                 refused.error = Error::time_order;
             } else {
-                clock.accept();
+                clock.accept(step.seconds, rows.lines[step.row]);
                 is_first = false;
             }
             return refused.error != Error::none;

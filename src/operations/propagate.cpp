@@ -41,7 +41,8 @@ public:
             const PushResult pushed =
                 propagator_.push(interval, velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
             if (pushed.refused == Error::none) {
-                clock_.accept();
+                clock_.accept(interval, rows.lines[pushed_.size()]);
+                first_step = clock_.first_step();
             }
             pushed_.push_back(pushed.refused);
             take(pushed.answer, reports);
@@ -53,7 +54,7 @@ public:
         if (flush) {
             take(propagator_.flush(), reports);
         }
-        convert(out, reports);
+        convert(rows, out, reports);
         pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
         return answered_;
     }
@@ -90,7 +91,7 @@ private:
     }
 
     /// All that is answered, of which each row has a report; leaves those that say something.
-    void convert(std::span<double> out, std::vector<RowReport>& reports) {
+    void convert(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) {
         const auto rest = rest_of(out);
         conversion_.run(quaternions_, out, converted_, rest);
         for (const RowReport& converted : converted_) {
@@ -99,6 +100,12 @@ private:
                 report.diagnostics |= converted.diagnostics;
                 report.sensitivity = converted.sensitivity;
             }
+        }
+        for (RowReport& report : reports) {
+            const double* const w = rows.numbers.data() + report.row * time_and_velocity + 1;
+            report.unusual.angle = velocity_unit_ == 1.0 ? Eigen::Vector3d(w[0], w[1], w[2]).norm() : 0.0;
+            report.diagnostics |=
+                {DiagnosticKind::large_angle, report.error == Error::none && report.unusual.angle > reported_velocity};
         }
         if (!settings_.sensitivity) {
             std::erase_if(reports, [](const RowReport& report) {

@@ -39,8 +39,6 @@ struct Said {
     std::vector<std::string> names{};  ///< those of the selected columns in the header...
     std::vector<std::string> header{}; ///< ...among all of it
     bool only_header = false;          ///< a stream without a data row has a header
-    std::span<const double> numbers{}; ///< those of a row...
-    bool is_first = false;             ///< ...which is the first
     std::string_view comment{};        ///< the first of a stream that has no row
 };
 
@@ -59,11 +57,10 @@ struct InputOptions {
     /// Where the numbers are not yet known: of the count of fields of the first row, the count of numbers, or what is
     /// wrong with it.
     std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};
-    /// What is to be told of the header, the first row, a row beyond `largest`, or comments alone.
+    /// What is to be told of the header, or of comments alone.
     std::function<std::vector<Note>(const Said& said)> notes_of{};
     /// The numbers' own names, of those under which a header has them: "qw" for "W" and "q_RS_w []".
     std::function<std::vector<std::string>(std::vector<std::string> names)> own_names{};
-    std::vector<double> largest{}; ///< the greatest size of each number that needs no note; none: no row is looked at
 
     [[nodiscard]] bool is_comment(std::string_view line) const noexcept {
         return !comment.empty() && !line.empty() && line.front() == comment.front() && line.starts_with(comment);

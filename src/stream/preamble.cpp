@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "row_reader.hpp"
 #include "row_writer.hpp"
 
 namespace rotconv::stream {
@@ -335,7 +334,6 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
     if (!has_row_ && options_->width > 0 && !rest.empty()) {
         layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
         layout_.field_count = options_->width;
-        hear_numbers(rest.substr(0, options_->width * sizeof(double)), line);
         begin_rows(output);
     }
     while (!has_row_ && !rest.empty()) {
@@ -516,13 +514,6 @@ void Preamble::hear_names(const HeaderLine& header, std::size_t line) {
     }
 }
 
-void Preamble::hear_numbers(std::string_view row, std::size_t line) {
-    RowParts parts;
-    if (!options_->largest.empty() && RowReader(*options_, layout_).read(row, parts)) {
-        hear({.numbers = parts.numbers, .is_first = true}, line);
-    }
-}
-
 void Preamble::take_layout(const Line& row, std::size_t number) {
     layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(row.text));
     layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
@@ -538,7 +529,6 @@ void Preamble::take_layout(const Line& row, std::size_t number) {
             layout_.select({}, std::get<std::size_t>(taken), options_->numbers.kept);
         }
     }
-    hear_numbers(row.text, number);
 }
 
 void Preamble::begin_rows(Output& output) {

@@ -83,8 +83,6 @@ private:
     /// Adds what is to be told of it, or ends the run.
     void hear(const Said& said, std::size_t line);
     void hear_names(const HeaderLine& header, std::size_t line);
-    /// The same of the first row's numbers.
-    void hear_numbers(std::string_view row, std::size_t line);
     /// The layout becomes that of the first row.
     void take_layout(const Line& row, std::size_t number);
     /// The layout is final.

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rotconv/conversion.hpp>
@@ -62,6 +63,8 @@ public:
     /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
     /// RowReport::row is then the index of the answer among those of all rows.
     std::vector<std::string> answers{};
+    /// Seconds between the first two times, if these are numbers, and the line of the second.
+    std::pair<double, std::size_t> first_step{};
     std::string_view unit{};    ///< of the angles that are beyond a limit
     bool in_order = false;      ///< all rows must come to it in their order; else each copy may answer any of them
     bool looks_ahead = false;   ///< by run_ahead()

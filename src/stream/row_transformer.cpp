@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 namespace rotconv::stream {
-namespace {
-
-constexpr double any_size = std::numeric_limits<double>::infinity();
-
-} // namespace
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout), reference_layout_(reference_layout),
@@ -23,16 +17,6 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
     if (reference_layout != nullptr) {
         reference_reader_.emplace(options.pairing->reference, *reference_layout);
     }
-}
-
-std::vector<double> RowTransformer::largest_numbers() const {
-    std::vector<double> largest = options_->input.largest;
-    if (reference_layout_ != nullptr && !(largest.empty() && options_->pairing->reference.largest.empty())) {
-        largest.resize(layout_->count, any_size);
-        std::ranges::copy(options_->pairing->reference.largest, std::back_inserter(largest));
-        largest.resize(layout_->count + (interpolates() ? 2 : 1) * reference_layout_->count, any_size);
-    }
-    return largest;
 }
 
 void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
@@ -120,8 +104,8 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
             output.answered += end - next;
             next = end;
         };
-        while ((may_have_notes_ ? next < rows : next_report_ < reports_.size()) && !output.stopped) {
-            write_clean(may_have_notes_ ? next : reports_[next_report_].row);
+        while (next_report_ < reports_.size() && !output.stopped) {
+            write_clean(reports_[next_report_].row);
             Row row({text.substr(next * row_size, row_size), {}}, line + next);
             row.index = next;
             write_row(row, output);
@@ -219,53 +203,8 @@ bool RowTransformer::read_reference(std::string_view text, std::size_t line) {
 }
 
 std::size_t RowTransformer::answer(bool flush) {
-    look_for_notes();
     results_.resize(lines_.size() * operation_->answers_of_row() * operation_->names.size());
     return operation_->run_ahead({parts_.numbers, lines_, parts_.kept, reference_lines_}, flush, results_, reports_);
-}
-
-void RowTransformer::look_for_notes() {
-    if (lines_.empty()) {
-        may_have_notes_ = false;
-        return;
-    }
-    if (!knows_largest_) { // with the first rows that have their numbers both layouts are known
-        largest_ = largest_numbers();
-        knows_largest_ = true;
-    }
-    const std::span<const double> numbers = parts_.numbers;
-    const bool is_uniform = std::ranges::adjacent_find(largest_, std::not_equal_to{}) == largest_.end();
-    if (is_uniform) { // without keys: a fifth of the time
-        may_have_notes_ = !largest_.empty() && std::ranges::any_of(numbers, [size = largest_.front()](double number) {
-            return std::abs(number) > size;
-        });
-        return;
-    }
-    may_have_notes_ = false;
-    for (std::size_t i = 0; i < numbers.size() && !may_have_notes_; ++i) {
-        may_have_notes_ = std::abs(numbers[i]) > largest_[i % largest_.size()];
-    }
-}
-
-void RowTransformer::tell_notes(const Row& row, Output& output) {
-    const auto numbers = std::span<const double>(parts_.numbers).subspan(row.index * largest_.size(), largest_.size());
-    for (const bool of_reference : {false, true}) {
-        if (of_reference && row.reference_number == 0) {
-            return;
-        }
-        const InputOptions& input = of_reference ? options_->pairing->reference : options_->input;
-        const std::size_t first = of_reference ? layout_->count : 0;
-        const auto largest = std::span(largest_).subspan(first, input.largest.size());
-        if (std::ranges::none_of(largest, [](double size) { return std::isfinite(size); })) {
-            continue;
-        }
-        for (Note& note : input.notes_of({.numbers = numbers.subspan(first, largest.size())})) {
-            note.line = of_reference ? row.reference_number : row.number;
-            note.of_reference = of_reference;
-            output.events.emplace_back(std::move(note));
-            std::ranges::fill(largest, any_size); // one is enough
-        }
-    }
 }
 
 void RowTransformer::make_continuous(std::size_t answered, Output& output, const InTurn& in_turn) {
@@ -303,7 +242,7 @@ double RowTransformer::norm_of(const Row& row, const RowReport& report) const {
 
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
-    const bool is_clean = rows_.size() == lines_.size() && reports_.empty() && !may_have_notes_;
+    const bool is_clean = rows_.size() == lines_.size() && reports_.empty();
     if (is_clean && options_->format == Format::result) {
         append_bytes(output.bytes, results_);
         output.answered += rows_.size();
@@ -312,9 +251,8 @@ void RowTransformer::write(Output& output) {
     const auto stands_alone = [&, answers = operation_->answers_of_row()](const Row& row) {
         return row.is_scanned() && !is_reported_before(row, (row.index + 1) * answers);
     };
-    const bool may_stand_alone = !may_have_notes_ && writer_.writes_results_alone();
     for (auto row = rows_.begin(); row != rows_.end() && !output.stopped;) {
-        const auto end = may_stand_alone ? std::find_if_not(row, rows_.end(), stands_alone) : row;
+        const auto end = writer_.writes_results_alone() ? std::find_if_not(row, rows_.end(), stands_alone) : row;
         if (end != row) {
             writer_.write(output.bytes, {row, end}, results_);
             output.answered += static_cast<std::size_t>(end - row);
@@ -333,10 +271,7 @@ void RowTransformer::write(Output& output) {
 
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
-    if (may_have_notes_ && row.has_numbers()) {
-        tell_notes(row, output);
-    }
-    const bool is_ours = row.number > 0; // else there is nothing but an error of the reference
+    const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
     const bool writes_fields = layout_->has_other_fields() && options_->format != Format::result;
     if (is_ours && writes_fields && options_->input.width > 0) {
         make_fields(row); // and other text
@@ -453,19 +388,21 @@ void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, s
             return; // that is the row's, and told
         }
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation_->unit : "";
-        if (diagnostic.kind == DiagnosticKind::normalized && row.reference_number > 0) { // of either, or of both
-            if (is_reported(report.reference_defect, row, true)) {
-                output.events.emplace_back(Diagnostic{.line = row.reference_number,
-                                                      .kind = diagnostic.kind,
-                                                      .figure = report.reference_defect,
-                                                      .of_reference = true});
-            }
-            if (!is_reported(report.defect, row, false)) {
-                return;
-            }
-            diagnostic.figure = report.defect;
+        const bool is_angle = diagnostic.kind == DiagnosticKind::large_angle;
+        if (row.reference_number == 0 || !(is_angle || diagnostic.kind == DiagnosticKind::normalized)) {
+            output.events.emplace_back(diagnostic);
+            return;
         }
-        output.events.emplace_back(diagnostic);
+        for (const bool of_reference : {true, false}) { // of either, or of both
+            const auto& [axis, angle] = of_reference ? report.reference_unusual : report.unusual;
+            const double defect = of_reference ? report.reference_defect : report.defect;
+            if (is_angle ? angle > 0.0 : axis > 0.0 || is_reported(defect, row, of_reference)) {
+                output.events.emplace_back(Diagnostic{.line = of_reference ? row.reference_number : row.number,
+                                                      .kind = diagnostic.kind,
+                                                      .figure = is_angle ? angle : std::max(axis, defect),
+                                                      .of_reference = of_reference});
+            }
+        }
     });
 }
 
@@ -500,7 +437,8 @@ bool RowTransformer::is_reported(double defect, const Row& row, bool of_referenc
 
 void RowTransformer::hold_against_digits(const Row& row, RowReport& report) {
     const bool is_off = report.diagnostics.has(DiagnosticKind::normalized);
-    if (is_off && !is_reported(report.defect, row, false) && !is_reported(report.reference_defect, row, true)) {
+    if (is_off && report.unusual.axis + report.reference_unusual.axis == 0.0 &&
+        !is_reported(report.defect, row, false) && !is_reported(report.reference_defect, row, true)) {
         report.diagnostics -= {DiagnosticKind::normalized};
     }
     if (report.diagnostics.has(DiagnosticKind::few_digits)) {

@@ -73,9 +73,6 @@ private:
     void write_row(Row& row, Output& output);
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
-    /// Whether a row at hand has a number that may need a note: one look at each number, because most have none.
-    void look_for_notes();
-    void tell_notes(const Row& row, Output& output);
     /// Whether the report that comes next is of one of the row's answers before that index.
     [[nodiscard]] bool is_reported_before(const Row& row, std::size_t answer) const noexcept {
         return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < answer;
@@ -108,11 +105,6 @@ private:
     RowWriter writer_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
-    /// The greatest size of each number of a row, and of its partner, that needs no note; none: no note can come.
-    [[nodiscard]] std::vector<double> largest_numbers() const;
-    bool knows_largest_ = false;
-    std::vector<double> largest_;
-    bool may_have_notes_ = false; ///< the rows at hand
     // One batch, reused: nothing is allocated per row once they have grown.
     std::vector<Row> rows_;
     RowParts parts_;

@@ -37,7 +37,7 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
         return {nan, nan, nan};
     }
     return {row.report->sensitivity.margin, row.report->sensitivity.condition,
-            figure_of(*row.report, DiagnosticKind::normalized)};
+            std::max(row.report->defect, row.report->reference_defect)};
 }
 
 std::string_view without_trailing_blanks(std::string_view row, char delimiter) noexcept {

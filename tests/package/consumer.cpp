@@ -21,10 +21,10 @@ template <class... Public> constexpr bool have_the_layout_of_doubles = ((alignof
 static_assert(have_the_layout_of_doubles<
               Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector,
               Modifier, ModifierSet, Preset, PresetMeaning, Representation, Spec, SpecError, FixedRotation,
-              ConversionSettings, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison, Candidate,
-              Verdict, IdentificationSettings, Identification, IntegratorEntry, Stepper, PropagationSettings,
-              Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey, Survey, AxesChange,
-              AxesError, ConstantTurns, MeanTurn, Alignment, SampleSettings, Sampler>);
+              ConversionSettings, UnusualNumbers, RowReport, Conversion, ContinuousNumbers, ComparisonSettings,
+              Comparison, Candidate, Verdict, IdentificationSettings, Identification, IntegratorEntry, Stepper,
+              PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey,
+              Survey, AxesChange, AxesError, ConstantTurns, MeanTurn, Alignment, SampleSettings, Sampler>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
@@ -107,6 +107,9 @@ void rows() {
     const FixedRotation left(*axis_angle::to_rotation({.angle = 0}));
     const AxesChange enu = std::get<AxesChange>(parse_axes("ned:enu")); // a half-turn about x = y
     check(enu.matrix(0, 1) == 1 && !enu.changes_hand() && near((left * enu.turn()).rotation.z(), 0), "AxesChange");
+    const std::array<double, 4> angle_first{7, 0, 0, 8};
+    const UnusualNumbers found = unusual_numbers(spec_of("axis-angle"), angle_first);
+    check(near(found.axis, 6) && found.angle == 8, "unusual_numbers");
     ConversionSettings settings;
     settings.left = left;
     Conversion(spec_of("euler:ZYX:deg"), Spec{}, settings).run(yaw_pitch_roll, quaternions, reports);

@@ -1,3 +1,4 @@
+#include <rotconv/conversion.hpp>
 #include <rotconv/rates.hpp>
 
 #include <algorithm>
@@ -87,7 +88,10 @@ RowReport Rates::run_row(const double* in, double* out) const noexcept {
     if (report.error != Error::none) {
         return report;
     }
-    report.diagnostics = {DiagnosticKind::normalized, report.defect > reported_defect};
+    report.unusual = unusual_numbers(spec_, numbers);
+    const double speed = settings_.degrees || settings_.inverse ? 0.0 : Vector3d(given).norm();
+    report.unusual.angle = std::max(report.unusual.angle, speed > reported_velocity ? speed : 0.0);
+    report.report_numbers();
     report.diagnostics |= {DiagnosticKind::near_gimbal_lock,
                            codec.representation.has_gimbal_lock && report.sensitivity.condition > near_lock_condition};
 
