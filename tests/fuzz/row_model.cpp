@@ -369,11 +369,6 @@ private:
             const Line& first = lines_[first_data_];
             delimiter_ = delimiter_of(first.text, rules_.delimiter);
             line_end_ = first.end.empty() ? "\n" : first.end;
-            Fields fields;
-            std::vector<std::string> texts;
-            if (const auto numbers = numbers_of(first, fields, texts)) {
-                note_angles(*numbers, 1.0, first_data_ + 1);
-            }
             meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
         }
         return true;
@@ -492,20 +487,6 @@ private:
     void note(char kind, std::size_t line) {
         if (outcome_.notes.find(kind) == std::string::npos) {
             outcome_.notes += fmt::format("{}{}", kind, line);
-        }
-    }
-
-    void note_angles(const std::vector<double>& numbers, double turns, std::size_t line) {
-        for (const Attitude& attitude : rules_.attitudes) {
-            for (const auto& angle : attitude.angles) {
-                double squares = 0.0;
-                for (const std::size_t at : angle) {
-                    squares += numbers[at] * numbers[at];
-                }
-                if (std::sqrt(squares) > turns * 6.283185307179586 && std::isfinite(squares)) {
-                    note('a', line);
-                }
-            }
         }
     }
 
@@ -873,9 +854,6 @@ private:
                 return {.numbers = {}, .notes = {}, .failed = true, .of_reference = true};
             }
             numbers->insert(numbers->end(), others->begin(), others->end());
-        }
-        if (reference_ == nullptr) {
-            note_angles(*numbers, 10.0, at + 1);
         }
         Answer answer = rules_.calculate(*numbers, texts);
         answer.of_reference = answer.of_reference && reference_ != nullptr;

@@ -27,8 +27,7 @@ using Calculate = std::function<Answer(const std::vector<double>& numbers, const
 /// An attitude among the numbers of a row.
 struct Attitude {
     std::size_t first = 0;
-    std::vector<std::string> names;               ///< of quat, dcm, or roll, pitch and yaw, in the SPEC's order
-    std::vector<std::vector<std::size_t>> angles; ///< in radians: of each the numbers of which it is the norm
+    std::vector<std::string> names; ///< of quat, dcm, or roll, pitch and yaw, in the SPEC's order
 };
 
 /// The options as they are written, and what the command makes of numbers.
@@ -69,7 +68,7 @@ struct Outcome {
     std::array<std::vector<std::size_t>, 2> unpaired; ///< lines, of the stream and of the reference
     bool to_the_end = true;
     std::size_t refused_line = 0;                 ///< of a header that ends the run
-    std::string notes;                            ///< o, a and c with a line: other order, large angle, comments alone
+    std::string notes;                            ///< o and c with a line: other order, comments alone
     std::vector<std::string> met;                 ///< rules that had a part in it
     std::vector<std::vector<std::string>> others; ///< under json, of each row the values of its other fields; "": any
 };
