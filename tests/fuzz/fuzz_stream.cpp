@@ -51,6 +51,7 @@ fuzz::Reach reach{
         "rows converted under --columns of names", "rows converted without --columns", "rows converted under --append",
         "rows converted under --continuous", "rows converted under --left", "rows converted under --right",
         "rows converted under --diagnostics=columns", "rows converted under --precision", "rows converted under --comment",
+        "rows converted under --ragged",
         "rows compared under --format=csv", "rows compared under --format=json", "rows compared under --format=pretty",
         "rows compared of one stream", "rows compared by row", "rows compared by key",
         "rows compared under --input-format=f64", "rows compared beyond --within",
@@ -63,13 +64,15 @@ fuzz::Reach reach{
         "runs of pairs by key of which many threads had a part",
         "row compared", "failed row under stop", "failed row under nan", "failed row under skip", "header", "added header",
         "blank row", "comment", "row before the header", "byte order mark", "CRLF", "last row without newline", "missing field", "quoted number",
+        "row of another width", "mark before the names", "names in other columns",
         "time of ISO 8601",
         "detected delimiter comma", "detected delimiter tab", "detected delimiter semicolon", "detected delimiter blank",
         "given delimiter comma", "given delimiter tab", "given delimiter semicolon", "given delimiter blank",
         "given delimiter character",
         "pair by row", "pair by key", "unpaired row of the stream", "unpaired row of the reference",
         "failed row of the stream", "failed row of the reference", "failed key of the stream", "failed key of the reference",
-        "notes of an order that agree", "notes of comments that agree", "refused order that agrees",
+        "notes of an order that agree", "notes of comments that agree",
+        "notes of a header alone that agree", "refused order that agrees", "refused number of names that agrees",
         "angle that agrees", "relative attitude that agrees", "refusal that agrees", "angle of turns that agrees",
         "verdict that agrees", "worst pair that agrees", "alignment that agrees", "sample that agrees",
     // clang-format on
@@ -250,7 +253,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
                 first_beyond = diagnostic->line;
             }
         } else if (const auto* note = std::get_if<Note>(&event)) {
-            const char kind = "outacl"[static_cast<std::size_t>(note->kind)];
+            const char kind = "outachl"[static_cast<std::size_t>(note->kind)];
             const std::string text =
                 fmt::format("{}{}{}", note->of_reference ? " of the reference " : "", kind, note->line);
             const bool is_known = result.notes.find(text.substr(0, text.find(kind) + 1)) != std::string::npos;
@@ -352,6 +355,7 @@ void count_reach(const Result& result, const std::vector<std::string>& words, co
     add_where(argument_of(words, "--diagnostics") == "columns", "rows converted under --diagnostics=columns");
     add_where(!argument_of(words, "--precision").empty(), "rows converted under --precision");
     add_where(!argument_of(words, "--comment").empty(), "rows converted under --comment");
+    add_where(has(words, "--ragged"), "rows converted under --ragged");
 }
 
 [[noreturn]] void differ(std::string_view what, std::string_view a, std::string_view b) {
@@ -613,6 +617,7 @@ fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowNum
     rules.comment = argument_of(words, "--comment", "#");
     rules.delimiter = argument_of(words, "--delimiter");
     rules.header = argument_of(words, "--header", "auto");
+    rules.ragged = has(words, "--ragged");
     rules.on_error = argument_of(words, "--on-error", "stop");
     return rules;
 }
@@ -726,7 +731,8 @@ void compare_with_model(const Input& input, const std::vector<std::string>& word
     const bool is_json = rules->format == "json";
     right.notes = program.is_paired() ? result.notes : outcome->notes;
     if (outcome->refused_line > 0) {
-        right.error = fmt::format("{} {}", static_cast<int>(StreamError::What::names), outcome->refused_line);
+        const auto what = outcome->refused_width ? StreamError::What::columns : StreamError::What::names;
+        right.error = fmt::format("{} {}", static_cast<int>(what), outcome->refused_line);
     }
     right.bytes = is_json && fuzz::json_agrees(result.bytes, *outcome, *rules) ? result.bytes : outcome->bytes;
     for (std::size_t i = 0; i < 2 && right.to_the_end; ++i) {
@@ -737,11 +743,14 @@ void compare_with_model(const Input& input, const std::vector<std::string>& word
     std::ranges::sort(right.failed); // those of the reference and of the stream come as they are read
     std::ranges::sort(result.failed);
     require_same("the rules of rows say otherwise", result, right);
-    for (const auto& [kind, what] : {std::pair('o', "an order"), std::pair('c', "comments")}) {
+    for (const auto& [kind, what] :
+         {std::pair('o', "an order"), std::pair('c', "comments"), std::pair('h', "a header alone")}) {
         const bool has_note = !program.is_paired() && outcome->notes.find(kind) != std::string::npos;
         reach.add(fmt::format("notes of {} that agree", what), has_note ? 1 : 0);
     }
-    reach.add("refused order that agrees", outcome->refused_line > 0 ? 1 : 0);
+    if (outcome->refused_line > 0) {
+        reach.add(outcome->refused_width ? "refused number of names that agrees" : "refused order that agrees");
+    }
     std::ranges::for_each(outcome->met, [](const std::string& rule) { reach.add(rule); });
 }
 
@@ -831,7 +840,8 @@ const std::vector<std::string> option_words =
              "--align=reference --align=body --align=both --align=yaw --align=first --delta=1 --delta=2 --interpolate "
              "--key-offset=0.25 --key-offset=-1 --worst=1 --worst=3 --percentiles=25,75.5 --within-p95=0.1 "
              "--within-p95=2 --allow-failed --allow-unpaired=file --allow-unpaired=reference --allow-unpaired=both "
-             "--rows=40 --seed=7 --kind=cube,small --kind=noise --kind=many-turns --noise=0.1 --kinds-column",
+             "--ragged --columns=roll,pitch,yaw --rows=40 --seed=7 --kind=cube,small --kind=noise --kind=many-turns "
+             "--noise=0.1 --kinds-column",
              ' ');
 
 /// Another option, in the place of the same with another argument; the line as it was where none of a few is legal.

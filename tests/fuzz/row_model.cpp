@@ -36,7 +36,7 @@ std::vector<Line> lines_of(std::string_view text, std::string_view comment) {
         std::string_view line = text.substr(0, size);
         const std::size_t end_size = newline == std::string_view::npos ? 0 : line.ends_with("\r\n") ? 2 : 1;
         lines.push_back({line.substr(0, size - end_size), line.substr(size - end_size), {}});
-        lines.back().mark = lines.back().text.starts_with(comment) ? comment : "";
+        lines.back().mark = !lines.back().blank() && lines.back().text.starts_with(comment) ? comment : "";
         text.remove_prefix(size);
     }
     return lines;
@@ -242,14 +242,122 @@ bool stands_for_missing(const std::string& text) {
     return std::set<std::string>{"", "na", "n/a", "null", "none", "nil", "-", "?", "."}.contains(lower(text));
 }
 
-/// Of the marks and words by which other programs begin their files the manual says that they make no header, and not
-/// more: they are not modelled. Nor is a comment that names columns with their units.
+/// The manual says that the words by which other programs begin their files make no header, and not more: they are not
+/// modelled.
 bool may_be_remark(const Line& line) {
     const auto has = [&line](std::string_view word) { return line.text.find(word) != std::string_view::npos; };
-    return (!line.comment() && (line.text.starts_with("//") || line.text.starts_with('%'))) || has("FMT") ||
-           has("COMMENT") || has("=") ||
-           (line.comment() && line.text.find_first_of("_[(") != std::string_view::npos &&
-            line.text.find_first_of(",;\t") == std::string_view::npos);
+    return has("FMT") || has("COMMENT") || has("=");
+}
+
+/// A word in brackets and numbers between blanks in brackets are no JSON; all else that begins with a bracket may be.
+bool may_be_json(const Line& line) {
+    static const std::regex other(R"(\[(?:[A-DF-Za-df-z][^]*|[0-9][0-9.]*[ \t]+[0-9][^]*))");
+    const std::string text(trim(line.text));
+    return text.starts_with('{') || (text.starts_with('[') && !std::regex_match(text, other));
+}
+
+/// The number of fields, without empty ones at the end.
+std::size_t width_of(const Fields& fields, char delimiter) {
+    std::size_t width = fields.size();
+    while (width > 0 && content(fields[width - 1], delimiter).empty()) {
+        --width;
+    }
+    return width;
+}
+
+/// Of a mark before the first name.
+bool is_mark(char c) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    return !is_letter && c != '"' && c != '\'' && static_cast<unsigned char>(c) < 0x80;
+}
+
+bool begins_with_mark_alone(const Fields& fields) {
+    return !fields.empty() && !fields[0].empty() && std::ranges::all_of(fields[0], is_mark);
+}
+
+/// A name in lower case without its unit, such as "yaw" for "Yaw [deg]" and "Yaw_deg"; `modelled` becomes false where
+/// it may be another unit.
+std::string without_unit(const std::string& text, bool& modelled) {
+    const std::string name = lower(text);
+    const std::size_t bracket = name.ends_with(']')   ? name.rfind('[')
+                                : name.ends_with(')') ? name.rfind('(')
+                                                      : std::string::npos;
+    if (bracket != std::string::npos) {
+        return std::string(trim(std::string_view(name).substr(0, bracket)));
+    }
+    static const std::set<std::string> units{"deg",     "degree", "degrees", "degs", "rad", "radian",
+                                             "radians", "rads",   "s",       "ms",   "us",  "ns"};
+    static const std::regex others(
+        "_.*(?:sec|dps|rps|per|-1|/|nano|micro|milli|degrees|radians|degree|radian|[^ -~]).*");
+    for (std::size_t at = name.find('_', 1); at != std::string::npos; at = name.find('_', at + 1)) {
+        std::string unit = name.substr(at);
+        std::erase_if(unit, [](char c) { return c == '_' || c == ' ' || c == '\t'; });
+        if (units.contains(unit)) {
+            return name.substr(0, at);
+        }
+    }
+    modelled = modelled && !std::regex_search(name, others);
+    return name;
+}
+
+/// Where the names of an attitude's numbers stand, in its order.
+struct Places {
+    std::vector<std::size_t> places;
+    bool is_numbered = false; ///< the names are 0 1 2 3
+    [[nodiscard]] bool in_order() const { return places.back() + 1 == places.size() && std::ranges::is_sorted(places); }
+};
+
+/// What may be left of the names of an attitude's numbers, in its order; the last are numbers of a quaternion.
+std::vector<std::vector<std::string>> remains_of(const Attitude& attitude) {
+    std::vector<std::vector<std::string>> all;
+    for (const std::string kind : {"w", "s", "scalar", "0"}) {
+        auto& remains = all.emplace_back();
+        for (const std::string& name : attitude.names) {
+            if (attitude.names.size() == 4) {
+                const std::string letter = name.substr(1);
+                const bool is_numbered = kind == "0";
+                remains.push_back(letter == "w" ? kind : is_numbered ? std::to_string(letter[0] - 'w') : letter);
+            } else if (attitude.names.size() == 9) {
+                const int less = kind == "w" ? 0 : 11;
+                remains.push_back(fmt::format("{:02}", std::stoi(name.substr(1)) - less));
+            } else {
+                remains.push_back(name);
+            }
+        }
+    }
+    return all;
+}
+
+/// The names of an attitude's numbers among others, with any prefix and suffix that they share.
+std::optional<Places> find_attitude(const Attitude& attitude, const std::vector<std::string>& names, bool& modelled) {
+    std::vector<std::string> as_written;
+    std::vector<std::string> bare;
+    for (const std::string& name : names) {
+        as_written.push_back(lower(name));
+        bare.push_back(without_unit(name, modelled));
+    }
+    for (const auto& remains :
+         attitude.names.empty() ? std::vector<std::vector<std::string>>() : remains_of(attitude)) {
+        for (const auto& texts : {as_written, bare}) {
+            for (const std::string& text : texts) {
+                const std::string& first = remains[0];
+                for (std::size_t at = text.find(first); at != std::string::npos; at = text.find(first, at + 1)) {
+                    Places found{.places = {}, .is_numbered = std::ranges::count(remains, "0") > 0};
+                    for (const std::string& each : remains) {
+                        const std::string whole = text.substr(0, at) + each + text.substr(at + first.size());
+                        const auto place = static_cast<std::size_t>(std::ranges::find(texts, whole) - texts.begin());
+                        if (place < texts.size()) {
+                            found.places.push_back(place);
+                        }
+                    }
+                    if (found.places.size() == remains.size()) {
+                        return found;
+                    }
+                }
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 /// An item of --columns: a name, or a position.
@@ -319,14 +427,20 @@ public:
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
             write_added_header(i);
-            write_line(i);
+            if (i == refused_row_) {
+                outcome_.to_the_end = false;
+                outcome_.refused_line = i + 1;
+                outcome_.refused_width = true;
+            } else {
+                write_line(i);
+            }
         }
         return outcome_;
     }
 
     std::optional<Outcome> operator()(std::string_view text, Model& reference, std::string_view reference_text) {
         if (!begin(text) || !reference.begin(reference_text) || refused_ || reference.refused_ ||
-            !pair_with(reference)) {
+            refused_row_ != none || reference.refused_row_ != none || !pair_with(reference)) {
             return std::nullopt;
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
@@ -365,10 +479,24 @@ private:
         if (comment != lines_.end() && std::ranges::none_of(lines_, &Line::row)) {
             note('c', static_cast<std::size_t>(comment - lines_.begin()) + 1);
         }
+        if (header_ && first_data_ == lines_.size()) {
+            note('h', *header_ + 1);
+        }
         if (first_data_ < lines_.size()) {
             const Line& first = lines_[first_data_];
             delimiter_ = delimiter_of(first.text, rules_.delimiter);
             line_end_ = first.end.empty() ? "\n" : first.end;
+            const auto met = outcome_.met;
+            for (std::size_t i = first_data_; i < lines_.size(); ++i) {
+                Fields fields;
+                std::vector<std::string> texts;
+                const auto numbers = is_data(i) ? numbers_of(lines_[i], fields, texts) : std::nullopt;
+                if (numbers && !width_ && !items_.empty()) {
+                    width_ = width_of(fields, delimiter_);
+                    refused_row_ = by_name_ && name_count_ != *width_ ? i : none;
+                }
+            }
+            outcome_.met = met;
             meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
         }
         return true;
@@ -490,36 +618,36 @@ private:
         }
     }
 
-    /// The names of the header against those of the attitudes; false where they may have units, which are not modelled.
+    /// The names of the header against those of the attitudes; false where they may have units that are not modelled.
     bool hear_names() {
         std::vector<std::string> names;
         for (std::size_t i = 0; header_ && i < rules_.inputs; ++i) {
-            if (place(i) >= header_names_.size() || (items_.empty() && header_names_.size() != rules_.inputs)) {
+            if (place(i) >= header_names_.size() || (items_.empty() && name_count_ != rules_.inputs)) {
                 return true;
             }
-            const std::string name = lower(header_names_[place(i)]);
-            const std::string letter = name.substr(name.empty() ? 0 : name.size() - 1);
-            const bool has_prefix = name.starts_with("q_") && name.ends_with('_' + letter) && letter != "s";
-            const bool is_letter = std::set<std::string>{"w", "x", "y", "z"}.contains(letter);
-            if ((name.find('_') != std::string::npos && !(has_prefix && is_letter)) || name.ends_with(']') ||
-                name.ends_with(')')) {
-                return false;
-            }
-            names.push_back(is_letter && (has_prefix || name == letter) ? "q" + letter : name);
+            names.push_back(header_names_[place(i)]);
         }
+        bool modelled = true;
         for (const Attitude& attitude : rules_.attitudes) {
             if (names.empty() || attitude.names.empty()) {
                 continue;
             }
             const auto first = names.begin() + static_cast<std::ptrdiff_t>(attitude.first);
-            const auto last = first + static_cast<std::ptrdiff_t>(attitude.names.size());
-            if (std::is_permutation(first, last, attitude.names.begin()) &&
-                !std::equal(first, last, attitude.names.begin())) {
-                note('o', *header_ + 1);
-                refused_ = refused_ || (rules_.refuses_order && items_.empty());
+            const std::vector<std::string> own(first, first + static_cast<std::ptrdiff_t>(attitude.names.size()));
+            if (const auto found = find_attitude(attitude, own, modelled)) {
+                if (!found->in_order()) {
+                    note('o', *header_ + 1);
+                    refused_ = refused_ || (rules_.refuses_order && items_.empty() && !found->is_numbered);
+                }
+            } else if (!items_.empty() && !by_name_) {
+                const auto elsewhere = find_attitude(attitude, header_names_, modelled);
+                if (elsewhere && !elsewhere->is_numbered) {
+                    note('o', *header_ + 1);
+                    meet("names in other columns");
+                }
             }
         }
-        return true;
+        return modelled;
     }
 
     void meet(std::string rule) { outcome_.met.push_back(std::move(rule)); }
@@ -534,9 +662,8 @@ private:
         };
         first_data_ = next_row(0);
         const bool at_end = first_data_ == lines_.size();
-        if (!at_end &&
-            (trim(lines_[first_data_].text).starts_with('{') || trim(lines_[first_data_].text).starts_with('['))) {
-            return false; // may be JSON
+        if (!at_end && may_be_json(lines_[first_data_])) {
+            return false;
         }
         if (by_name_) {
             return find_by_name();
@@ -548,20 +675,23 @@ private:
         const char delimiter = delimiter_of(first.text, rules_.delimiter);
         Fields fields;
         const bool closed = split(first.text, delimiter, fields);
-        const bool is_header = closed && selects(fields) && !holds_a_number(fields, delimiter);
-        const bool is_data = rules_.header == "yes" ? selects(fields) && holds_numbers(fields, delimiter) : !is_header;
-        if (is_data && find_comment_header(fields.size(), delimiter)) {
+        const bool is_remark = first.text.starts_with("//") || first.text.starts_with('%');
+        const bool selects_all = selects(fields, delimiter);
+        const bool is_header = closed && !is_remark && selects_all && !holds_a_number(fields, delimiter);
+        const bool is_data = rules_.header == "yes" ? selects_all && holds_numbers(fields, delimiter) : !is_header;
+        if (is_data && find_comment_header(width_of(fields, delimiter), delimiter)) {
             return true;
         }
         if (rules_.header == "yes" || is_header) {
-            use_header(first_data_, delimiter);
+            use_header(first_data_, {delimiter, begins_with_mark_alone(fields)});
             first_data_ = next_row(first_data_ + 1);
         }
         return true;
     }
 
-    [[nodiscard]] bool selects(const Fields& fields) const {
-        return items_.empty() ? fields.size() == rules_.inputs : std::ranges::max(positions_) < fields.size();
+    [[nodiscard]] bool selects(const Fields& fields, char delimiter) const {
+        return items_.empty() ? width_of(fields, delimiter) == rules_.inputs
+                              : std::ranges::max(positions_) < fields.size();
     }
 
     /// Of the i-th number.
@@ -593,40 +723,57 @@ private:
         return std::ranges::all_of(selected(fields, delimiter), [&](const auto& text) { return read(text, value); });
     }
 
-    /// The last comment before the first data row, where it has the fields of that row.
-    bool find_comment_header(std::size_t field_count, char delimiter) {
+    /// The last comment before the first data row, where it has the fields of that row; commas may part them where
+    /// blanks part the row.
+    bool find_comment_header(std::size_t field_count, char row_delimiter) {
         std::size_t at = first_data_;
         while (at > 0 && !lines_[at - 1].comment()) {
             --at;
         }
+        if (at == 0) {
+            return false;
+        }
+        const std::string_view text = lines_[at - 1].text.substr(prefix_of(lines_[at - 1]).size());
+        const bool has_commas = row_delimiter == ' ' && count_fields(text, ',') == field_count;
+        const char delimiter = has_commas ? ',' : row_delimiter;
         Fields fields;
-        if (at == 0 || !split(lines_[at - 1].text.substr(prefix_of(lines_[at - 1]).size()), delimiter, fields) ||
-            fields.size() != field_count || !selects(fields)) {
+        if (!split(text, delimiter, fields) || width_of(fields, delimiter) != field_count ||
+            !selects(fields, delimiter)) {
             return false;
         }
         if (rules_.header == "yes") { // then as many fields are enough
-            use_header(at - 1, delimiter);
+            use_header(at - 1, {delimiter});
             return true;
         }
         double value = 0.0;
         if (std::ranges::any_of(fields, [&](auto field) { return read(content(field, delimiter), value); })) {
             return false;
         }
-        auto names = selected(fields, delimiter);
-        auto own = rules_.input_names;
-        const auto kept = static_cast<std::ptrdiff_t>(rules_.kept);
-        for (std::string& name : names) {
-            name = lower(name);
-            const bool is_letter = name == "w" || name == "x" || name == "y" || name == "z";
-            name = is_letter && std::ranges::count(own, "qw") > 0 ? "q" + name : name;
-        }
-        std::sort(names.begin() + kept, names.end());
-        std::sort(own.begin() + kept, own.end());
-        if (delimiter == ' ' && !std::equal(names.begin() + kept, names.end(), own.begin() + kept, own.end())) {
+        if (row_delimiter == ' ' && !are_own_names(selected(fields, delimiter))) {
             return false;
         }
-        use_header(at - 1, delimiter);
+        use_header(at - 1, {delimiter});
         return true;
+    }
+
+    /// Of all numbers but those that are kept, in any order.
+    [[nodiscard]] bool are_own_names(const std::vector<std::string>& texts) const {
+        auto own = rules_.input_names;
+        std::vector<std::string> names;
+        bool modelled = true;
+        for (const std::string& text : texts) {
+            names.push_back(without_unit(text, modelled));
+        }
+        for (const Attitude& attitude : rules_.attitudes) {
+            const auto first = texts.begin() + static_cast<std::ptrdiff_t>(attitude.first);
+            const std::vector<std::string> part(first, first + static_cast<std::ptrdiff_t>(attitude.names.size()));
+            const auto found = find_attitude(attitude, part, modelled);
+            for (std::size_t i = 0; found && !found->is_numbered && i < part.size(); ++i) {
+                names[attitude.first + found->places[i]] = own[attitude.first + i];
+            }
+        }
+        const auto kept = static_cast<std::ptrdiff_t>(rules_.kept);
+        return std::is_permutation(names.begin() + kept, names.end(), own.begin() + kept, own.end());
     }
 
     /// The last row that has all the names, before the first row that is no comment and lacks one. That row says what
@@ -639,15 +786,14 @@ private:
         char of_comments = 0;
         if (first_data_ < lines_.size()) {
             const char delimiter = delimiter_of(lines_[first_data_].text, rules_.delimiter);
-            of_comments = count_fields(lines_[first_data_].text, delimiter) > 1 ? delimiter : '\0';
+            Fields fields;
+            split(lines_[first_data_].text, delimiter, fields);
+            of_comments = fields.size() > 1 ? delimiter : '\0';
         }
         for (std::size_t i = first_data_; i > 0; --i) {
             const Line& line = lines_[i - 1];
-            if (const auto delimiter = look_up(line, line.comment() ? of_comments : '\0')) {
-                const std::string_view text = line.text.substr(prefix_of(line).size());
-                const bool is_alone =
-                    of_comments != '\0' && count_fields(text, *delimiter) == 1 && count_fields(text, of_comments) == 1;
-                use_header(i - 1, is_alone ? of_comments : *delimiter);
+            if (const auto parts = look_up(line, line.comment() ? of_comments : '\0')) {
+                use_header(i - 1, *parts);
                 const std::set<std::size_t> different(positions_.begin(), positions_.end());
                 return !ambiguous_ && different.size() == positions_.size();
             }
@@ -658,7 +804,7 @@ private:
     static std::size_t count_fields(std::string_view text, char delimiter) {
         Fields fields;
         split(text, delimiter, fields);
-        return fields.size();
+        return width_of(fields, delimiter);
     }
 
     static std::string_view prefix_of(const Line& line) {
@@ -666,12 +812,30 @@ private:
             0, line.comment() ? std::min(line.text.find_first_not_of(" \t", line.mark.size()), line.text.size()) : 0);
     }
 
-    /// Sets positions_ where the line has all the names, and returns the delimiter under which it has.
-    std::optional<char> look_up(const Line& line, char known) {
+    /// How the names of a header are parted, and whether a mark stands before the first.
+    struct Parting {
+        char delimiter = ',';
+        bool has_mark = false;
+    };
+
+    /// What stands before the names.
+    static std::string_view prefix_of(const Line& line, const Parting& parts) {
+        std::size_t size = prefix_of(line).size();
+        while (parts.has_mark && size < line.text.size() && is_mark(line.text[size]) &&
+               (parts.delimiter == ' ' || line.text[size] != parts.delimiter)) {
+            ++size;
+        }
+        return line.text.substr(0, size);
+    }
+
+    /// Sets positions_ where the line has all the names, and returns under which parting it has. A mark is left aside
+    /// where it stands alone, and where they are not all there as they stand.
+    std::optional<Parting> look_up(const Line& line, char known) {
         const std::string_view text = line.text.substr(prefix_of(line).size());
         std::string candidates = ",\t; ";
         if (known != '\0' || !rules_.delimiter.empty()) {
             candidates = known != '\0' ? known : delimiter_of(text, rules_.delimiter);
+            candidates += line.comment() && candidates == " " ? "," : "";
         }
         for (const char delimiter : line.blank() ? std::string() : candidates) {
             if (candidates.size() > 1 && delimiter != ' ' && text.find(delimiter) == std::string_view::npos) {
@@ -679,8 +843,13 @@ private:
             }
             Fields fields;
             split(text, delimiter, fields);
-            if (find_names(fields, delimiter)) {
-                return delimiter;
+            for (const bool aside : {begins_with_mark_alone(fields), !begins_with_mark_alone(fields)}) {
+                const Parting parts{delimiter, aside};
+                Fields names;
+                split(line.text.substr(prefix_of(line, parts).size()), delimiter, names);
+                if (find_names(names, delimiter)) {
+                    return parts;
+                }
             }
         }
         return std::nullopt;
@@ -712,12 +881,17 @@ private:
         return true;
     }
 
-    void use_header(std::size_t at, char delimiter) {
+    void use_header(std::size_t at, const Parting& parts) {
         header_ = at;
         const Line& line = lines_[at];
+        const char delimiter = parts.delimiter;
         Fields fields;
-        const std::string_view prefix = prefix_of(line);
+        const std::string_view prefix = prefix_of(line, parts);
         split(line.text.substr(prefix.size()), delimiter, fields);
+        name_count_ = width_of(fields, delimiter);
+        if (prefix.size() > prefix_of(line).size()) {
+            meet("mark before the names");
+        }
         for (const std::string_view field : fields) {
             header_names_.push_back(content(field, delimiter));
         }
@@ -808,7 +982,8 @@ private:
 
     /// The numbers of a row, where it has them.
     std::optional<std::vector<double>> numbers_of(const Line& line, Fields& fields, std::vector<std::string>& texts) {
-        if (!split(line.text, delimiter_, fields) || (items_.empty() && fields.size() != rules_.inputs)) {
+        if (!split(line.text, delimiter_, fields) ||
+            (items_.empty() && width_of(fields, delimiter_) != rules_.inputs)) {
             return std::nullopt;
         }
         std::vector<double> numbers(rules_.inputs);
@@ -831,6 +1006,10 @@ private:
             if (has_quotes(fields[at], delimiter_)) {
                 meet("quoted number");
             }
+        }
+        if (width_ && !rules_.ragged && width_of(fields, delimiter_) != *width_) {
+            meet("row of another width");
+            return std::nullopt;
         }
         return numbers;
     }
@@ -974,12 +1153,15 @@ private:
     std::optional<std::size_t> header_;
     std::string header_text_;
     std::vector<std::string> header_names_;
-    bool refused_ = false; ///< for the order of those names
+    std::size_t name_count_ = 0;       ///< of them, without empty ones at the end
+    bool refused_ = false;             ///< for the order of those names
+    std::optional<std::size_t> width_; ///< under --columns, of the first row whose selected fields are numbers
     char delimiter_ = ',';
     std::string_view line_end_ = "\n";
     Outcome outcome_;
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::size_t refused_row_ = none; ///< whose fields are not as many as the names
     Model* reference_ = nullptr;
     std::map<std::size_t, std::size_t> partners_; ///< of each paired line that of the reference
     std::set<std::size_t> wrong_keys_;            ///< lines

@@ -43,7 +43,7 @@ struct Rules {
     std::string comment = "#", columns, delimiter, header = "auto", format = "csv", on_error = "stop";
     int precision = 0;
     int decimals = -1;
-    bool append = false, diagnostic_columns = false;
+    bool append = false, diagnostic_columns = false, ragged = false;
 
     /// How the stream is read whose rows stand beside these; the numbers of both are one row for `calculate`. Under the
     /// format `result` a row is its result's doubles, the last of them its line, and nothing else.
@@ -67,8 +67,10 @@ struct Outcome {
     std::size_t answered = 0;
     std::array<std::vector<std::size_t>, 2> unpaired; ///< lines, of the stream and of the reference
     bool to_the_end = true;
-    std::size_t refused_line = 0;                 ///< of a header that ends the run
-    std::string notes;                            ///< o and c with a line: other order, comments alone
+    std::size_t refused_line = 0;                 ///< of what ends the run: a header...
+    bool refused_width = false;                   ///< ...or a row of other fields than names
+    std::string notes;                            ///< letters, each with a line: o other order, or names in other
+                                                  ///< columns, c comments alone, h a header alone
     std::vector<std::string> met;                 ///< rules that had a part in it
     std::vector<std::vector<std::string>> others; ///< under json, of each row the values of its other fields; "": any
 };
