@@ -46,8 +46,8 @@ public:
         const int exponent = least + static_cast<int>(below(static_cast<std::size_t>(most - least) + 1));
         return (1.0 + fraction()) * power_of_two(exponent);
     }
-    /// Below 1; half of them above 1e-20, where most formulas fail, and half down to 2^-depth.
-    double distance(int depth) noexcept { return of_size(one_in(2) ? -depth : -std::min(66, depth), -1); }
+    /// Below 1/32; half of them above 1e-20, where most formulas fail, and half down to 2^-depth.
+    double distance(int depth) noexcept { return of_size(one_in(2) ? -depth : -std::min(66, depth), -6); }
 
     struct Point {
         double x, y, square; ///< that of its distance from the origin
@@ -196,11 +196,13 @@ Quaternion Sampler::attitude_of(std::uint64_t row) const {
     }
     Quaternion q = kind == SampleKind::lock ? near_lock(draws, sequences.at(turn % sequences.size()), is_exact)
                                             : draws.unit_quaternion();
-    if (kind == SampleKind::small) {
+    if (kind == SampleKind::small) { // the tangent of half of the angle
         multiply(std::span(q).subspan(1), draws.distance(deepest));
-    } else if (kind == SampleKind::half_turn) {
-        q[0] *= is_exact ? 0.0 : draws.distance(deepest_cayley);
+        q[0] = std::copysign(1.0, q[0]);
+    } else if (kind == SampleKind::half_turn) { // of half of the distance
         q.at(1 + draws.below(3)) *= draws.one_in(4) ? 0.0 : 1.0;
+        q[0] = std::copysign(is_exact ? 0.0 : draws.distance(deepest_cayley), q[0]) *
+               std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     } else if (kind == SampleKind::border) {
         move_to_border(draws, q);
     }

@@ -64,7 +64,8 @@ Real margin_of(EulerSequence sequence, const oracle::Quaternion& attitude) {
 void check_sizes(std::vector<Real> sizes, const Real& least, std::size_t so_many) {
     std::ranges::sort(sizes);
     CHECK(sizes.front() >= 0);
-    CHECK(sizes.back() > Real(0.1));
+    CHECK(sizes.back() > Real(0.01));
+    CHECK(sizes.back() <= Real(0.1));
     CHECK(sizes[sizes.size() / 3] < Real(1e-8));
     CHECK(sizes[so_many - 1] <= least);
 }

@@ -50,26 +50,35 @@ struct Binary {
 /// 2^1023.
 class PowerOfTwo {
 public:
-    /// The power that brings the finite `magnitude` into [1/2, 1); 1 for 0.
-    static PowerOfTwo to_unit(double magnitude) noexcept {
-        if (magnitude == 0.0) {
-            return {0, 0};
-        }
+    /// From 2^-2044 to 2^2046.
+    explicit PowerOfTwo(int exponent) noexcept
+        : first_(power_of_two(exponent / 2)), second_(power_of_two(exponent - exponent / 2)) {}
+    /// e of a finite magnitude in [2^(e - 1), 2^e); 0 for 0.
+    static int exponent_of_unit(double magnitude) noexcept {
         const bool tiny = magnitude < 0x1p-500;
-        const int exponent = exponent_of(tiny ? magnitude * 0x1p600 : magnitude) + 1 - (tiny ? 600 : 0);
-        const int half = -exponent / 2;
-        return {half, -exponent - half};
+        return magnitude == 0.0 ? 0 : exponent_of(tiny ? magnitude * 0x1p600 : magnitude) + 1 - (tiny ? 600 : 0);
     }
+    /// The power that brings the finite `magnitude` into [1/2, 1); 1 for 0.
+    static PowerOfTwo to_unit(double magnitude) noexcept { return PowerOfTwo(-exponent_of_unit(magnitude)); }
 
     [[nodiscard]] double operator()(double value) const noexcept { return (value * first_) * second_; }
     [[nodiscard]] double undone(double value) const noexcept { return (value / first_) / second_; }
 
 private:
-    PowerOfTwo(int first, int second) noexcept : first_(power_of_two(first)), second_(power_of_two(second)) {}
-
     double first_;
     double second_;
 };
+
+/// The number nearest to `ratio` 2^`exponent` (component + rest). The product is formed at unit size, so that nothing
+/// of it underflows, and rounded once more only where the result does.
+[[nodiscard]] inline double scaled_product(const DoubleDouble& ratio, int exponent, double component,
+                                           double rest) noexcept {
+    constexpr int least = -1200; // the result is 0 there
+    const int own = PowerOfTwo::exponent_of_unit(__builtin_fabs(component));
+    const PowerOfTwo to_unit(-own);
+    const int power = exponent + own;
+    return PowerOfTwo(power < least ? least : power)((ratio * two_sum(to_unit(component), to_unit(rest))).hi) + 0.0;
+}
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -1,10 +1,14 @@
 #include <rotconv/mrp.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
+#include "../numerics/power_of_two.hpp"
+#include "../numerics/quaternion_algebra.hpp"
 #include "codec.hpp"
 #include "half_turn.hpp"
 
@@ -56,6 +60,32 @@ void switch_to_shadow(double* numbers) noexcept {
     }
 }
 
+/// m or its shadow -m/|m|^2, which is nearer to l if |m|^2 - 2 m l > 1.
+void nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
+             double* m) noexcept {
+    // both at unit size: the shadow of a small vector is a large one
+    const int exponent = PowerOfTwo::exponent_of_unit(largest_magnitude(m[0], m[1], m[2]));
+    const int last_exponent = PowerOfTwo::exponent_of_unit(largest_magnitude(last[0], last[1], last[2]));
+    const PowerOfTwo scale(-exponent);
+    const PowerOfTwo last_scale(-last_exponent);
+    const auto component = [&](std::size_t i) { return two_sum(scale(m[i]), scale(rest[i])); };
+    const std::array vector{component(0), component(1), component(2)};
+    const DoubleDouble square = sum_of_squares(vector[0], vector[1], vector[2]);
+    const DoubleDouble product = vector[0] * DoubleDouble(last_scale(last[0])) +
+                                 vector[1] * DoubleDouble(last_scale(last[1])) +
+                                 vector[2] * DoubleDouble(last_scale(last[2]));
+    const PowerOfTwo of_square(2 * std::max(exponent, -1000));
+    const PowerOfTwo of_product(std::max(exponent + last_exponent + 1, -2000));
+    const DoubleDouble excess = DoubleDouble(of_square(square.hi), of_square(square.lo)) -
+                                DoubleDouble(of_product(product.hi), of_product(product.lo)) - DoubleDouble(1.0);
+    if (excess.hi > 0.0) {
+        const DoubleDouble ratio = DoubleDouble(-1.0) / square;
+        for (std::size_t i = 0; i < 3; ++i) {
+            m[i] = scaled_product(ratio, -2 * exponent, m[i], rest[i]);
+        }
+    }
+}
+
 } // namespace
 
 constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::mrp,
@@ -70,6 +100,7 @@ constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::m
                                                      .formula = "tan(theta/4) n"},
                                   .turn_per_error = [](const double*) noexcept { return 4.0; },
                                   .sensitivity = sensitivity_of<mrp::sensitivity>,
+                                  .nearest = nearest,
                                   .rate = rate_of<Vector3d, mrp::rate>,
                                   .angular_velocity = angular_velocity_of<Vector3d, mrp::angular_velocity>,
                                   .greatest_distance = std::numbers::pi,

@@ -45,7 +45,7 @@ struct Mrp {
     /// In two loops, which are faster than one.
     template <class T> static void write(const Spec& /*spec*/, double /*lock_margin*/,
                                          const AttitudeBatch<T>& attitudes, std::size_t rows, double* numbers,
-                                         double* /*rest*/, DiagnosticSet* diagnostics) noexcept {
+                                         double* rest, DiagnosticSet* diagnostics) noexcept {
         Columns<T, 4> parts;
         Column<DoubleDouble> length;
         for (std::size_t i = 0; i < rows; ++i) {
@@ -62,6 +62,9 @@ struct Mrp {
             numbers_of(q, length[i], m);
             for (std::size_t k = 0; k < 3; ++k) {
                 numbers[3 * i + k] = m[k].hi;
+            }
+            for (std::size_t k = 0; k < 3 && rest != nullptr; ++k) {
+                rest[3 * i + k] = m[k].lo;
             }
         }
         for (std::size_t i = 0; i < rows; ++i) {

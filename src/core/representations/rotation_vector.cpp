@@ -136,7 +136,7 @@ void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/
     if (turns != 0.0) {
         const DoubleDouble ratio = plus_half_turns(theta, 2.0 * turns, spec.unit) / length;
         for (std::size_t i = 0; i < 3; ++i) {
-            r[i] = (ratio * vector[i]).hi + 0.0;
+            r[i] = scaled_product(ratio, -PowerOfTwo::exponent_of_unit(size), along[i], is_identity ? 0.0 : rest[i]);
         }
     }
 }
