@@ -26,7 +26,7 @@ struct ComparisonSettings {
 ///
 /// The angle is twice that of (|v|, |s|), where (s, v) is the product of one quaternion and the inverse of the other,
 /// formed with products of 106 bits. It is 0 for equal numbers of one SPEC, and quaternions near the identity may
-/// differ by as little as 1e-150. Attitudes are read to 106 bits and rounded; the worst error found is 3.03 eps. Each
+/// differ by as little as 1e-150. Attitudes are read to 106 bits and rounded; the worst error found is 3.10 eps. Each
 /// number of the relative attitude is rounded once. Thread-safe: run() changes nothing in it.
 class Comparison {
 public:

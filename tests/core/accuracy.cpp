@@ -46,7 +46,7 @@ const std::vector<Way>& ways() {
         {"quat", "quat", 1, 0.89},     {"quat", "dcm", 1.75, 1.4},         {"quat", "6d", 2.25, 1.9},
         {"quat", "5d", 5, 4.34},       {"quat", "rotvec", 2, 1.58},        {"quat", "axis-angle", 2, 1.64},
         {"quat", "cayley", 1, 1},      {"quat", "mrp", 1.25, 0.99},        {"quat", "euler", 5.5, 4.4},
-        {"dcm", "quat", 5, 4.27},      {"6d", "quat", 4.25, 3.53},         {"5d", "quat", 5.25, 4.54},
+        {"dcm", "quat", 5, 4.27},      {"6d", "quat", 4.25, 3.75},         {"5d", "quat", 5.25, 4.54},
         {"cayley", "quat", 1, 0.89},   {"mrp", "quat", 1.5, 1.31},         {"euler", "quat", 4, 3.41},
         {"rotvec", "quat", 2.5, 2.19}, {"axis-angle", "quat", 2.75, 2.36}, {"rotvec", "dcm", 2.5, 2.14},
     };

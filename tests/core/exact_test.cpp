@@ -118,6 +118,12 @@ TEST_CASE("rows at the ends of ranges are rounded once") {
     const std::vector<double> smallest{1e-310, 1e-311, 1e-312};
     CHECK(converted("rpy", "rpy", smallest).numbers == smallest);
     CHECK(converted("rotvec", "rotvec", smallest).numbers == smallest);
+    // of a quaternion that is not unit: with a norm of more than 1 its components underflow
+    for (const double w : {2.1505664366284374, 1.0, 4.0}) {
+        const std::vector<double> tiny{w, 0, 9.8813129168249309e-324, -4.9406564584124654e-324};
+        CHECK(converted("quat", "dcm", tiny).numbers ==
+              oracle::numbers(accuracy::spec("dcm"), oracle::attitude(Spec{}, tiny)));
+    }
     // a middle angle that as a double is 0 beside outer angles that are not 90 degrees
     const std::vector<double> all_but_locked{4.1324199971023663e-13, -8.0962537384005071e-320, 0,
                                              -0.0037221530345439074};

@@ -38,7 +38,8 @@ double enlargement(const Spec& from, const Spec& to, std::span<const double> row
     };
     double cancelled = 1.0;
     if (!rotconv::representation(from.name).has_gimbal_lock) {
-        cancelled = std::min(1.0, rotconv::read_attitude(from, row)->vector_length());
+        const auto attitude = *rotconv::read_attitude(from, row); // which need not be unit
+        cancelled = attitude.vector_length() / std::sqrt(attitude.squared_norm());
     }
     if (from.name == rotconv::RepresentationId::rotvec) {
         const double length = std::hypot(row[0], row[1], row[2]) * in_radians(from);
