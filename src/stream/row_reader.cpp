@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -33,7 +34,6 @@ namespace {
 }
 
 using Bytes [[gnu::vector_size(16)]] = char;
-using Words [[gnu::vector_size(16)]] = std::uint64_t;
 
 Bytes sixteen(const char* at) noexcept {
     Bytes bytes;
@@ -48,16 +48,17 @@ std::size_t count_of(char character, const char* at, const char* end) noexcept {
     if (end - at > 126 * size) { // otherwise the sum of two counts is a byte
         return static_cast<std::size_t>(std::count(at, end, character));
     }
-    constexpr Bytes none{};
-    constexpr Bytes all = none - 1;
-    alignas(size) static constexpr std::array<Bytes, 2> masks{none, all};
+    static constexpr auto masks = [] { // none, and all
+        std::array<char, 2 * size> made{};
+        std::fill(made.begin() + size, made.end(), static_cast<char>(-1));
+        return made;
+    }();
     Bytes counts{};
     for (; end - at >= size; at += size) {
         counts -= sixteen(at) == character;
     }
-    const auto* const mask = reinterpret_cast<const char*>(masks.data()) + (end - at);
-    counts -= (sixteen(end - size) == character) & sixteen(mask); // those that are not yet counted
-    const auto halves = reinterpret_cast<Words>(counts);
+    counts -= (sixteen(end - size) == character) & sixteen(masks.data() + (end - at)); // those that are not yet counted
+    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(counts);
     constexpr std::uint64_t even = 0x00FF00FF00FF00FF;
     const std::uint64_t sums = halves[0] + halves[1];
     return static_cast<std::size_t>((((sums & even) + ((sums >> 8U) & even)) * 0x0001000100010001) >> 48U);
