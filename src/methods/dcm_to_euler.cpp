@@ -106,8 +106,8 @@ void shoemake(EulerSequence sequence, const double* m, double* angles) noexcept 
 }
 
 /// Shuster and Markley 2006, Eqs 5-12, as SciPy once had it, for turns about moving axes: in a frame of the axes
-/// of the sequence all are ZXZ, of which the middle angle is an arccos, moved by lambda. Within 1e-7 of lock the third
-/// angle is 0, and the first their sum or difference.
+/// of the sequence all are ZXZ, of which the middle angle is an arccos, clipped as there, moved by lambda. Within 1e-7
+/// of lock the third angle is 0, and the first their sum or difference.
 void shuster_markley(EulerSequence sequence, const double* m, double* angles) noexcept {
     constexpr double lock = 1e-7;
     const MovingAxes r(sequence, m);
@@ -120,7 +120,7 @@ void shuster_markley(EulerSequence sequence, const double* m, double* angles) no
         o.col(2) = r.sign * second;
     }
     const double lambda = r.proper ? 0.0 : r.sign * 0.5 * pi;
-    const double turn = std::acos(o(2, 2));
+    const double turn = std::acos(std::clamp(o(2, 2), -1.0, 1.0));
     MovingAngles moving{0.0, lambda + turn, 0.0};
     if (turn < lock) {
         moving.first = std::atan2(o(1, 0) - o(0, 1), o(0, 0) + o(1, 1));

@@ -142,8 +142,8 @@ void sarabandi_thomas(const double* m, double* q) noexcept {
     set_sizes(p, 0.5 * (sum > eta).select(1.0 + sum, others / (3.0 - sum)).sqrt(), q);
 }
 
-/// Sarabandi, Shabani, Porta and Thomas 2020, the approximate method, as in the code of the authors: the sum of the
-/// columns of 4 q q', each with the sign of its product with the longest.
+/// Sarabandi, Shabani, Porta and Thomas 2020, the approximate method, checked against a port by A. Diaz, not the code
+/// of the authors: the sum of the columns of 4 q q', each with the sign of its product with the longest.
 void sarabandi_2020(const double* m, double* q) noexcept {
     const Eigen::Matrix4d p = products(m);
     int longest = 0;

@@ -113,7 +113,7 @@ const std::vector<Known>& known() {
         {"dcm", "euler", "asin", 4, 1e15, inf},
         {"dcm", "euler", "slabaugh", 4, 1e15, inf},
         {"dcm", "euler", "shoemake", 4, 1e15, inf},
-        {"dcm", "euler", "shuster-markley", 4, 1e15, inf},
+        {"dcm", "euler", "shuster-markley", 4, 1e15, 1.5e16},
         {"dcm", "euler", "eigen", 4, 1e11, 1e13},
         {"dcm", "cayley", "default", 3, 0, 3.5},
         {"dcm", "cayley", "lu", 4, 1e15, inf},
