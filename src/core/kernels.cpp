@@ -104,6 +104,37 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
     }
 }
 
+/// Lets a turn that but moves and negates axes do so to matrices, or to those whose inverses it turns. No other turn.
+bool move_axes(const ExactQuaternion& by, bool from_the_left, bool inverse, const double*& in, std::size_t rows,
+               double* out) noexcept {
+    double m[9];
+    scaled_matrix_of({inverse ? -by.hi[0] : by.hi[0], by.hi[1], by.hi[2], by.hi[3]}, m);
+    const double norm = squared_norm(by.hi);
+    bool moves = largest_magnitude(by.lo[0], by.lo[1], by.lo[2], by.lo[3]) == 0.0;
+    for (double& entry : m) {
+        moves = moves && (entry == 0.0 || __builtin_fabs(entry) == norm);
+        entry /= norm;
+    }
+    for (std::size_t k = 0; k < 9 * rows && moves; ++k) {
+        const double* const a = in + k / 9 * 9;
+        const std::size_t i = k % 9 / 3 * 3;
+        const std::size_t j = k % 3;
+        out[k] = from_the_left != inverse ? (m[i] * a[j] + m[i + 1] * a[3 + j]) + m[i + 2] * a[6 + j]
+                                          : (a[i] * m[j] + a[i + 1] * m[3 + j]) + a[i + 2] * m[6 + j];
+    }
+    in = moves ? out : in;
+    return moves;
+}
+/// What is left of the turns when matrices have taken those that they take without a sum, which would cost small
+/// numbers digits.
+Turns move_axes(const Spec& spec, bool inverse, Turns turns, const double*& in, std::size_t rows,
+                double (&moved)[2][9 * batch_rows]) noexcept {
+    const bool are_matrices = spec.name == RepresentationId::dcm;
+    turns.has_left = turns.has_left && !(are_matrices && move_axes(turns.left, true, inverse, in, rows, moved[0]));
+    turns.has_right = turns.has_right && !(are_matrices && move_axes(turns.right, false, inverse, in, rows, moved[1]));
+    return turns;
+}
+
 // Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
 
 /// No branch, and bits of a double's size: the loop vectorises.
@@ -180,12 +211,14 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     const Spec& from = *batch.from;
     const Spec& to = *batch.to;
     const bool inverse = from.passive != to.passive;
+    double moved[2][9 * batch_rows];
+    const Turns turns = move_axes(from, inverse, *batch.turns, in, rows, moved);
     AttitudeBatch<T> attitudes;
     batch_kernel_of<T>(from.name).read(from, in, rows, attitudes);
     if (inverse) {
         invert(attitudes, rows);
     }
-    turn(*batch.turns, attitudes, rows);
+    turn(turns, attitudes, rows);
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
     round(attitudes, rows, rounded);
     for_each_careful_row(from, in, attitudes, rows, [&](std::size_t i) {
@@ -193,7 +226,7 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
             return;
         }
         Careful q[4];
-        read_carefully(from, in + i * from.size(), inverse, *batch.turns, q);
+        read_carefully(from, in + i * from.size(), inverse, turns, q);
         diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
                                          rest == nullptr ? nullptr : rest + i * to.size());
         set_rounded(q, i, rounded);
@@ -201,8 +234,10 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
 }
 
 /// The attitudes that rows describe, turned, to 106 bits.
-void read_upright(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
+void read_upright(const Spec& spec, const Turns& all, const double* numbers, std::size_t rows,
                   AttitudeBatch<DoubleDouble>& attitudes) noexcept {
+    double moved[2][9 * batch_rows];
+    const Turns turns = move_axes(spec, spec.passive, all, numbers, rows, moved);
     kernel_of(spec.name).exact.read(spec, numbers, rows, attitudes);
     if (spec.passive) {
         invert(attitudes, rows);

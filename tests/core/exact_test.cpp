@@ -4,8 +4,10 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include <rotconv/axes.hpp>
 #include <rotconv/conversion.hpp>
 
 #include "accuracy.hpp"
@@ -80,6 +82,43 @@ TEST_CASE("attitudes that are turned are rounded once") {
         const auto exact =
             oracle::attitude(angles, left) * oracle::attitude(angles, row) * oracle::attitude(quat, right);
         CHECK(result.numbers == oracle::numbers(accuracy::spec("dcm"), exact));
+    }
+}
+
+// Would catch: an entry of a matrix, small after other axes are named, that has passed a sum with large ones; axes on
+// the wrong side of an inverse.
+TEST_CASE("matrices in other axes are rounded once, however small a number becomes") {
+    strata::Source source(79);
+    for (const char* axes : {"wnd:unw", "ned:enu", "xyz:-x-yz", "yzx:xyz", "xyz:xzy"}) {
+        const auto change = std::get<rotconv::AxesChange>(rotconv::parse_axes(axes));
+        const rotconv::Dcm moves = change.changes_hand() ? -change.matrix : change.matrix;
+        for (int i = 0; i < 200; ++i) {
+            // L R S is a turn of 1e-13 about an axis with two components of 1e-7 of the third
+            const std::vector<double> tilt{1e-13 * source.normal(), 1e-20 * source.normal(), 1e-20 * source.normal()};
+            const auto vectors = accuracy::converted(accuracy::spec("rotvec"), accuracy::spec("dcm"), tilt, {});
+            const rotconv::Dcm near = Eigen::Map<const rotconv::Dcm>(vectors.numbers.data()).transpose();
+            const bool left = i % 2 == 0;
+            const rotconv::Dcm turned =
+                left ? rotconv::Dcm(moves.transpose() * near) : rotconv::Dcm(near * moves.transpose());
+            for (const bool from_passive : {false, true}) {
+                for (const char* to : {"mrp", "rotvec:passive"}) {
+                    const Spec from = accuracy::spec(from_passive ? "dcm:passive" : "dcm");
+                    const rotconv::Dcm rows =
+                        from_passive ? turned : rotconv::Dcm(turned.transpose()); // column by column
+                    rotconv::ConversionSettings settings;
+                    (left ? settings.left : settings.right) = change.turn();
+                    const auto result =
+                        accuracy::converted(from, accuracy::spec(to), {rows.data(), rows.data() + 9}, settings);
+                    const rotconv::Dcm expected = near.transpose();
+                    const auto exact =
+                        oracle::converted(accuracy::spec("dcm"), accuracy::spec(to), {expected.data(), 9});
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        INFO(axes << ' ' << to << ' ' << left << from_passive);
+                        CHECK(result.numbers[k] == exact[k].value);
+                    }
+                }
+            }
+        }
     }
 }
 
