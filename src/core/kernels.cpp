@@ -66,8 +66,8 @@ template <class T> void turn(const Turns& by, AttitudeBatch<T>& attitudes, std::
     }
 }
 
-template <class T> void invert(AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
+template <class T> void invert_if(bool inverse, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
+    for (std::size_t i = 0; i < rows && inverse; ++i) {
         attitudes[0].set(i, -attitudes[0][i]);
     }
 }
@@ -105,12 +105,12 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
 }
 
 /// Lets a turn that but moves and negates axes do so to matrices, or to those whose inverses it turns. No other turn.
-bool move_axes(const ExactQuaternion& by, bool from_the_left, bool inverse, const double*& in, std::size_t rows,
-               double* out) noexcept {
+bool move_axes(const Spec& spec, const ExactQuaternion& by, bool from_the_left, bool inverse, const double*& in,
+               std::size_t rows, double* out) noexcept {
     double m[9];
     scaled_matrix_of({inverse ? -by.hi[0] : by.hi[0], by.hi[1], by.hi[2], by.hi[3]}, m);
     const double norm = squared_norm(by.hi);
-    bool moves = largest_magnitude(by.lo[0], by.lo[1], by.lo[2], by.lo[3]) == 0.0;
+    bool moves = spec.name == RepresentationId::dcm && largest_magnitude(by.lo[0], by.lo[1], by.lo[2], by.lo[3]) == 0.0;
     for (double& entry : m) {
         moves = moves && (entry == 0.0 || __builtin_fabs(entry) == norm);
         entry /= norm;
@@ -129,9 +129,8 @@ bool move_axes(const ExactQuaternion& by, bool from_the_left, bool inverse, cons
 /// numbers digits.
 Turns move_axes(const Spec& spec, bool inverse, Turns turns, const double*& in, std::size_t rows,
                 double (&moved)[2][9 * batch_rows]) noexcept {
-    const bool are_matrices = spec.name == RepresentationId::dcm;
-    turns.has_left = turns.has_left && !(are_matrices && move_axes(turns.left, true, inverse, in, rows, moved[0]));
-    turns.has_right = turns.has_right && !(are_matrices && move_axes(turns.right, false, inverse, in, rows, moved[1]));
+    turns.has_left = turns.has_left && !move_axes(spec, turns.left, true, inverse, in, rows, moved[0]);
+    turns.has_right = turns.has_right && !move_axes(spec, turns.right, false, inverse, in, rows, moved[1]);
     return turns;
 }
 
@@ -215,9 +214,7 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     const Turns turns = move_axes(from, inverse, *batch.turns, in, rows, moved);
     AttitudeBatch<T> attitudes;
     batch_kernel_of<T>(from.name).read(from, in, rows, attitudes);
-    if (inverse) {
-        invert(attitudes, rows);
-    }
+    invert_if(inverse, attitudes, rows);
     turn(turns, attitudes, rows);
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
     round(attitudes, rows, rounded);
@@ -239,9 +236,7 @@ void read_upright(const Spec& spec, const Turns& all, const double* numbers, std
     double moved[2][9 * batch_rows];
     const Turns turns = move_axes(spec, spec.passive, all, numbers, rows, moved);
     kernel_of(spec.name).exact.read(spec, numbers, rows, attitudes);
-    if (spec.passive) {
-        invert(attitudes, rows);
-    }
+    invert_if(spec.passive, attitudes, rows);
     turn(turns, attitudes, rows);
     for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
         Careful q[4];
@@ -302,9 +297,7 @@ void write_relative(const RelativeBatch& batch, const double* in, const double* 
     read_upright(from, *batch.turns, in, rows, attitudes);
     read_upright(*batch.reference, no_turns, reference, rows, references);
     relate(attitudes, references, batch.frame, rows, relative);
-    if (to.passive) {
-        invert(relative, rows);
-    }
+    invert_if(to.passive, relative, rows);
     kernel_of(to.name).exact.write(to, batch.lock_margin, relative, rows, out, nullptr, diagnostics);
     const auto careful = [&](std::size_t i) {
         Careful q[4];
