@@ -6,7 +6,6 @@ namespace {
 
 struct Cayley {
     static constexpr std::size_t size = 3;
-    static constexpr bool reading_is_exact = true;
 
     /// (1, c).
     template <class T> ROTCONV_INLINE static void quaternion_of(const double* c, T (&q)[4]) noexcept {

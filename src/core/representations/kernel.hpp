@@ -136,7 +136,7 @@ DiagnosticSet write_row(const Spec& /*spec*/, double /*lock_margin*/, const T (&
     return found;
 }
 
-// And where a row is read by one formula, which finds no defect, with `reading_is_exact` as of Kernel, and of functions
+// And where a row is read by one formula, which finds no defect, of functions
 //     quaternion_of(const double* numbers, T (&q)[4])   of any length
 //     size_of(const double* numbers)                    that length or the largest component, about
 
@@ -175,8 +175,7 @@ template <class Formula> constexpr Kernel kernel_of_formula{
     .fast = {.read = read_rows<Formula, double>, .write = write_rows<Formula, double>},
     .exact = {.read = read_rows<Formula, DoubleDouble>, .write = write_rows<Formula, DoubleDouble>},
     .one = {.read = read_row<Formula>, .write = write_row<Formula, double>},
-    .careful = {.read = read_carefully<Formula>, .write = write_row<Formula, Careful>},
-    .reading_is_exact = Formula::reading_is_exact};
+    .careful = {.read = read_carefully<Formula>, .write = write_row<Formula, Careful>}};
 
 /// Of an attitude with pi - theta <= half_turn_margin.
 template <class T> ROTCONV_INLINE DiagnosticSet half_turn_of(const T (&q)[4]) noexcept {

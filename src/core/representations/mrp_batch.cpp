@@ -6,7 +6,6 @@ namespace {
 
 struct Mrp {
     static constexpr std::size_t size = 3;
-    static constexpr bool reading_is_exact = false;
 
     /// (1 - |m|^2, 2 m).
     template <class T> ROTCONV_INLINE static void quaternion_of(const double* m, T (&q)[4]) noexcept {

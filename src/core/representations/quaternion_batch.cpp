@@ -36,7 +36,7 @@ struct FourNumbers {
         defect = __builtin_fabs(to_unit.undone(root(squared_norm(unit))) - 1.0);
         const bool keeps_bits = square >= 0.25 && square < 4.0;
         for (std::size_t k = 0; k < 4 && !keeps_bits; ++k) {
-            q[k] = unit[k] == 0.0 ? q[k] : unit[k]; // what underflows is still seen to be there
+            q[k] = unit[k] == 0.0 && q[k] != 0.0 ? __builtin_copysign(0x1p-1074, q[k]) : unit[k]; // not 0, nor plain
         }
         return Error::none;
     }
