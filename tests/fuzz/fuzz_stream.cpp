@@ -705,8 +705,9 @@ std::string description(const Result& result) {
     for (const fuzz::Failure& failure : result.failed) {
         text += fmt::format(" {}{}", failure.line, failure.of_reference ? " of the reference" : "");
     }
-    return text + fmt::format("\nto the end: {}, error: {}, answered: {}, unpaired: {}\n{}", result.to_the_end,
-                              result.error, result.answered, fmt::join(result.unpaired, " "), result.conclusion);
+    return text + fmt::format("\nto the end: {}, error: {}, answered: {}, unpaired: {}, notes: {}\n{}",
+                              result.to_the_end, result.error, result.answered, fmt::join(result.unpaired, " "),
+                              result.notes, result.conclusion);
 }
 
 void require_same(std::string_view what, const Result& a, const Result& b) {
