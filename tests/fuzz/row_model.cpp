@@ -471,13 +471,13 @@ private:
             meet("byte order mark");
         }
         lines_ = lines_of(text, rules_.comment);
-        if (std::ranges::any_of(lines_, may_be_remark) || !find_header() ||
-            (rules_.header == "add" && first_data_ == lines_.size()) || !hear_names()) {
-            return false;
-        }
         const auto comment = std::ranges::find_if(lines_, &Line::comment);
         if (comment != lines_.end() && std::ranges::none_of(lines_, &Line::row)) {
             note('c', static_cast<std::size_t>(comment - lines_.begin()) + 1);
+        }
+        if (std::ranges::any_of(lines_, may_be_remark) || !find_header() ||
+            (rules_.header == "add" && first_data_ == lines_.size()) || !hear_names()) {
+            return false;
         }
         if (header_ && first_data_ == lines_.size()) {
             note('h', *header_ + 1);
