@@ -245,7 +245,8 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     Pieces source(own.command.source ? *own.command.source : text, input.piece);
     Text sink(own.reports ? own.command.conclusion->rows() : nullptr);
     std::size_t first_beyond = 0;
-    const auto report = [&result, &first_beyond](const Event& event) {
+    std::string notes_of_reference;
+    const auto report = [&result, &first_beyond, &notes_of_reference](const Event& event) {
         if (const auto* error = std::get_if<RowError>(&event)) {
             result.failed.push_back({error->line, error->of_reference});
         } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
@@ -254,10 +255,10 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
             }
         } else if (const auto* note = std::get_if<Note>(&event)) {
             const char kind = "outachl"[static_cast<std::size_t>(note->kind)];
-            const std::string text =
-                fmt::format("{}{}{}", note->of_reference ? " of the reference " : "", kind, note->line);
-            const bool is_known = result.notes.find(text.substr(0, text.find(kind) + 1)) != std::string::npos;
-            result.notes += is_known || kind == 'u' || kind == 't' ? "" : text; // units are not modelled
+            std::string& notes = note->of_reference ? notes_of_reference : result.notes;
+            const bool is_known = notes.find(kind) != std::string::npos;
+            const bool is_modelled = kind != 'u' && kind != 't'; // units are not
+            notes += is_known || !is_modelled ? "" : fmt::format("{}{}", kind, note->line);
         }
     };
     TextSource reference_text(input.reference);
@@ -266,6 +267,9 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     result.angles = own.reports ? angles_of(sink.text) : std::vector<double>();
     result.bytes = own.has_text_alone() ? std::string() : std::move(sink.text);
     result.to_the_end = !ending.stopped && !ending.error;
+    if (result.to_the_end && !notes_of_reference.empty()) { // in a run that stops, how much of it is read is not said
+        result.notes += " of the reference " + notes_of_reference;
+    }
     if (ending.error) {
         result.error = fmt::format("{} {}{}", static_cast<int>(ending.error->what), ending.error->line,
                                    ending.error->of_reference ? " of the reference" : "");
@@ -699,8 +703,9 @@ std::string description(const Result& result) {
     for (const fuzz::Failure& failure : result.failed) {
         text += fmt::format(" {}{}", failure.line, failure.of_reference ? " of the reference" : "");
     }
-    return text + fmt::format("\nto the end: {}, error: {}, answered: {}, unpaired: {}\n{}", result.to_the_end,
-                              result.error, result.answered, fmt::join(result.unpaired, " "), result.conclusion);
+    return text + fmt::format("\nto the end: {}, error: {}, answered: {}, unpaired: {}, notes: {}\n{}",
+                              result.to_the_end, result.error, result.answered, fmt::join(result.unpaired, " "),
+                              result.notes, result.conclusion);
 }
 
 void require_same(std::string_view what, const Result& a, const Result& b) {

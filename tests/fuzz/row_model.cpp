@@ -471,13 +471,13 @@ private:
             meet("byte order mark");
         }
         lines_ = lines_of(text, rules_.comment);
-        if (std::ranges::any_of(lines_, may_be_remark) || !find_header() ||
-            (rules_.header == "add" && first_data_ == lines_.size()) || !hear_names()) {
-            return false;
-        }
         const auto comment = std::ranges::find_if(lines_, &Line::comment);
         if (comment != lines_.end() && std::ranges::none_of(lines_, &Line::row)) {
             note('c', static_cast<std::size_t>(comment - lines_.begin()) + 1);
+        }
+        if (std::ranges::any_of(lines_, may_be_remark) || !find_header() ||
+            (rules_.header == "add" && first_data_ == lines_.size()) || !hear_names()) {
+            return false;
         }
         if (header_ && first_data_ == lines_.size()) {
             note('h', *header_ + 1);
@@ -795,7 +795,7 @@ private:
             if (const auto parts = look_up(line, line.comment() ? of_comments : '\0')) {
                 use_header(i - 1, *parts);
                 const std::set<std::size_t> different(positions_.begin(), positions_.end());
-                return !ambiguous_ && different.size() == positions_.size();
+                return !is_unsure_ && !ambiguous_ && different.size() == positions_.size();
             }
         }
         return false;
@@ -837,6 +837,7 @@ private:
             candidates = known != '\0' ? known : delimiter_of(text, rules_.delimiter);
             candidates += line.comment() && candidates == " " ? "," : "";
         }
+        std::optional<Parting> found;
         for (const char delimiter : line.blank() ? std::string() : candidates) {
             if (candidates.size() > 1 && delimiter != ' ' && text.find(delimiter) == std::string_view::npos) {
                 continue;
@@ -847,12 +848,16 @@ private:
                 const Parting parts{delimiter, aside};
                 Fields names;
                 split(line.text.substr(prefix_of(line, parts).size()), delimiter, names);
-                if (find_names(names, delimiter)) {
-                    return parts;
+                if ((!found || found->delimiter != delimiter) && find_names(names, delimiter)) {
+                    is_unsure_ = found.has_value();
+                    found = parts;
                 }
             }
+            if (found && candidates != " ,") {
+                break;
+            }
         }
-        return std::nullopt;
+        return found;
     }
 
     bool find_names(const Fields& fields, char delimiter) {
@@ -1147,6 +1152,7 @@ private:
     std::vector<Item> items_;
     bool by_name_ = false;
     bool ambiguous_ = false;
+    bool is_unsure_ = false;             ///< blanks, and commas as well, part the names of the header
     std::vector<std::size_t> positions_; ///< selected, in the order of the numbers
     std::vector<Line> lines_;
     std::size_t first_data_ = 0;
