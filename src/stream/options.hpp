@@ -62,8 +62,10 @@ struct InputOptions {
     /// The numbers' own names, of those under which a header has them: "qw" for "W" and "q_RS_w []".
     std::function<std::vector<std::string>(std::vector<std::string> names)> own_names{};
 
+    /// A blank line is not one, whatever comments begin with.
     [[nodiscard]] bool is_comment(std::string_view line) const noexcept {
-        return !comment.empty() && !line.empty() && line.front() == comment.front() && line.starts_with(comment);
+        return !comment.empty() && !line.empty() && line.front() == comment.front() && line.starts_with(comment) &&
+               !is_blank(line);
     }
     [[nodiscard]] bool is_row(std::string_view line) const noexcept { return !is_comment(line) && !is_blank(line); }
 };

@@ -181,15 +181,10 @@ private:
         return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
     }
 
-    /// Not of a blank line, whatever comments begin with.
-    [[nodiscard]] bool is_comment(std::string_view line) const noexcept {
-        return options_.is_comment(line) && !is_blank(line);
-    }
-
     /// The last comment; an empty line where there is none.
     [[nodiscard]] Line last_comment() const {
-        const auto found =
-            std::find_if(lines_.rbegin(), lines_.rend(), [this](const Line& line) { return is_comment(line.text); });
+        const auto found = std::find_if(lines_.rbegin(), lines_.rend(),
+                                        [this](const Line& line) { return options_.is_comment(line.text); });
         return found == lines_.rend() ? Line{} : *found;
     }
 
@@ -234,10 +229,14 @@ private:
         if (!delimiter) {
             delimiter = options_.delimiter;
         }
-        const bool takes_commas = delimiter && delimiter->is_blanks() && is_comment(line.text);
+        const bool is_comment = options_.is_comment(line.text);
+        const std::string_view text = line.text.substr(is_comment ? options_.comment.size() : 0);
         std::vector<Delimiter> tried{delimiter.value_or(Delimiter::blanks())};
+        if (delimiter && delimiter->is_blanks() && is_comment) {
+            tried.insert(tried.begin(), Delimiter::character(','));
+        }
         for (const char c : {';', '\t', ','}) {
-            if ((!delimiter || (takes_commas && c == ',')) && line.text.find(c) != std::string_view::npos) {
+            if (!delimiter && text.find(c) != std::string_view::npos) {
                 tried.push_back(Delimiter::character(c));
             }
         }
@@ -314,6 +313,9 @@ std::vector<std::string> HeaderLine::names() const {
 }
 
 Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bool is_end) {
+    if (lines.empty()) {
+        return {};
+    }
     const Decision decision(lines, options);
     if (options.columns.has_names()) {
         return decision.by_name(is_end);

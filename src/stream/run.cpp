@@ -62,9 +62,8 @@ public:
             Output output;
             if (transformer) {
                 transformer->finish(output);
-            } else {
-                reader_->finish(output, !reader_->error());
             }
+            reader_->finish(output, !reader_->error());
             if (!reader_->error()) {
                 tell_notes(output, true);
             }
