@@ -41,7 +41,7 @@ struct Mrp {
         return half_turn_of(q);
     }
 
-    /// In two loops, which are faster than one.
+    /// In several loops, which are faster than one.
     template <class T> static void write(const Spec& /*spec*/, double /*lock_margin*/,
                                          const AttitudeBatch<T>& attitudes, std::size_t rows, double* numbers,
                                          double* rest, DiagnosticSet* diagnostics) noexcept {
@@ -62,7 +62,13 @@ struct Mrp {
             for (std::size_t k = 0; k < 3; ++k) {
                 numbers[3 * i + k] = m[k].hi;
             }
-            for (std::size_t k = 0; k < 3 && rest != nullptr; ++k) {
+        }
+        for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
+            T q[4];
+            parts.get(i, q);
+            DoubleDouble m[3];
+            numbers_of(q, length[i], m);
+            for (std::size_t k = 0; k < 3; ++k) {
                 rest[3 * i + k] = m[k].lo;
             }
         }
