@@ -9,11 +9,8 @@ namespace rotconv {
 
 /// The rotation in a plane that makes the matrix ((a, c), (c, b)) diagonal, by at most 45 degrees.
 struct PlaneRotation {
-    PlaneRotation(double a, double b, double c) noexcept {
-        const double cotangent = (b - a) / (2.0 * c); // of twice the angle
-        tangent = std::copysign(1.0, cotangent) / (std::fabs(cotangent) + std::sqrt(1.0 + cotangent * cotangent));
-        cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
-    }
+    PlaneRotation(double a, double b, double c) noexcept
+        : tangent(tangent_of((b - a) / (2.0 * c))), cosine(1.0 / std::sqrt(1.0 + tangent * tangent)) {}
 
     /// Turns two lines of so many numbers, each `step` after the one before.
     void operator()(double* first, double* second, std::ptrdiff_t size, std::ptrdiff_t step = 1) const noexcept {
@@ -22,6 +19,11 @@ struct PlaneRotation {
             *first = cosine * (old - tangent * *second);
             *second = cosine * (*second + tangent * old);
         }
+    }
+
+    /// The tangent of the smaller angle of which twice has this cotangent.
+    static double tangent_of(double cotangent) noexcept {
+        return std::copysign(1.0, cotangent) / (std::fabs(cotangent) + std::sqrt(1.0 + cotangent * cotangent));
     }
 
     double tangent;
