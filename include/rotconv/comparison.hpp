@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,21 +12,20 @@ namespace rotconv {
 
 /// How attitudes are compared.
 struct ComparisonSettings {
-    /// For both attitudes and for the relative one; `left` and `right` turn only the first attitude, R.
+    /// For both attitudes; `left` and `right` turn only the first attitude, R.
     ConversionSettings reading{};
     double within = std::numeric_limits<double>::infinity(); ///< a larger angle is reported; in `unit`
     AngleUnit unit = AngleUnit::radians;                     ///< of angles
-    std::optional<Spec> relative{};                          ///< write the relative attitude too, in this form
-    Frame frame = Frame::body; ///< of the relative attitude: R_REF' R with body, R R_REF' with reference
-    bool attitudes = false;    ///< write both attitudes too, as they were compared: quaternions of norm 1/2 to 2
+    /// Write both attitudes too, as they were compared: quaternions of norm 1/2 to 2.
+    bool attitudes = false;
 };
 
 /// The angle between two attitudes R and R_REF of a row, in any two representations.
 ///
 /// The angle is twice that of (|v|, |s|), where (s, v) is the product of one quaternion and the inverse of the other,
 /// formed with products of 106 bits. It is 0 for equal numbers of one SPEC, and quaternions near the identity may
-/// differ by as little as 1e-150. Attitudes are read to 106 bits and rounded; the worst error found is 3.10 eps. Each
-/// number of the relative attitude is rounded once. Thread-safe: run() changes nothing in it.
+/// differ by as little as 1e-150. Attitudes are read to 106 bits and rounded; the worst error found is 3.10 eps.
+/// Thread-safe: run() changes nothing in it. Composition has the relative attitude.
 class Comparison {
 public:
     Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings = {});
@@ -37,9 +35,8 @@ public:
     [[nodiscard]] const ComparisonSettings& settings() const noexcept { return settings_; }
     /// Numbers of a row of input: from().size() + reference().size().
     [[nodiscard]] std::size_t inputs() const noexcept { return from_.size() + reference_.size(); }
-    /// Numbers of a row of output: the angle, then those of the relative attitude and of both attitudes if the
-    /// settings want them.
-    [[nodiscard]] std::size_t outputs() const noexcept;
+    /// Numbers of a row of output: the angle, then those of both attitudes if the settings want them.
+    [[nodiscard]] std::size_t outputs() const noexcept { return settings_.attitudes ? 9 : 1; }
 
     /// Like Conversion::run(). An error of the second attitude has RowReport::of_reference, and RowReport::deviation is
     /// the angle.

@@ -15,6 +15,7 @@
 #include <rotconv/identification.hpp>
 #include <rotconv/integration.hpp>
 #include <rotconv/mrp.hpp>
+#include <rotconv/product.hpp>
 #include <rotconv/propagation.hpp>
 #include <rotconv/quaternion.hpp>
 #include <rotconv/rates.hpp>

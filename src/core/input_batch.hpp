@@ -91,4 +91,8 @@ private:
     std::array<double, batch_rows * most_numbers> own_order_;
 };
 
+/// The report on a row of two attitudes: the first error, or what there is to tell of both.
+[[nodiscard]] RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std::size_t row,
+                                       const ConversionSettings& settings) noexcept;
+
 } // namespace rotconv

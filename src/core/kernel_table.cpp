@@ -35,9 +35,9 @@ DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numb
 
 // NOLINTEND(*-avoid-c-arrays)
 
-void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
-            std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept {
-    kernel_table().relate(attitudes, references, frame, rows, relative, angles);
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
+            AttitudeBatch<double>& relative, double* angles) noexcept {
+    kernel_table().relate(attitudes, references, rows, relative, angles);
     for (std::size_t i = 0; i < rows; ++i) {
         if (!(angles[i] >= 0x1p-100)) {
             angles[i] = angle_of(relative.at(i));

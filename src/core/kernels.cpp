@@ -50,9 +50,18 @@ template <class T> ROTCONV_INLINE void turn(const Turns& by, T (&q)[4]) noexcept
         turn(by.right, false, q);
     }
 }
-/// R_REF' R or R R_REF'.
-template <class T> ROTCONV_INLINE void relate(const T (&reference)[4], Frame frame, T (&q)[4]) noexcept {
-    turn({-reference[0], reference[1], reference[2], reference[3]}, frame == Frame::body, q);
+/// R_REF' R.
+template <class T> ROTCONV_INLINE void relate(const T (&reference)[4], T (&q)[4]) noexcept {
+    turn({-reference[0], reference[1], reference[2], reference[3]}, true, q);
+}
+
+template <class T> ROTCONV_INLINE void rotate(const T (&q)[4], const Given<T> (&vector)[3], T (&rotated)[3]) noexcept {
+    T m[9];
+    scaled_matrix_of(q, m);
+    for (std::size_t k = 0; k < 3; ++k) {
+        rotated[k] = (m[3 * k] * vector[0] + m[3 * k + 1] * vector[1]) + m[3 * k + 2] * vector[2];
+    }
+    divide(rotated, squared_norm(q));
 }
 
 // Of a batch.
@@ -72,25 +81,20 @@ template <class T> void invert_if(bool inverse, AttitudeBatch<T>& attitudes, std
     }
 }
 
-/// Of a frame that is known when it is compiled: the loop vectorises.
-template <Frame frame, class T> void relate(const AttitudeBatch<T>& attitudes, const AttitudeBatch<T>& references,
-                                            std::size_t rows, AttitudeBatch<T>& relative) noexcept {
+/// R_REF' R.
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
+            AttitudeBatch<double>& relative) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
-        T q[4];
-        T reference[4];
+        double q[4];
+        double reference[4];
         attitudes.get(i, q);
         references.get(i, reference);
-        relate(reference, frame, q);
+        relate(reference, q);
         relative.set(i, q);
     }
     for (std::size_t i = 0; i < rows; ++i) {
         relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
     }
-}
-template <class T> void relate(const AttitudeBatch<T>& attitudes, const AttitudeBatch<T>& references, Frame frame,
-                               std::size_t rows, AttitudeBatch<T>& relative) noexcept {
-    const auto of_frame = frame == Frame::body ? relate<Frame::body, T> : relate<Frame::reference, T>;
-    of_frame(attitudes, references, rows, relative);
 }
 
 template <class T>
@@ -261,15 +265,15 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
     }
 }
 
-void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
-                    std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept {
-    relate(attitudes, references, frame, rows, relative);
+void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
+                    AttitudeBatch<double>& relative, double* angles) noexcept {
+    relate(attitudes, references, rows, relative);
     const bool are_plain = all_plain(attitudes, 0, rows) && all_plain(references, 0, rows);
     for (std::size_t i = 0; i < rows && !are_plain; ++i) {
         if (!all_plain(attitudes, i, 1) || !all_plain(references, i, 1)) {
             Careful q[4] = {attitudes[0][i], attitudes[1][i], attitudes[2][i], attitudes[3][i]};
             const Careful other[4] = {references[0][i], references[1][i], references[2][i], references[3][i]};
-            relate(other, frame, q);
+            relate(other, q);
             set_rounded(q, i, relative);
         }
     }
@@ -287,30 +291,78 @@ void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<
     }
 }
 
-void write_relative(const RelativeBatch& batch, const double* in, const double* reference, std::size_t rows,
-                    double* out, DiagnosticSet* diagnostics) noexcept {
-    const Spec& from = *batch.from;
+void multiply(const ProductBatch& batch, const double* first, const double* second, std::size_t rows,
+              AttitudeBatch<double>* const (&rounded)[3], double* out, double* rest,
+              DiagnosticSet* diagnostics) noexcept {
     const Spec& to = *batch.to;
-    AttitudeBatch<DoubleDouble> attitudes;
-    AttitudeBatch<DoubleDouble> references;
-    AttitudeBatch<DoubleDouble> relative;
-    read_upright(from, *batch.turns, in, rows, attitudes);
-    read_upright(*batch.reference, no_turns, reference, rows, references);
-    relate(attitudes, references, batch.frame, rows, relative);
-    invert_if(to.passive, relative, rows);
-    kernel_of(to.name).exact.write(to, batch.lock_margin, relative, rows, out, nullptr, diagnostics);
+    AttitudeBatch<DoubleDouble> attitudes[3];
+    auto& [left, right, product] = attitudes;
+    read_upright(*batch.first, *batch.turns, first, rows, left);
+    read_upright(*batch.second, no_turns, second, rows, right);
+    for (std::size_t i = 0; i < rows; ++i) {
+        DoubleDouble q[4];
+        DoubleDouble other[4];
+        left.get(i, q);
+        right.get(i, other);
+        turn(other, false, q);
+        product.set(i, q);
+        product.defect[i] = 0.0;
+        product.error[i] = left.error[i] != Error::none ? left.error[i] : right.error[i];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        round(attitudes[k], rows, *rounded[k]);
+    }
+    invert_if(to.passive, product, rows);
+    kernel_of(to.name).exact.write(to, batch.lock_margin, product, rows, out, rest, diagnostics);
     const auto careful = [&](std::size_t i) {
         Careful q[4];
         Careful other[4];
-        read_carefully(from, in + i * from.size(), from.passive, *batch.turns, q);
-        read_carefully(*batch.reference, reference + i * batch.reference->size(), batch.reference->passive, no_turns,
-                       other);
-        relate(other, batch.frame, q);
+        read_carefully(*batch.first, first + i * batch.first->size(), batch.first->passive, *batch.turns, q);
+        read_carefully(*batch.second, second + i * batch.second->size(), batch.second->passive, no_turns, other);
+        turn(other, false, q);
+        set_rounded(q, i, *rounded[2]);
         q[0] = to.passive ? -q[0] : q[0];
-        diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(), nullptr);
+        diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
+                                         rest == nullptr ? nullptr : rest + i * to.size());
     };
-    for_each_careful_row(from, in, relative, rows, careful);
-    for_each_careful_row(*batch.reference, reference, relative, rows, careful);
+    for_each_careful_row(*batch.first, first, product, rows, careful);
+    for_each_careful_row(*batch.second, second, product, rows, careful);
+}
+
+void rotate(const Spec& spec, const double* numbers, const double* vectors, std::size_t rows,
+            AttitudeBatch<double>& rounded, double* out) noexcept {
+    AttitudeBatch<DoubleDouble> attitudes;
+    read_upright(spec, no_turns, numbers, rows, attitudes);
+    round(attitudes, rows, rounded);
+    for (std::size_t i = 0; i < rows; ++i) {
+        DoubleDouble q[4];
+        DoubleDouble rotated[3];
+        double vector[3];
+        attitudes.get(i, q);
+        take(vectors + 3 * i, vector);
+        rotate(q, vector, rotated);
+        for (std::size_t k = 0; k < 3; ++k) {
+            out[3 * i + k] = rotated[k].hi;
+        }
+    }
+    const auto careful = [&](std::size_t i) {
+        Careful q[4];
+        Careful rotated[3];
+        Careful vector[3];
+        read_carefully(spec, numbers + i * spec.size(), spec.passive, no_turns, q);
+        take(vectors + 3 * i, vector);
+        rotate(q, vector, rotated);
+        for (std::size_t k = 0; k < 3; ++k) {
+            out[3 * i + k] = rotated[k].rounded();
+        }
+    };
+    for_each_careful_row(spec, numbers, attitudes, rows, careful);
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (!all<is_plain_number>(vectors + 3 * i, 3) && all_finite(vectors + 3 * i, 3) &&
+            attitudes.error[i] == Error::none) {
+            careful(i);
+        }
+    }
 }
 
 Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
@@ -345,7 +397,8 @@ constinit const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET){.convert = conver
                                                                .convert_fast = convert<double>,
                                                                .read = read,
                                                                .relate = relate_rounded,
-                                                               .write_relative = write_relative,
+                                                               .multiply = multiply,
+                                                               .rotate = rotate,
                                                                .read_exactly = read_exactly,
                                                                .read_one = read_one,
                                                                .write_one = write_one};

@@ -36,13 +36,12 @@ struct ConversionBatch {
     const Turns* turns; ///< of the attitudes as they are written
 };
 
-/// What a batch of relative attitudes, R_REF' R or R R_REF', needs beside its rows.
-struct RelativeBatch {
-    const Spec* from;
-    const Turns* turns; ///< of the attitudes R
-    const Spec* reference;
+/// What a batch of products of two attitudes needs beside its rows.
+struct ProductBatch {
+    const Spec* first;
+    const Turns* turns; ///< of the first attitudes
+    const Spec* second;
     const Spec* to;
-    Frame frame;
     double lock_margin;
 };
 
@@ -61,11 +60,17 @@ struct KernelTable {
     void (*read)(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
                  AttitudeBatch<double>& attitudes) noexcept;
     /// See relate(); angles below 2^-100 need not be right.
-    void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
-                   std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept;
-    /// The relative attitudes of rows, each number rounded once.
-    void (*write_relative)(const RelativeBatch& batch, const double* in, const double* reference, std::size_t rows,
-                           double* out, DiagnosticSet* diagnostics) noexcept;
+    void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
+                   AttitudeBatch<double>& relative, double* angles) noexcept;
+    /// The products of the first and the second attitudes of rows, each number rounded once; `rest` as in convert().
+    /// `attitudes` become the two attitudes and their product, rounded, with the defects and errors of the two.
+    void (*multiply)(const ProductBatch& batch, const double* first, const double* second, std::size_t rows,
+                     AttitudeBatch<double>* const (&attitudes)[3], double* out, double* rest,
+                     DiagnosticSet* diagnostics) noexcept;
+    /// R v of each row's attitude R and vector v, each number rounded once; infinite where it is too large. `attitudes`
+    /// become R, rounded.
+    void (*rotate)(const Spec& spec, const double* numbers, const double* vectors, std::size_t rows,
+                   AttitudeBatch<double>& attitudes, double* out) noexcept;
     /// One row to the last bit.
     void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
     /// One row in plain double, q as w, x, y, z.
@@ -82,10 +87,10 @@ struct KernelTable {
 /// One row; with a lock margin of 0 nothing is given up to lock. Returns what there is to report of it.
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin = 0.0) noexcept;
 
-/// The rotations between attitudes, R_REF' R or R R_REF', each component rounded once: the vector part of equal
-/// quaternions is 0. Their angles are in radians.
-void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, Frame frame,
-            std::size_t rows, AttitudeBatch<double>& relative, double* angles) noexcept;
+/// The rotations between attitudes, R_REF' R, each component rounded once: the vector part of equal quaternions is 0.
+/// Their angles are in radians.
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
+            AttitudeBatch<double>& relative, double* angles) noexcept;
 
 // NOLINTEND(*-avoid-c-arrays)
 

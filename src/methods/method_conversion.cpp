@@ -205,7 +205,7 @@ void MethodConversion::measure(std::span<const double> attitudes, std::span<cons
         for (std::size_t a = 0; a < count; ++a) {
             InputBatch answer(to(), answers.data() + (a * all + first) * to().size(), rows, to().size());
             kernels.read(to(), no_turns, answer.own(), rows, answer.attitudes);
-            relate(attitude.attitudes, answer.attitudes, Frame::body, rows, turns, sizes.data());
+            relate(attitude.attitudes, answer.attitudes, rows, turns, sizes.data());
             for (std::size_t i = 0; i < rows; ++i) {
                 angles[(first + i) * count + a] = turns.error[i] == Error::none ? sizes[i] : not_a_number;
             }

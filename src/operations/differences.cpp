@@ -14,21 +14,25 @@ using stream::NumberRows;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Comparison comparison_of(const DifferenceSettings& settings) {
-    const Spec vector{.name = RepresentationId::rotvec,
-                      .unit = settings.degrees ? AngleUnit::degrees : AngleUnit::radians};
-    return {settings.spec,
-            settings.spec,
-            {.reading = {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity},
-             .relative = vector,
-             .frame = settings.frame}};
+/// To the rotation vector of R_BEFORE' R (the inverse of R' R_BEFORE) in body axes, of R R_BEFORE' in reference axes,
+/// from rows of R and then R_BEFORE.
+Composition composition_of(const DifferenceSettings& settings) {
+    const bool of_body = settings.frame == Frame::body;
+    Spec inverse = settings.spec;
+    inverse.passive = !inverse.passive;
+    return {of_body ? inverse : settings.spec,
+            of_body ? settings.spec : inverse,
+            {.name = RepresentationId::rotvec,
+             .unit = settings.degrees ? AngleUnit::degrees : AngleUnit::radians,
+             .passive = of_body},
+            {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}};
 }
 
 /// Compares each row with the last one before it that was not refused.
 class Differences final : public stream::RowOperation {
 public:
     explicit Differences(const DifferenceSettings& settings)
-        : clock_(settings.time_power), size_(settings.spec.size()), comparison_(comparison_of(settings)) {
+        : clock_(settings.time_power), size_(settings.spec.size()), composition_(composition_of(settings)) {
         names = velocity_names(settings.degrees);
         in_order = true;
         looks_ahead = true;
@@ -67,8 +71,7 @@ public:
             }
             report.report_numbers();
             report.error = answer(step++, std::exchange(starts, false), out.subspan(row * 3, 3));
-            if (comparison_.settings().reading.sensitivity || report.error != Error::none ||
-                !report.diagnostics.empty()) {
+            if (composition_.settings().sensitivity || report.error != Error::none || !report.diagnostics.empty()) {
                 reports.push_back(report);
             }
         }
@@ -82,7 +85,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t width = 4; ///< numbers of a comparison: the angle and the rotation vector
     static constexpr double half_turn = std::numbers::pi - 1e-15;
 
     struct Step {
@@ -105,8 +107,8 @@ private:
             pairs_.insert(pairs_.end(), before.begin(), before.end());
             before = numbers;
         }
-        turns_.resize(steps_.size() * width);
-        comparison_.run(pairs_, turns_, found_);
+        turns_.resize(steps_.size() * 3);
+        composition_.run(pairs_, turns_, found_);
     }
 
     /// Leaves the steps to rows that have an attitude, and a time after the last.
@@ -144,11 +146,13 @@ private:
         bool known = source < steps_.size();
         if (known) {
             const double seconds = steps_[source].seconds;
-            const auto turn = std::span(turns_).subspan(source * width, width);
+            const Eigen::Map<const Eigen::Vector3d> turn(turns_.data() + source * 3);
+            const double angle =
+                turn.norm() * (composition_.to().unit == AngleUnit::degrees ? radians_per_degree : 1.0);
             // by half a turn or more the body may have turned the other way, also if it keeps the rate of before
-            known = turn[0] < half_turn && (starts || rate_ * seconds < half_turn);
-            std::ranges::transform(turn.subspan(1), velocity.begin(), [seconds](double x) { return x / seconds; });
-            rate_ = known && !starts ? turn[0] / seconds : 0.0;
+            known = angle < half_turn && (starts || rate_ * seconds < half_turn);
+            std::ranges::transform(turn, velocity.begin(), [seconds](double x) { return x / seconds; });
+            rate_ = known && !starts ? angle / seconds : 0.0;
         }
         if (!known) {
             std::ranges::fill(velocity, nan);
@@ -162,7 +166,7 @@ private:
     std::vector<double> last_; ///< its attitude; empty before the first
     double rate_ = 0.0;        ///< radians a second of the last step; 0 if it is not known
     std::size_t size_;         ///< numbers of an attitude
-    Comparison comparison_;
+    Composition composition_;
     // Of the rows at hand, reused.
     std::vector<double> pairs_;
     std::vector<double> turns_;

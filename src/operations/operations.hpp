@@ -17,6 +17,7 @@
 #include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
 #include <rotconv/identification.hpp>
+#include <rotconv/product.hpp>
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
 #include <rotconv/sampling.hpp>

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <rotconv/comparison.hpp>
+#include <rotconv/product.hpp>
 
 #include "accuracy.hpp"
 #include "catch.hpp"
@@ -84,7 +85,7 @@ TEST_CASE("the angle between any two representations is right near 0, near pi an
 }
 
 // Would catch: a turn of the reference too, sides exchanged, a turn of numbers that are the inverse, and one that the
-// relative attitude or extraordinary rows miss.
+// product or extraordinary rows miss.
 TEST_CASE("constant rotations turn the first attitude of a comparison") {
     strata::Source source(44);
     const Spec quat = accuracy::spec("quat");
@@ -107,15 +108,11 @@ TEST_CASE("constant rotations turn the first attitude of a comparison") {
         settings.reading.right = FixedRotation::of_numbers(quat, right);
         const double apart = compare(from, "quat", joined(row, other), settings).numbers.front();
         CHECK(std::fabs(apart - exact_angle(exact, exact_other)) <= 4.0 * oracle::eps);
-        settings.relative = quat;
-        for (const Frame frame : {Frame::body, Frame::reference}) {
-            settings.frame = frame;
-            auto found = compare(from, "quat", joined(row, other), settings).numbers;
-            found.erase(found.begin());
-            const auto relative =
-                frame == Frame::body ? exact_other.conjugate() * exact : exact * exact_other.conjugate();
-            CHECK(oracle::error_in_eps(relative, oracle::attitude(quat, found)) <= 1.0);
-        }
+        const Composition product(accuracy::spec(from), quat, quat, settings.reading);
+        std::vector<double> found(4);
+        std::vector<RowReport> reports;
+        product.run(joined(row, other), found, reports);
+        CHECK(oracle::error_in_eps(exact * exact_other, oracle::attitude(quat, found)) <= 1.0);
     }
 }
 
@@ -167,42 +164,6 @@ TEST_CASE("one attitude in other numbers is at most 4 eps apart") {
         const auto q = oracle::numbers(accuracy::spec("quat"), source.attitude());
         const auto m = oracle::numbers(accuracy::spec("dcm"), oracle::attitude(accuracy::spec("quat"), q));
         CHECK(angle("quat", "dcm", joined(q, m)) <= 4 * oracle::eps);
-    }
-}
-
-// Would catch: the inverse, the wrong side, a sign, -0, the axes of the other frame, or attitudes that are rounded
-// before they are related.
-TEST_CASE("the relative attitude is that in the axes asked for") {
-    // R turns x to y and y to z, R_REF by 90 degrees about z: R_REF' R turns by 120 degrees less those.
-    const std::vector<double> row{0.5, 0.5, 0.5, 0.5, 1, 0, 0, 1};
-    const auto relative = [&](const std::string& as, Frame frame) {
-        auto numbers = compare("quat", "quat", row, {.relative = accuracy::spec(as), .frame = frame}).numbers;
-        numbers.erase(numbers.begin());
-        return numbers;
-    };
-    // conj(r) q = (1 - k)/sqrt(2) (1 + i + j + k)/2 = (1 + i)/sqrt(2); q conj(r) = (1 + j)/sqrt(2)
-    CHECK(relative("rotvec:deg", Frame::body) == std::vector<double>{90, 0, 0});
-    CHECK(relative("rotvec:deg", Frame::reference) == std::vector<double>{0, 90, 0});
-    CHECK(relative("rotvec:deg:passive", Frame::body) == std::vector<double>{-90, 0, 0});
-    CHECK(relative("dcm:col", Frame::body) == std::vector<double>{1, 0, 0, 0, 0, 1, 0, -1, 0});
-    CHECK(relative("quat:xyzw", Frame::reference)[1] == Approx(std::sqrt(0.5)).epsilon(1e-15));
-    for (int angle = 1; angle < 180; ++angle) { // rounded once
-        const std::vector<double> yaws{0, 0, 200.0 + angle, 0, 0, 200};
-        const ComparisonSettings settings{.relative = accuracy::spec("rotvec:deg")};
-        CHECK(compare("rpy:deg", "rpy:deg", yaws, settings).numbers[3] == angle);
-    }
-    strata::Source source(44);
-    for (int i = 0; i < 200; ++i) {
-        const auto quat = accuracy::spec("quat");
-        const auto a = oracle::numbers(quat, source.attitude());
-        const auto b = oracle::numbers(quat, source.attitude());
-        for (const Frame frame : {Frame::body, Frame::reference}) {
-            const auto got = compare("quat", "quat", joined(a, b), {.relative = quat, .frame = frame}).numbers;
-            const auto p = oracle::attitude(quat, a);
-            const auto r = oracle::attitude(quat, b);
-            const auto exact = frame == Frame::body ? r.conjugate() * p : p * r.conjugate();
-            CHECK(oracle::error_in_eps(oracle::attitude(quat, std::span(got).subspan(1)), exact) <= 1.0);
-        }
     }
 }
 

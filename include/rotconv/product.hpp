@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <rotconv/conversion.hpp>
+
+namespace rotconv {
+
+/// The product A B of the two attitudes of a row, in any representations: B is applied first. A `passive` Spec inverts,
+/// so the relative attitude R_REF' R is a composition from `quat:passive` and `quat`.
+///
+/// Attitudes are read and multiplied in 106 bits, and each number of the result is rounded once, like those of a
+/// Conversion. Thread-safe: run() changes nothing in it.
+class Composition {
+public:
+    /// @param settings `left` and `right` turn only A, before it is multiplied; `fast` and `few_digits` are not used
+    Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings = {});
+
+    [[nodiscard]] const Spec& first() const noexcept { return first_; }
+    [[nodiscard]] const Spec& second() const noexcept { return second_; }
+    [[nodiscard]] const Spec& to() const noexcept { return to_; }
+    [[nodiscard]] const ConversionSettings& settings() const noexcept { return settings_; }
+
+    /// Like Conversion::run(), of rows of first().size() + second().size() numbers. An error of B has
+    /// RowReport::of_reference.
+    void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
+             std::span<double> rest = {}) const;
+
+private:
+    Spec first_;
+    Spec second_;
+    Spec to_;
+    ConversionSettings settings_;
+};
+
+/// The vectors v_ref = R v_body of rows of an attitude R, in any representation, and a vector. With a `passive` Spec the
+/// result is v_body of v_ref.
+///
+/// Attitudes are read to 106 bits, and each number of the result is rounded once, to the double nearest to the exact
+/// function of the numbers read where it is not tiny beside the vector's largest number (below 1e-12 of it).
+/// Thread-safe: run() changes nothing in it.
+class VectorRotation {
+public:
+    explicit VectorRotation(const Spec& from, const ConversionSettings& settings = {});
+
+    [[nodiscard]] const Spec& from() const noexcept { return from_; }
+    [[nodiscard]] const ConversionSettings& settings() const noexcept { return settings_; }
+
+    /// Like Conversion::run(), of rows of from().size() + 3 numbers, into rows of 3. The sensitivity is that of the
+    /// attitude as it was read. Error::not_finite is also that of a vector, and Error::overflow that of a result.
+    void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const;
+
+private:
+    Spec from_;
+    ConversionSettings settings_;
+};
+
+} // namespace rotconv
