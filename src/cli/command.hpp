@@ -72,7 +72,8 @@ struct RowsCommand {
     std::shared_ptr<messages::Subject> subject{}; ///< what the rows are, for messages
     ShowDiagnostics diagnostics = ShowDiagnostics::summary;
     bool strict = false;
-    bool allow_failed = false; ///< rows that fail do not make the exit status 1
+    bool allow_failed = false;  ///< rows that fail do not make the exit status 1
+    bool allow_unpaired = true; ///< rows of the reference that are in no pair do not make it 1
     std::string input = "-";
     std::string output = "-";
     bool has_values = false;
@@ -119,6 +120,8 @@ struct CommandEntry {
 [[nodiscard]] CommandEntry compare_command();
 [[nodiscard]] CommandEntry identify_command();
 [[nodiscard]] CommandEntry sample_command();
+[[nodiscard]] CommandEntry compose_command();
+[[nodiscard]] CommandEntry rotate_command();
 /// All of them, the conversion first.
 [[nodiscard]] std::vector<CommandEntry> command_table();
 

@@ -152,8 +152,9 @@ Command read_command_line(int argc, const char* const* argv) {
 }
 
 std::vector<CommandEntry> command_table() {
-    std::vector<CommandEntry> table{convert_command(), list_command(),    rates_command(),    propagate_command(),
-                                    survey_command(),  compare_command(), identify_command(), sample_command()};
+    std::vector<CommandEntry> table{convert_command(),  list_command(),    rates_command(),   propagate_command(),
+                                    survey_command(),   compare_command(), compose_command(), rotate_command(),
+                                    identify_command(), sample_command()};
     for (CommandEntry& entry : table) {
         entry.options.begin_group("More");
         entry.options.add_flag("-h,--help", "Print this help and exit");

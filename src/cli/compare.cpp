@@ -98,9 +98,7 @@ Command compare(const Given& given) {
                 .allow_failed = given.has("--allow-failed"),
                 .percentiles = percentiles_of(given.text("--percentiles")),
                 .worst = count_of(given, "--worst", 1'000'000),
-                .rows = {.paired = is_paired(given),
-                         .by_key = is_by_key(given),
-                         .interpolates = given.has("--interpolate") && is_paired(given)},
+                .rows = {{paired_rows_of(given)}},
                 .comparing = {.reading = attitude_settings_of(given),
                               .unit = degrees ? AngleUnit::degrees : AngleUnit::radians}};
     if (given.has("--allow-unpaired")) {
@@ -109,31 +107,18 @@ Command compare(const Given& given) {
             {{"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}});
     }
     const bool as_rows = check.format == Check::Format::csv;
-    if (!as_rows && given.has("--as")) {
-        throw Usage("--as needs --format csv");
-    }
-    if (!given.has("--as") && given.has("--frame")) {
-        throw Usage("--frame is about the relative attitude, and needs --as SPEC");
-    }
     ComparisonSettings& comparing = check.comparing;
     comparing.within = check.within.angle;
-    comparing.frame = frame_of(given);
-    if (given.has("--as")) {
-        comparing.relative = spec_of(given, "--as");
-    }
     const Comparison comparison(from, reference, comparing);
 
     operations::ComparisonRows& rows = check.rows;
     rows.as_numbers = !as_rows;
     rows.delta = count_of(given, "--delta", 1'000'000);
-    messages::Subject subject = messages::subject_of(from, comparing.reading.tolerance);
-    if (!rows.paired) {
-        subject.text += given.has("--to") ? fmt::format(" with {}", representation(reference.name).text) : " twice";
-        subject.count = comparison.inputs();
-    }
+    messages::Subject subject = rows.paired ? messages::subject_of(from, comparing.reading.tolerance)
+                                            : messages::subject_of_two(from, reference, comparing.reading.tolerance);
     check.watch =
         std::make_shared<operations::PairWatch>(std::max<std::size_t>(check.worst, 1), check.within_p95.angle);
-    RowsCommand command = rows_command(given, columns_of_file(given), operations::comparison_numbers(comparison, rows),
+    RowsCommand command = rows_command(given, columns_of_file(given), operations::pair_numbers(from, reference, rows),
                                        operations::compare(comparison, rows, check.watch), std::move(subject));
     command.options.append = as_rows;
     command.options.format = as_rows ? stream::Format::csv : stream::Format::result;
@@ -162,8 +147,6 @@ CommandEntry compare_command() {
     set.begin_group("What");
     set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
     set.add("-t,--to", "SPEC", "The representation of the reference (default: that of --from)");
-    set.add("--as", "SPEC", "With --format csv: print the relative attitude too, in SPEC");
-    set.add("--frame", "FRAME", "Axes of the relative attitude: body (default) or reference");
     set.add("--align", "SIDE", "Turn FILE by the best constant: reference, body, both, yaw, or first");
     set.add("--delta", "N", "Compare the turns from each pair to the N-th after it");
     add_attitudes(set);

@@ -91,6 +91,7 @@ std::string why(const stream::RowError& error, const Subject& subject) {
         return fmt::format("{} where line {} has {} (--ragged takes such rows)", counted(error.found, "field"),
                            error.first_line, error.expected);
     case stream::RowError::What::key_order: return "the key does not increase";
+    case stream::RowError::What::no_partner: return "no partner in REFERENCE";
     case stream::RowError::What::open_quote: return "a quote is left open";
     case stream::RowError::What::time: return "not a time that is read";
     case stream::RowError::What::attitude: break;
@@ -136,6 +137,13 @@ std::string after_text(const stream::RowError& error) {
 
 Subject subject_of(const Spec& spec, double tolerance) {
     return {std::string(representation(spec.name).text), spec.size(), spec.name, tolerance};
+}
+
+Subject subject_of_two(const Spec& first, const Spec& second, double tolerance) {
+    Subject subject = subject_of(first, tolerance);
+    subject.text += first.text() == second.text() ? " twice" : fmt::format(" with {}", representation(second.name).text);
+    subject.count += second.size();
+    return subject;
 }
 
 std::vector<std::string_view> names_of(const Representation& entry) {

@@ -44,6 +44,9 @@ struct Subject {
 /// Rows of attitudes.
 [[nodiscard]] Subject subject_of(const Spec& spec, double tolerance);
 
+/// Rows of two attitudes each.
+[[nodiscard]] Subject subject_of_two(const Spec& first, const Spec& second, double tolerance);
+
 /// Why a row has no result, with the text at fault.
 [[nodiscard]] std::string explain(const stream::RowError& error, const Subject& subject);
 

@@ -98,6 +98,10 @@ void add_pairing(OptionSet& set);
 [[nodiscard]] inline bool is_paired(const Given& given) { return given.files.size() == 2; }
 [[nodiscard]] inline bool is_by_key(const Given& given) { return is_paired(given) && given.has("--key"); }
 
+[[nodiscard]] inline operations::PairedRows paired_rows_of(const Given& given) {
+    return {is_paired(given), is_by_key(given), is_paired(given) && given.has("--interpolate")};
+}
+
 /// The columns to read of one stream, and the option that names them.
 struct SelectedColumns {
     std::string list;

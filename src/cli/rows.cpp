@@ -333,7 +333,8 @@ ExitCode run_last_pass(const RowsCommand& command) {
         }
         const bool strict = command.strict && reporter.met_diagnostic();
         const bool has_failures = result.failed > 0 && !command.allow_failed;
-        result.code = has_failures || strict ? ExitCode::completed_with_failures : ExitCode::done;
+        const bool has_unpaired = result.unpaired[1].rows > 0 && !command.allow_unpaired;
+        result.code = has_failures || has_unpaired || strict ? ExitCode::completed_with_failures : ExitCode::done;
         reporter.add(result.unpaired);
     }
     reporter.count_rest();

@@ -8,8 +8,8 @@
 
 #include <rotconv/quaternion.hpp>
 
-#include "../core/interpolation.hpp"
 #include "../stream/fmt.hpp"
+#include "between.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
@@ -17,140 +17,10 @@ namespace {
 
 constexpr double no_angle = std::numeric_limits<double>::quiet_NaN();
 
-void append(std::vector<double>& to, std::span<const double> numbers) {
-    to.insert(to.end(), numbers.begin(), numbers.end());
+PairFunction function_of(const Comparison& comparison) {
+    return {[comparison](auto in, auto out, auto& reports, auto /*rest*/) { comparison.run(in, out, reports); },
+            comparison.outputs()};
 }
-
-Rotation rotation_at(const double* q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
-
-std::array<double, 4> components_of(const Rotation& q) noexcept { return {q.w(), q.x(), q.y(), q.z()}; }
-
-/// The report on the row among reports in the order of the rows; an empty one is added if there is none.
-RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
-    const auto place = std::ranges::lower_bound(reports, row, {}, &RowReport::row);
-    return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
-}
-
-/// The comparison of some of the rows at hand.
-struct SomeRows {
-    explicit SomeRows(const Comparison& comparison_) : comparison(comparison_) {}
-
-    void clear() noexcept {
-        rows.clear();
-        numbers.clear();
-    }
-    /// Compares them, and puts the results in their places among rows of `width` numbers.
-    void run(std::span<double> to, std::size_t width) {
-        const std::size_t size = comparison.outputs();
-        out.resize(rows.size() * size);
-        comparison.run(numbers, out, reports);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            std::copy_n(out.data() + i * size, size, to.data() + rows[i] * width);
-        }
-        std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
-    }
-
-    Comparison comparison;
-    std::vector<std::size_t> rows; ///< their indices among all
-    std::vector<double> numbers;
-    std::vector<double> out;
-    std::vector<RowReport> reports; ///< by the indices among all
-};
-
-/// Compares attitudes with a reference that lies between two rows.
-class ComparisonBetween {
-public:
-    explicit ComparisonBetween(const Comparison& comparison)
-        : at_(comparison), between_(Comparison(comparison.from(), Spec{}, comparison.settings())),
-          reading_(comparison.reference(), Spec{},
-                   {.tolerance = comparison.settings().reading.tolerance,
-                    .sensitivity = comparison.settings().reading.sensitivity}) {}
-
-    /// Like Comparison::run(), of rows as stream::Pairing has them. A row between attitudes that are half a turn apart
-    /// has the error past_half_turn.
-    void run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports) {
-        const std::size_t n = at_.comparison.from().size();
-        const std::size_t m = at_.comparison.reference().size();
-        const std::size_t width = 1 + n + 1 + m + m + 1;
-        const std::size_t count = rows.size() / width;
-        numbers_.clear();
-        for (std::size_t i = 0; i < count; ++i) {
-            append(numbers_, rows.subspan(i * width + 2 + n, 2 * m));
-        }
-        neighbours_.resize(8 * count);
-        reading_.run(numbers_, neighbours_, neighbour_reports_);
-        at_.clear();
-        between_.clear();
-        reports.clear();
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto row = rows.subspan(i * width, width);
-            SomeRows& some = row.back() > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
-            some.rows.push_back(i);
-            append(some.numbers, row.subspan(1, n));
-            if (row.back() > 0.0) {
-                append(some.numbers, attitude_between(i, row.back(), reports));
-            } else {
-                append(some.numbers, row.subspan(2 + n, m));
-            }
-        }
-        const std::size_t size = at_.comparison.outputs();
-        for (SomeRows* some : {&at_, &between_}) {
-            some->run(out, size);
-            for (const RowReport& report : some->reports) { // its own error counts before those of the neighbours
-                RowReport& found = report_of(report.row, reports);
-                found = found.error != Error::none && report.error == Error::none ? found : report;
-            }
-        }
-        for (const RowReport& report : neighbour_reports_) {
-            const std::size_t row = report.row / 2;
-            const bool is_later = report.row % 2 == 1;
-            const bool is_between = rows[(row + 1) * width - 1] > 0.0;
-            if (!is_between || (is_later && report.error == Error::none)) { // the row after it tells of the later
-                continue;
-            }
-            RowReport& found = report_of(row, reports);
-            if (found.error == Error::none && report.error != Error::none) {
-                found = {.row = row,
-                         .error = report.error,
-                         .of_reference = true,
-                         .of_later = is_later,
-                         .defect = report.defect};
-            } else if (found.error == Error::none) {
-                found.reference_defect = report.defect;
-                found.reference_unusual = report.unusual;
-                found.diagnostics |= report.diagnostics;
-            }
-        }
-        for (const RowReport& report : reports) {
-            if (report.error != Error::none) {
-                std::fill_n(out.data() + report.row * size, size, no_angle);
-            }
-        }
-    }
-
-private:
-    /// The quaternion at the fraction; the identity where there is none.
-    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction,
-                                                         std::vector<RowReport>& reports) const {
-        const Rotation earlier = rotation_at(neighbours_.data() + 8 * row);
-        const Rotation later = rotation_at(neighbours_.data() + 8 * row + 4);
-        if (std::isnan(earlier.w()) || std::isnan(later.w())) {
-            return {1.0}; // which is reported of them
-        }
-        const auto found = interpolated(earlier, later, fraction);
-        if (!found) {
-            reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
-        }
-        return components_of(found.value_or(Rotation()));
-    }
-
-    SomeRows at_;
-    SomeRows between_;   ///< with the quaternion between the neighbours
-    Conversion reading_; ///< of the neighbours
-    std::vector<double> numbers_;
-    std::vector<double> neighbours_; ///< of each row the earlier and the later, as quaternions
-    std::vector<RowReport> neighbour_reports_;
-};
 
 /// Compares the turns from pairs of attitudes to the N-th pair after them. Remembers N pairs.
 class ComparisonOfTurns {
@@ -161,7 +31,7 @@ public:
               settings.reading.right.reset();
               settings.reading.tolerance = any_defect;
               settings.attitudes = false;
-              return Comparison({}, {}, settings);
+              return function_of(Comparison({}, {}, settings));
           }()) {}
 
     /// @param compared of each row an angle, nan where there is none, and both attitudes
@@ -212,11 +82,7 @@ public:
         : comparison_(comparison), rows_(rows), watch_(std::move(watch)) {
         ComparisonSettings settings = comparison.settings();
         names = {"angle"};
-        attitude = settings.relative;
         unit = settings.unit == AngleUnit::degrees ? "deg" : "rad";
-        if (attitude) {
-            names = joined(names, names_of(*attitude));
-        }
         if (rows.delta > 0) {
             turns_.emplace(rows.delta, settings);
             in_order = true;
@@ -224,11 +90,12 @@ public:
         }
         if (rows.as_numbers || rows.delta > 0) {
             settings.attitudes = true;
-            settings.relative.reset();
         }
         comparison_ = Comparison(comparison.from(), comparison.reference(), settings);
         if (rows.interpolates) {
-            between_.emplace(comparison_);
+            between_.emplace(function_of(comparison_),
+                             function_of(Comparison(comparison_.from(), Spec{}, comparison_.settings())),
+                             comparison_.from().size(), comparison_.reference(), comparison_.settings().reading);
         }
         if (rows.as_numbers) {
             names.resize(numbers_of_pair);
@@ -271,9 +138,9 @@ private:
     Comparison comparison_;
     ComparisonRows rows_;
     std::shared_ptr<PairWatch> watch_;
-    std::optional<ComparisonBetween> between_; ///< where the reference is interpolated
-    std::optional<ComparisonOfTurns> turns_;   ///< where there is a delta
-    std::vector<double> compared_;             ///< before the turns
+    std::optional<Between> between_;         ///< where the reference is interpolated
+    std::optional<ComparisonOfTurns> turns_; ///< where there is a delta
+    std::vector<double> compared_;           ///< before the turns
     std::vector<double> attitudes_;
 };
 
@@ -332,15 +199,6 @@ void PairWatch::add(const stream::NumberRows& rows, std::span<const double> atti
             worst_.erase(std::prev(worst_.end()));
         }
     }
-}
-
-stream::RowNumbers comparison_numbers(const Comparison& comparison, const ComparisonRows& rows) {
-    stream::RowNumbers numbers = attitude_numbers(comparison.from(), rows.by_key);
-    if (!rows.paired) {
-        numbers.names = joined(numbers.names, names_of(comparison.reference()));
-        numbers.second = comparison.reference();
-    }
-    return numbers;
 }
 
 Operation compare(const Comparison& comparison, const ComparisonRows& rows, std::shared_ptr<PairWatch> watch) {

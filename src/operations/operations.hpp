@@ -77,6 +77,10 @@ private:
 /// The answers of a published method; `all`: of all methods of the pair, each with its angle to the attitude.
 [[nodiscard]] Operation method(const MethodConversion& conversion, bool all, bool continuous);
 
+/// The vectors of rows of an attitude and a vector in reference coordinates.
+[[nodiscard]] stream::RowNumbers rotation_numbers(const Spec& spec);
+[[nodiscard]] Operation rotate(const VectorRotation& rotation);
+
 /// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are
 /// those of an angular velocity. `sensitivity`: a report of every row.
 [[nodiscard]] stream::RowNumbers rates_numbers(const Spec& spec, const RateSettings& settings);
@@ -115,12 +119,21 @@ struct PropagationRows {
 /// Adds the attitudes to a survey, which must outlive the operation. The results of the rows are not used.
 [[nodiscard]] Operation survey(const Spec& from, double tolerance, Survey& survey);
 
-struct ComparisonRows {
-    bool paired = false;       ///< the second attitude comes from a reference...
-    bool by_key = false;       ///< ...and each of the two has its key before it
-    bool as_numbers = false;   ///< rows are those of ComparedPair, for a sink, instead of the relative attitude
-    bool interpolates = false; ///< by key: the second attitude lies between two of the reference, see stream::Pairing
-    std::size_t delta = 0;     ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
+/// Where the second attitude of a pair is.
+struct PairedRows {
+    bool paired = false;       ///< it comes from a reference, otherwise it follows the first in the row
+    bool by_key = false;       ///< each of the two has its key before it
+    bool interpolates = false; ///< by key: it lies between two of the reference, see stream::Pairing
+};
+/// The numbers that rows of the stream have: of both attitudes, or those of the first.
+[[nodiscard]] stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows);
+
+/// The products of pairs of attitudes.
+[[nodiscard]] Operation compose(const Composition& composition, const PairedRows& rows, bool continuous);
+
+struct ComparisonRows : PairedRows {
+    bool as_numbers = false; ///< rows are those of ComparedPair, for a sink
+    std::size_t delta = 0;   ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
 };
 /// For a sink: the angle and both attitudes as quaternions. An angle of nan is none. With a delta there are no
 /// attitudes.
@@ -176,7 +189,6 @@ private:
 };
 
 /// The angles between the two attitudes of rows, each of which the watch sees.
-[[nodiscard]] stream::RowNumbers comparison_numbers(const Comparison& comparison, const ComparisonRows& rows);
 [[nodiscard]] Operation compare(const Comparison& comparison, const ComparisonRows& rows,
                                 std::shared_ptr<PairWatch> watch);
 

@@ -28,9 +28,10 @@ struct RowError {
         missing_column, ///< `found` fields, column `expected` is selected
         other_width,    ///< `found` fields where the row at `first_line` has `expected`
         open_quote,
-        key_order, ///< `text` is a key that does not increase
-        time,      ///< `text` resembles a time, and `time` says what is wrong with it
-        attitude,  ///< the numbers describe none: see `error`, `defect`
+        key_order,  ///< `text` is a key that does not increase
+        no_partner, ///< the row is in no pair; see Pairing::needs_partner
+        time,       ///< `text` resembles a time, and `time` says what is wrong with it
+        attitude,   ///< the numbers describe none: see `error`, `defect`
     };
     std::size_t line = 0;
     What what = What::attitude;

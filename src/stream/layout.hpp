@@ -37,7 +37,9 @@ struct Layout {
     bool appends = false;                ///< nothing is replaced: the result stands at the end
     JsonKeys keys{};                     ///< of the other fields, under Format::json
     std::string line_end = "\n";         ///< for a last row that has none
-    std::vector<Note> notes{};           ///< of the header and the first row, or of comments alone
+    std::vector<std::string>
+        kept_names{};          ///< of the result, as they stand in the header; see RowOperation::keeps_names
+    std::vector<Note> notes{}; ///< of the header and the first row, or of comments alone
 
     /// The numbers stand in the chosen fields, or are the whole row where none is chosen; the first `kept` of them are
     /// not replaced.

@@ -79,6 +79,8 @@ struct Pairing {
     /// operation gets the numbers of a row, of the earlier and of the later neighbour, without the key of the later,
     /// and how far the row is from the earlier, as a fraction; of a row whose key the reference has, both are that row.
     bool interpolates = false;
+    bool needs_partner = false; ///< a row of the stream without a partner is a row error
+    bool tells_partner = true;  ///< in text, rows that are paired by key have the columns partner_names
 };
 
 /// What a run does with its rows.
@@ -95,7 +97,9 @@ struct Options {
     std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
     std::optional<Pairing> pairing{};                     ///< where the rows are paired with those of a reference
 
-    [[nodiscard]] bool writes_partners() const noexcept { return pairing && pairing->by_key && format == Format::csv; }
+    [[nodiscard]] bool writes_partners() const noexcept {
+        return pairing && pairing->by_key && pairing->tells_partner && format == Format::csv;
+    }
 };
 
 /// What follows a row that is paired by key.

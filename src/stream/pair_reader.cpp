@@ -193,6 +193,20 @@ void PairReader::pair(Job& job, bool is_between) {
     }
 }
 
+void PairReader::drop_alone(Job& job, Side& side) {
+    const bool fails = &side == &rows_ && pairing_->needs_partner;
+    if (fails) {
+        const Waiting& first = side.waiting.front();
+        Row& row = job.pairs.rows.emplace_back(first.line, first.number);
+        row.error = job.pairs.errors.size();
+        job.pairs.errors.push_back(
+            {.line = first.number, .what = RowError::What::no_partner, .text = std::string(first.line.text)});
+        job.pairs.bytes += first.line.text.size() + 1;
+        side.hold(1, job.pairs);
+    }
+    side.drop_row(fails);
+}
+
 void PairReader::compare_distance(Decimal distance) {
     if (!nearest_ || distance < *nearest_) {
         nearest_ = std::move(distance);
@@ -202,7 +216,11 @@ void PairReader::compare_distance(Decimal distance) {
 PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     const bool interpolates = pairing_->interpolates;
     if (row == At::end || reference == At::end) {
-        (row == At::end ? references_ : rows_).drop_row(row == At::end && interpolates);
+        if (row == At::end) {
+            references_.drop_row(interpolates);
+        } else {
+            drop_alone(job, rows_);
+        }
         return nullptr;
     }
     if (!pairing_->by_key || rows_.keys[0] == references_.keys[0]) {
@@ -216,7 +234,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
         compare_distance(high.keys[0] - low.keys[0]);
     }
     if (interpolates ? is_before : is_alone(low, high)) {
-        low.drop_row(false);
+        drop_alone(job, low);
         return nullptr;
     }
     const At next = low.look(1);
@@ -231,7 +249,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
         match_between(job, next);
     } else if (next == At::row &&
                Decimal::sign_of_sum({{&low.keys[1], 1}, {&low.keys[0], 1}, {&high.keys[0], -2}}) < 0) {
-        low.drop_row(false); // the one after it is nearer
+        drop_alone(job, low); // the one after it is nearer
     } else {
         pair(job);
     }
@@ -250,7 +268,7 @@ void PairReader::match_between(Job& job, At next) {
     if (next == At::end) {
         error_ = reference_error(); // the row after it may not be known
         if (!error_) {
-            rows_.drop_row(false);
+            drop_alone(job, rows_);
         }
     } else if (const Decimal& later = references_.keys[1]; later <= rows_.keys[0]) {
         references_.drop_row(true);
@@ -258,7 +276,7 @@ void PairReader::match_between(Job& job, At next) {
         pair(job, true);
     } else {
         compare_distance(std::move(distance));
-        rows_.drop_row(false);
+        drop_alone(job, rows_);
     }
 }
 

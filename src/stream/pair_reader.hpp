@@ -101,6 +101,8 @@ private:
     void match_between(Job& job, At next);
     /// `is_between`: it lies between the first two of the reference.
     void pair(Job& job, bool is_between = false);
+    /// Disposes of the side's next row, which has no partner.
+    void drop_alone(Job& job, Side& side);
     void compare_distance(Decimal distance);
     [[nodiscard]] std::optional<StreamError> reference_error() const;
     /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,

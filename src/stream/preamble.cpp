@@ -442,6 +442,7 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
             return false;
         }
         pass(std::string_view(held_).substr(0, begin), output);
+        keep_names(header);
         if (is_written()) {
             write_header(output.bytes, *written_, layout_, header);
         }
@@ -516,6 +517,17 @@ void Preamble::hear_names(const HeaderLine& header, std::size_t line) {
     }
 }
 
+void Preamble::keep_names(const HeaderLine& header) {
+    if (written_ == nullptr || !written_->operation->keeps_names) {
+        return;
+    }
+    const std::size_t count = written_->operation->names.size();
+    for (std::size_t i = layout_.count - count; i < layout_.count; ++i) {
+        const std::size_t at = layout_.positions.empty() ? i : layout_.positions[i];
+        layout_.kept_names.emplace_back(at < header.fields.size() ? trimmed(header.fields[at]) : "");
+    }
+}
+
 void Preamble::take_layout(const Line& row, std::size_t number) {
     layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(row.text));
     layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
@@ -540,8 +552,12 @@ void Preamble::begin_rows(Output& output) {
     }
     write_added_header(output.bytes, *written_, layout_);
     if (written_->format == Format::json) {
+        std::vector<std::string> taken;
+        for (const std::string_view column : result_columns(*written_, layout_)) {
+            taken.push_back(layout_.delimiter.unquoted(column));
+        }
         layout_.keys =
-            JsonKeys(names_, result_columns(*written_), [this](std::size_t at) { return !layout_.replaces(at); });
+            JsonKeys(names_, {taken.begin(), taken.end()}, [this](std::size_t at) { return !layout_.replaces(at); });
     }
     written_->operation->take_positions(layout_.positions);
 }

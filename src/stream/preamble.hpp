@@ -83,6 +83,8 @@ private:
     /// Adds what is to be told of it, or ends the run.
     void hear(const Said& said, std::size_t line);
     void hear_names(const HeaderLine& header, std::size_t line);
+    /// The result has the names of the last selected columns where its operation says so.
+    void keep_names(const HeaderLine& header);
     /// The layout becomes that of the first row.
     void take_layout(const Line& row, std::size_t number);
     /// The layout is final.

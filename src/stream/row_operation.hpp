@@ -59,6 +59,7 @@ public:
     [[nodiscard]] std::size_t answers_of_row() const noexcept { return answers.empty() ? 1 : answers.size(); }
 
     std::vector<std::string> names{}; ///< the columns of the result
+    bool keeps_names = false;         ///< where the input has names, the result has those of the last selected columns
     std::optional<Spec> attitude{};   ///< what the result is, if it is an attitude
     /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
     /// RowReport::row is then the index of the answer among those of all rows.

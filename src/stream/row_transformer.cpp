@@ -274,8 +274,8 @@ void RowTransformer::write_row(Row& row, Output& output) {
     const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
     const bool writes_fields = layout_->has_other_fields() && options_->format != Format::result;
     if (is_ours && writes_fields && options_->input.width > 0) {
-        make_fields(row); // and other text
-    } else if (writes_fields && row.is_scanned()) {
+        make_fields(row);                                          // and other text
+    } else if (writes_fields && is_ours && row.field_count == 0) { // nobody has split it
         row.first_field = parts_.fields.size();
         static_cast<void>(layout_->delimiter.split(given, parts_.fields));
         row.field_count = parts_.fields.size() - row.first_field;
@@ -289,7 +289,8 @@ void RowTransformer::write_row(Row& row, Output& output) {
         const std::size_t index = row.index * answers + i;
         const RowReport& report = report_of(row, index);
         const bool failed = !row.has_numbers() || report.error != Error::none;
-        if (row.later_number > 0 && report.error == Error::past_half_turn) { // between its neighbours
+        const bool has_no_partner = row.later_number > 0 && report.error == Error::past_half_turn; // of its neighbours
+        if (has_no_partner && !options_->pairing->needs_partner) {
             output.unpaired.add({1, row.number});
             continue;
         }
@@ -363,6 +364,11 @@ void RowTransformer::make_fields(Row& row) {
 void RowTransformer::tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output) {
     if (!row.has_numbers()) {
         output.events.emplace_back(errors_[row.error]);
+        return;
+    }
+    if (row.later_number > 0 && report.error == Error::past_half_turn) {
+        output.events.emplace_back(
+            RowError{.line = row.number, .what = RowError::What::no_partner, .text = std::string(given)});
         return;
     }
     const bool of_reference = report.of_reference && row.reference_number > 0;

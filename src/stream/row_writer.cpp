@@ -123,9 +123,10 @@ char* write_answer(char* at, std::span<const double> numbers, bool is_first, con
 
 } // namespace
 
-std::vector<std::string_view> result_columns(const Options& options) {
+std::vector<std::string_view> result_columns(const Options& options, const Layout& layout) {
     const RowOperation& operation = *options.operation;
-    std::vector<std::string_view> columns(operation.names.begin(), operation.names.end());
+    const auto& names = layout.kept_names.empty() ? operation.names : layout.kept_names;
+    std::vector<std::string_view> columns(names.begin(), names.end());
     if (!operation.answers.empty()) {
         columns.insert(columns.end() - 1, answer_column);
     }
@@ -142,7 +143,7 @@ void write_header(Buffer& to, const Options& options, const Layout& layout, cons
     const char delimiter = header.delimiter.text();
     const auto write_names = [&] {
         fmt::format_to(std::back_inserter(to), "{}",
-                       fmt::join(result_columns(options), std::string_view(&delimiter, 1)));
+                       fmt::join(result_columns(options, layout), std::string_view(&delimiter, 1)));
     };
     append(to, layout.appends ? "" : header.prefix);
     write_fields(to, layout, header.line.text, header.fields, delimiter, write_names);
@@ -186,8 +187,8 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
     }
     writes_results_alone_ =
         options.format == Format::csv && !options.diagnostic_columns && !options.pairing && std::isinf(open_end_);
-    for (const std::string_view name : result_columns(options)) {
-        json_keys_.push_back(json_string(name) + ": ");
+    for (const std::string_view name : result_columns(options, layout)) {
+        json_keys_.push_back(json_string(layout.delimiter.unquoted(name)) + ": ");
     }
 }
 
@@ -360,8 +361,9 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
             fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width, i % 3 == 2 ? "\n" : "");
         }
     }
+    const auto names = result_columns(*options_, *layout_);
     for (std::size_t i = labelled; i < row.result.size(); ++i) {
-        fmt::format_to(out, "  {:<9}  {}\n", options_->operation->names[i], texts[i]);
+        fmt::format_to(out, "  {:<9}  {}\n", names[i], texts[i]);
     }
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);

@@ -28,8 +28,8 @@ struct ConvertedRow {
     std::string_view partner{}; ///< what follows of the row with which it is paired
 };
 
-/// The columns of the result, and of its diagnostics where those are shown. They are views into the options.
-[[nodiscard]] std::vector<std::string_view> result_columns(const Options& options);
+/// The columns of the result, and of its diagnostics where those are shown. They are views into the arguments.
+[[nodiscard]] std::vector<std::string_view> result_columns(const Options& options, const Layout& layout);
 
 /// The header with the result's columns in their place.
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header);

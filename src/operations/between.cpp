@@ -1,0 +1,118 @@
+#include "between.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "../core/interpolation.hpp"
+
+namespace rotconv::operations {
+namespace {
+
+std::array<double, 4> components_of(const Rotation& q) noexcept { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// Copies rows of `size` numbers to their places among rows of `width`.
+void scatter(std::span<const double> from, std::size_t size, std::span<const std::size_t> rows, std::span<double> to,
+             std::size_t width) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::copy_n(from.data() + i * size, size, to.data() + rows[i] * width);
+    }
+}
+
+} // namespace
+
+RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
+    const auto place = std::ranges::lower_bound(reports, row, {}, &RowReport::row);
+    return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
+}
+
+void SomeRows::run(std::span<double> to, std::size_t width, std::span<double> rest) {
+    out.resize(rows.size() * function.outputs);
+    out_rest.resize(rest.empty() ? 0 : out.size());
+    function.run(numbers, out, reports, out_rest);
+    scatter(out, function.outputs, rows, to, width);
+    if (!rest.empty()) {
+        scatter(out_rest, function.outputs, rows, rest, width);
+    }
+    std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
+}
+
+Between::Between(PairFunction at, PairFunction between, std::size_t first, const Spec& reference,
+                 const ConversionSettings& settings)
+    : at_(std::move(at)), between_(std::move(between)), first_(first),
+      reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
+
+void Between::run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports,
+                  std::span<double> rest) {
+    const std::size_t n = first_;
+    const std::size_t m = reading_.from().size();
+    const std::size_t width = 1 + n + 1 + m + m + 1;
+    const std::size_t count = rows.size() / width;
+    numbers_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        append(numbers_, rows.subspan(i * width + 2 + n, 2 * m));
+    }
+    neighbours_.resize(8 * count);
+    reading_.run(numbers_, neighbours_, neighbour_reports_);
+    at_.clear();
+    between_.clear();
+    reports.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto row = rows.subspan(i * width, width);
+        SomeRows& some = row.back() > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
+        some.rows.push_back(i);
+        append(some.numbers, row.subspan(1, n));
+        if (row.back() > 0.0) {
+            append(some.numbers, attitude_between(i, row.back(), reports));
+        } else {
+            append(some.numbers, row.subspan(2 + n, m));
+        }
+    }
+    const std::size_t size = at_.function.outputs;
+    for (SomeRows* some : {&at_, &between_}) {
+        some->run(out, size, rest);
+        for (const RowReport& report : some->reports) { // its own error counts before those of the neighbours
+            RowReport& found = report_of(report.row, reports);
+            found = found.error != Error::none && report.error == Error::none ? found : report;
+        }
+    }
+    for (const RowReport& report : neighbour_reports_) {
+        const std::size_t row = report.row / 2;
+        const bool is_later = report.row % 2 == 1;
+        const bool is_between = rows[(row + 1) * width - 1] > 0.0;
+        if (!is_between || (is_later && report.error == Error::none)) { // the row after it tells of the later
+            continue;
+        }
+        RowReport& found = report_of(row, reports);
+        if (found.error == Error::none && report.error != Error::none) {
+            found = {
+                .row = row, .error = report.error, .of_reference = true, .of_later = is_later, .defect = report.defect};
+        } else if (found.error == Error::none) {
+            found.reference_defect = report.defect;
+            found.reference_unusual = report.unusual;
+            found.diagnostics |= report.diagnostics;
+        }
+    }
+    for (const RowReport& report : reports) {
+        if (report.error != Error::none) {
+            std::fill_n(out.data() + report.row * size, size, std::numeric_limits<double>::quiet_NaN());
+        }
+    }
+}
+
+std::array<double, 4> Between::attitude_between(std::size_t row, double fraction,
+                                                std::vector<RowReport>& reports) const {
+    const Rotation earlier = rotation_at(neighbours_.data() + 8 * row);
+    const Rotation later = rotation_at(neighbours_.data() + 8 * row + 4);
+    if (std::isnan(earlier.w()) || std::isnan(later.w())) {
+        return {1.0}; // which is reported of them
+    }
+    const auto found = interpolated(earlier, later, fraction);
+    if (!found) {
+        reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
+    }
+    return components_of(found.value_or(Rotation()));
+}
+
+} // namespace rotconv::operations

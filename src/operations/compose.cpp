@@ -1,0 +1,60 @@
+#include <optional>
+
+#include "between.hpp"
+#include "operations.hpp"
+
+namespace rotconv::operations {
+namespace {
+
+PairFunction function_of(const Composition& composition) {
+    return {[composition](auto in, auto out, auto& reports, auto rest) { composition.run(in, out, reports, rest); },
+            composition.to().size()};
+}
+
+class Compose final : public AttitudeOperation {
+public:
+    Compose(const Composition& composition, const PairedRows& rows, bool continuous)
+        : AttitudeOperation(composition.to(), continuous), composition_(composition), by_key_(rows.by_key) {
+        if (rows.interpolates) {
+            between_.emplace(
+                function_of(composition),
+                function_of(Composition(composition.first(), Spec{}, composition.to(), composition.settings())),
+                composition.first().size(), composition.second(), composition.settings());
+        }
+    }
+    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compose>(*this); }
+
+    void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+        const auto rest = rest_of(out);
+        if (between_) {
+            between_->run(rows.numbers, out, reports, rest);
+        } else if (by_key_) {
+            composition_.run(without_keys(rows.numbers, composition_.first().size(), composition_.second().size()), out,
+                             reports, rest);
+        } else {
+            composition_.run(rows.numbers, out, reports, rest);
+        }
+    }
+
+private:
+    Composition composition_;
+    bool by_key_;
+    std::optional<Between> between_; ///< where the reference is interpolated
+};
+
+} // namespace
+
+stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows) {
+    stream::RowNumbers numbers = attitude_numbers(first, rows.by_key);
+    if (!rows.paired) {
+        numbers.names = joined(numbers.names, names_of(second));
+        numbers.second = second;
+    }
+    return numbers;
+}
+
+Operation compose(const Composition& composition, const PairedRows& rows, bool continuous) {
+    return std::make_shared<Compose>(composition, rows, continuous);
+}
+
+} // namespace rotconv::operations
