@@ -103,18 +103,18 @@ constexpr auto projects = std::to_array<Meaning>({
 /// What rotconv does in another way, or not at all.
 constexpr auto verbs = std::to_array<Meaning>({
     {":passive on one side inverts, as in rotconv -f quat -t quat:passive", " inverse inv invert conjugate transpose "},
-    {"--left and --right multiply by one attitude; two streams A and B are multiplied by rotconv compare -f quat -t "
-     "quat:passive --format csv --as quat --frame reference A B",
-     " mul multiply mult compose product concat concatenate combine chain "},
-    {"rotconv compare -f SPEC FILE REFERENCE prints angles, with --format csv --as SPEC also the attitudes between "
-     "them",
+    {"--left and --right multiply by one attitude; two streams A and B are multiplied by rotconv compose -f SPEC -t "
+     "SPEC A B",
+     " mul multiply mult product concat concatenate combine chain "},
+    {"rotconv compare -f SPEC FILE REFERENCE prints angles; the attitudes between them: rotconv compose -f "
+     "SPEC:passive --by SPEC -t SPEC REFERENCE FILE",
      " diff difference delta subtract sub relative angle distance check verify "},
     {"not here: rotconv does not interpolate; SciPy's Slerp", " slerp squad interpolate interp lerp resample "},
     {"not here: rotconv takes each row by itself; SciPy's Rotation.mean()", " average mean avg median filter smooth "},
     {"every conversion does, with --tolerance inf", " normalize normalise norm unit orthogonalize orthonormalize "},
     {"rotconv sample -t SPEC --kind uniform", " random rand generate samples "},
     {"not here: rotconv writes numbers; --format pretty is for people", " plot draw show view visualize "},
-    {"not here: rotconv does not turn vectors; -t dcm is the matrix that does", " apply rotate transform "},
+    {"rotconv rotate -f SPEC", " apply transform "},
     {"it has no name: rotconv -f SPEC -t SPEC", " convert conversion conv "},
     {"rotconv propagate", " integrate "},
     {"rotconv rates --differences", " derivative differentiate velocity "},

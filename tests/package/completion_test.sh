@@ -101,6 +101,6 @@ check_part "rotconv -f gibbs:" gibbs: passive !deg
 check_part "rotconv --from=" --from= quat euler
 check_part "rotconv --reference-axes ned:" ned: enu
 check_part "rotconv --from=rotvec:" --from=rotvec: deg
-check_part "rotconv compare -f quat --as=axang:" --as=axang: deg
+check_part "rotconv compose -f quat --by=axang:" --by=axang: deg
 
 exit "$failed"
