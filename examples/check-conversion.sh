@@ -15,7 +15,7 @@ golden() { # FILE GOLDEN
 # An estimate against the truth, which has more rows and other times. All rows of the estimate must have a partner within 5 ms.
 estimate() { # ESTIMATE TRUTH
     rotconv compare -f quat:tum -d --columns qx,qy,qz,qw --key timestamp --key-within 0.005 --allow-unpaired reference \
-        --within 0.5deg --within-p95 0.3deg --diagnostics off "$1" "$2"
+        --within 0.5deg --within 0.3deg@95 --diagnostics off "$1" "$2"
 }
 
 # PX4's attitudes (north, east, down; forward, right, down) against ROS's (east, north, up; forward, left, up).

@@ -28,9 +28,7 @@ enum class ShowDiagnostics : std::uint8_t { off, summary, rows, columns };
 /// What came of a run.
 struct RowsResult : stream::RunResult {
     ExitCode code = ExitCode::done;
-    std::size_t failed = 0;       ///< rows
-    std::size_t beyond = 0;       ///< rows with that diagnostic...
-    std::size_t first_beyond = 0; ///< ...and the line of the first
+    std::size_t failed = 0; ///< rows
 };
 
 /// What a command makes of its rows as a whole; this one nothing.

@@ -17,23 +17,47 @@
 namespace rotconv::cli {
 namespace {
 
-/// "50,95.5" with names such as "p95.5".
-std::vector<std::pair<std::string, double>> percentiles_of(const std::string& list) {
-    if (list.empty()) {
-        return {{"median", 50.0}, {"p95", 95.0}};
-    }
-    std::vector<std::pair<std::string, double>> percentiles;
-    for (const std::string_view text : items_of(list)) {
-        double value = 0.0;
-        if (stream::read_number(text, value) != stream::NumberError::none || !(value > 0.0 && value <= 100.0)) {
-            throw Usage("--percentiles {}: {} is not above 0 and at most 100", quoted(list), quoted(text));
+/// The limits of --within, each an ANGLE or ANGLE@PERCENT.
+std::vector<CheckLimit> limits_of(const Given& given) {
+    std::vector<CheckLimit> limits;
+    for (const std::string& text : given.texts("--within")) {
+        const std::size_t at = text.find('@');
+        CheckLimit limit{.angle = given_angle(given, "--within", text.substr(0, at))};
+        if (at != std::string::npos) {
+            limit.percent_text = text.substr(at + 1);
+            if (stream::read_number(limit.percent_text, limit.percent) != stream::NumberError::none ||
+                !(limit.percent > 0.0 && limit.percent <= 100.0)) {
+                throw Usage("--within {}: {} is not a percentage above 0 and at most 100", quoted(text),
+                            quoted(limit.percent_text));
+            }
         }
-        if (std::ranges::count(percentiles, value, &std::pair<std::string, double>::second) > 0) {
-            throw Usage("--percentiles {} has {} twice", quoted(list), quoted(text));
+        if (const auto same = std::ranges::find(limits, limit.percent, &CheckLimit::percent); same != limits.end()) {
+            throw Usage("--within {} and {} are two limits for {} pairs", same->angle.text, limit.angle.text,
+                        limit.is_of_all() ? "all" : fmt::format("{} in 100", limit.percent_text));
         }
-        percentiles.emplace_back(fmt::format("p{}", value), value);
+        limits.push_back(std::move(limit));
     }
-    return percentiles;
+    return limits;
+}
+
+/// How many pairs a check needs: N, or N% of FILE's rows; where rows are allowed to be left out, by default half of
+/// them.
+LeastPairs least_pairs_of(const Given& given) {
+    const std::string& text = given.text("--min-pairs");
+    if (text.empty()) {
+        const bool leaves_out = given.has("--allow-unpaired") || given.has("--allow-failed");
+        return {.percent = leaves_out ? 50.0 : 0.0};
+    }
+    if (!text.ends_with('%')) {
+        return {.text = text, .pairs = count_of(given, "--min-pairs", 1'000'000'000'000'000)};
+    }
+    double percent = 0.0;
+    if (stream::read_number(text.substr(0, text.size() - 1), percent) != stream::NumberError::none ||
+        !(percent > 0.0 && percent <= 100.0)) {
+        throw Usage("--min-pairs {} must be a whole number from 1, or a percentage above 0 and at most 100%",
+                    quoted(text));
+    }
+    return {.text = text, .percent = percent};
 }
 
 /// Has the command find the turns of --align first.
@@ -57,8 +81,9 @@ std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, con
     pairs->alignment.emplace(side);
     auto found = std::make_shared<TurnOptions>();
     command.first_pass = {
-        operations::compare(comparison, as_they_are, std::make_shared<operations::PairWatch>(1, Limit().angle)), pairs,
-        [=]() -> std::variant<operations::Operation, std::string> {
+        operations::compare(comparison, as_they_are,
+                            std::make_shared<operations::PairWatch>(1, std::vector<operations::PairLimit>())),
+        pairs, [=]() -> std::variant<operations::Operation, std::string> {
             const auto turns = pairs->alignment->turns();
             if (!turns) {
                 return "the pairs do not determine the turn of --align";
@@ -75,32 +100,21 @@ std::shared_ptr<TurnOptions> align(const Given& given, RowsCommand& command, con
     return found;
 }
 
-/// A bare limit is in radians, whatever FILE is in.
-void note_unit(const Given& given, std::string_view option, double limit, RowsCommand& command) {
-    if (const std::string& text = given.text(option); stream::is_number(text) && std::isfinite(limit)) {
-        command.notes.push_back(
-            {.kind = stream::Note::Kind::limit,
-             .text = fmt::format("{0} {1} is in radians, and the angles that are read are in degrees: {0} {1}deg, or "
-                                 "{1}rad",
-                                 option, text)});
-    }
-}
-
 Command compare(const Given& given) {
     const Spec from = spec_of(given, "--from");
     const Spec reference = given.has("--to") ? spec_of(given, "--to") : from;
-    const bool degrees = given.has("--degrees");
     Check check{.format = one_of<Check::Format>(
                     given, "--format", "format of compare",
                     {{"pretty", Check::Format::pretty}, {"json", Check::Format::json}, {"csv", Check::Format::csv}}),
-                .within = limit_of(given, "--within", degrees),
-                .within_p95 = limit_of(given, "--within-p95", degrees),
+                .limits = limits_of(given),
                 .allow_failed = given.has("--allow-failed"),
-                .percentiles = percentiles_of(given.text("--percentiles")),
+                .least_pairs = least_pairs_of(given),
                 .worst = count_of(given, "--worst", 1'000'000),
                 .rows = {{paired_rows_of(given)}},
-                .comparing = {.reading = attitude_settings_of(given),
-                              .unit = degrees ? AngleUnit::degrees : AngleUnit::radians}};
+                .comparing = {.reading = attitude_settings_of(given)}};
+    check.unit = !check.limits.empty()    ? check.limits[0].angle.unit
+                 : given.has("--degrees") ? in_degrees
+                                          : AngleUnitName();
     if (given.has("--allow-unpaired")) {
         check.allow_unpaired = one_of<std::array<bool, 2>>(
             "kind of rows for --allow-unpaired", given.text("--allow-unpaired"),
@@ -108,16 +122,21 @@ Command compare(const Given& given) {
     }
     const bool as_rows = check.format == Check::Format::csv;
     ComparisonSettings& comparing = check.comparing;
-    comparing.within = check.within.angle;
+    comparing.per_radian = check.unit.per_radian;
+    std::vector<operations::PairLimit> limits;
+    for (const CheckLimit& limit : check.limits) {
+        limits.push_back({.angle = limit.angle.in(check.unit), .percent = limit.percent});
+        comparing.within = limit.is_of_all() ? limits.back().angle : comparing.within;
+    }
     const Comparison comparison(from, reference, comparing);
 
     operations::ComparisonRows& rows = check.rows;
     rows.as_numbers = !as_rows;
     rows.delta = count_of(given, "--delta", 1'000'000);
+    rows.unit = check.unit.text;
     messages::Subject subject = rows.paired ? messages::subject_of(from, comparing.reading.tolerance)
                                             : messages::subject_of_two(from, reference, comparing.reading.tolerance);
-    check.watch =
-        std::make_shared<operations::PairWatch>(std::max<std::size_t>(check.worst, 1), check.within_p95.angle);
+    check.watch = std::make_shared<operations::PairWatch>(std::max<std::size_t>(check.worst, 1), std::move(limits));
     RowsCommand command = rows_command(given, columns_of_file(given), operations::pair_numbers(from, reference, rows),
                                        operations::compare(comparison, rows, check.watch), std::move(subject));
     command.options.append = as_rows;
@@ -127,10 +146,18 @@ Command compare(const Given& given) {
         pair(given, command, operations::attitude_numbers(reference, rows.by_key),
              messages::subject_of(reference, comparing.reading.tolerance));
     }
-    if (comparing.unit == AngleUnit::radians &&
-        (from.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees)) {
-        note_unit(given, "--within", check.within.angle, command);
-        note_unit(given, "--within-p95", check.within_p95.angle, command);
+    const bool in_degrees_alone = from.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees;
+    for (const std::string& text : given.texts("--within")) { // a bare one is in radians, whatever FILE is in
+        const auto at = std::min(text.find('@'), text.size());
+        const GivenAngle angle = given_angle(given, "--within", text.substr(0, at));
+        if (in_degrees_alone && angle.is_bare && angle.unit.text == "rad" && std::isfinite(angle.value)) {
+            command.notes.push_back(
+                {.kind = stream::Note::Kind::limit,
+                 .text =
+                     fmt::format("--within {0} is in radians, and the angles that are read are in degrees: --within "
+                                 "{1}deg{2}, or {1}rad{2}",
+                                 text, text.substr(0, at), text.substr(at))});
+        }
     }
     check.digits = command.options.digits;
     check.file = command.has_values ? "argument" : command.input;
@@ -151,10 +178,12 @@ CommandEntry compare_command() {
     set.add("--delta", "N", "Compare the turns from each pair to the N-th after it");
     add_attitudes(set);
     set.begin_group("Check");
-    set.add("--within", "ANGLE", "The largest angle that passes, such as 0.3deg, 5mrad or 0.1rad");
-    set.add("--within-p95", "ANGLE", "The angle that 95 in 100 pairs must not exceed");
+    set.add("--within", "ANGLE",
+            "The largest angle that passes, such as 0.3deg, 5mrad or 0.1rad; 0.3deg@95: of 95 in 100 pairs");
+    set.let_repeat("--within");
     set.add("--allow-unpaired", "WHOSE", "Rows without a partner pass: file, reference or both");
     set.add_flag("--allow-failed", "Rows without an attitude pass, with --on-error skip or nan");
+    set.add("--min-pairs", "N", "Pairs that must be compared, or N% of FILE's rows (with --allow-...: 50%)");
     add_pairing(set);
     set.add_flag("--interpolate", "Take the reference at FILE's key, between two rows --key-within apart");
     add_reading(set);
@@ -166,7 +195,6 @@ CommandEntry compare_command() {
     set.describe("--format", "pretty (default), json, or csv: every pair with its angle");
     set.begin_group("Output");
     set.add("--worst", "N", "Show the N pairs that differ most");
-    set.add("--percentiles", "LIST", "Of the angles (default: the median and 95)");
     add_lock_margin(set);
     return {"compare",
             "Check attitudes against a reference, by the angles between them",

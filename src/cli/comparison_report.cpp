@@ -17,8 +17,10 @@ namespace {
 /// The report and the verdict.
 class ComparisonConclusion final : public Conclusion {
 public:
-    explicit ComparisonConclusion(Check check)
-        : check_(std::move(check)), unit_(check_.comparing.unit == AngleUnit::degrees ? "deg" : "rad") {
+    explicit ComparisonConclusion(Check check) : check_(std::move(check)), unit_(check_.unit.text) {
+        if (check_.format == Check::Format::pretty && check_.digits.shortest()) {
+            check_.digits.significant = 6;
+        }
         pairs_.finds_turns = check_.rows.delta == 0;
     }
 
@@ -27,24 +29,32 @@ public:
 
     [[nodiscard]] Answer answer(const RowsResult& result) override {
         const std::size_t pairs = check_.watch->pairs();
-        if (check_.rows.by_key && !result.keys.any_pair && result.unpaired[0].rows + result.unpaired[1].rows > 0) {
-            print_error(messages::no_key_met(result.keys));
+        const std::size_t alone = result.unpaired[0].rows + (result.keys.any_pair ? 0 : result.unpaired[1].rows);
+        if (check_.rows.by_key && 2 * alone > result.rows) {
+            print_error(messages::few_keys_met(result.keys));
         } else if (pairs == 0 && result.code == ExitCode::done) {
             print_error(check_.rows.delta > 0 && result.answered > 0
                             ? "no pair has one after it at the distance of --delta"
                             : std::string(messages::nothing_read));
         }
         const std::string fault = fault_of(result);
-        const bool is_checked = !check_.within.text.empty() || !check_.within_p95.text.empty();
-        const std::string verdict = !is_checked     ? "not checked: no --within"
-                                    : fault.empty() ? "pass"
-                                                    : "fail: " + fault;
-        if (const std::string of_p95 = fault_of_p95(); check_.format == Check::Format::csv && !of_p95.empty()) {
-            print_error(of_p95); // of which the rows say nothing
+        const std::string verdict = check_.limits.empty() ? "not checked: no --within"
+                                    : fault.empty()       ? "pass: " + figures_of_limits()
+                                                          : "fail: " + fault;
+        if (check_.format == Check::Format::csv && pairs > 0) { // of which the rows do not tell
+            for (std::size_t i = 0; i < check_.limits.size(); ++i) {
+                if (const std::string found = check_.limits[i].is_of_all() ? "" : fault_of_limit(i); !found.empty()) {
+                    print_error(found);
+                }
+            }
+            if (const std::string found = fault_of_count(result); !found.empty()) {
+                print_error(found);
+            }
         }
-        return {.text = check_.format == Check::Format::csv    ? ""
-                        : check_.format == Check::Format::json ? in_json(result, is_checked ? verdict : JsonValue())
-                                                               : in_lines(result, verdict),
+        return {.text = check_.format == Check::Format::csv ? ""
+                        : check_.format == Check::Format::json
+                            ? in_json(result, check_.limits.empty() ? JsonValue() : verdict)
+                            : in_lines(result, verdict),
                 .holds = fault.empty()};
     }
 
@@ -55,25 +65,55 @@ private:
         return fmt::to_string(text);
     }
     /// Of radians.
-    [[nodiscard]] double in_unit(double radians) const {
-        return unit_ == "deg" ? degrees_per_radian * radians : radians;
-    }
+    [[nodiscard]] double in_unit(double radians) const { return check_.unit.per_radian * radians; }
     /// With its unit.
     [[nodiscard]] std::string angle(double value) const { return fmt::format("{} {}", number(value), unit_); }
-    [[nodiscard]] std::string in_unit_of(const Limit& limit, double value) const {
-        const double radians = unit_ == "deg" ? radians_per_degree * value : value;
-        return fmt::format("{} {}", number(limit.unit == unit_ ? value : limit.per_radian * radians), limit.unit);
-    }
 
-    [[nodiscard]] std::string fault_of_p95() const {
-        const std::size_t pairs = check_.watch->pairs();
-        if (check_.watch->beyond() * 100 <= pairs * 5) {
+    /// The name of a limit's figure.
+    [[nodiscard]] static std::string name_of(const CheckLimit& limit) {
+        return limit.is_of_all() ? "max" : "p" + limit.percent_text;
+    }
+    /// Its value, of pairs of which there is at least one.
+    [[nodiscard]] double figure_of(const CheckLimit& limit) const {
+        return limit.is_of_all() ? check_.watch->worst().begin()->angle : pairs_.angles.percentile(limit.percent);
+    }
+    /// "p95 0.02 deg", or "p95" where only rows were counted.
+    [[nodiscard]] std::string named_figure(const CheckLimit& limit) const {
+        const bool is_known = limit.is_of_all() || pairs_.angles.count() > 0;
+        return name_of(limit) + (is_known ? " " + angle(figure_of(limit)) : "");
+    }
+    /// A limit as it is given, or in the unit of the figures.
+    [[nodiscard]] std::string text_of(const CheckLimit& limit) const {
+        return limit.angle.unit.text == unit_ ? limit.angle.text : angle(limit.angle.in(check_.unit));
+    }
+    /// What pairs within all limits are like.
+    [[nodiscard]] std::string figures_of_limits() const {
+        std::string text;
+        for (const CheckLimit& limit : check_.limits) {
+            text += fmt::format("{}, limit {}, ", named_figure(limit), text_of(limit));
+        }
+        return text + counted(check_.watch->pairs(), "pair");
+    }
+    /// Why a limit does not hold; empty if it does.
+    [[nodiscard]] std::string fault_of_limit(std::size_t index) const {
+        const operations::PairLimit& counts = check_.watch->limits()[index];
+        const CheckLimit& limit = check_.limits[index];
+        return counts.holds(check_.watch->pairs())
+                   ? std::string()
+                   : fmt::format("{} is beyond {}, {} of {}, first at line {}", named_figure(limit), text_of(limit),
+                                 counts.beyond, counted(check_.watch->pairs(), "pair"), counts.first_beyond);
+    }
+    /// Why too few pairs were compared; empty if there are enough.
+    [[nodiscard]] std::string fault_of_count(const RowsResult& result) const {
+        const LeastPairs& least = check_.least_pairs;
+        const auto pairs = static_cast<double>(result.answered);
+        const auto rows = static_cast<double>(result.rows);
+        if (result.answered >= least.pairs && 100.0 * pairs >= least.percent * rows * (1.0 - 0x1p-50)) {
             return {};
         }
-        const std::string figure =
-            pairs_.angles.count() == 0 ? "" : in_unit_of(check_.within_p95, pairs_.angles.percentile(95.0)) + " ";
-        return fmt::format("p95 {}is beyond {}, {} of {} rows", figure, check_.within_p95.text, check_.watch->beyond(),
-                           pairs);
+        return fmt::format("{} of {} compared (--min-pairs{})", result.answered,
+                           least.percent > 0.0 ? "FILE's " + counted(result.rows, "row") : counted(least.pairs, "pair"),
+                           least.text.empty() ? ": at least half, unless it says otherwise" : " " + least.text);
     }
 
     /// What does not hold; empty if all does.
@@ -83,14 +123,10 @@ private:
         if (pairs == 0) {
             faults.emplace_back("no pairs");
         }
-        if (result.beyond > 0) {
-            faults.push_back(fmt::format("max {} is beyond {}, {} of {} rows, first at line {}",
-                                         in_unit_of(check_.within, check_.watch->worst().begin()->angle),
-                                         check_.within.text, result.beyond, pairs, result.first_beyond));
+        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
+            faults.push_back(fault_of_limit(i));
         }
-        if (const std::string fault = fault_of_p95(); !fault.empty()) {
-            faults.push_back(fault);
-        }
+        faults.push_back(pairs == 0 ? "" : fault_of_count(result));
         for (const std::size_t side : {0U, 1U}) {
             const std::size_t rows = result.unpaired.at(side).rows;
             if (rows > 0 && !check_.allow_unpaired.at(side)) {
@@ -103,6 +139,7 @@ private:
         } else if (result.code == ExitCode::completed_with_failures) {
             faults.emplace_back("--strict met a diagnostic");
         }
+        std::erase(faults, "");
         return fmt::format("{}", fmt::join(faults, "; "));
     }
 
@@ -130,7 +167,7 @@ private:
         std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles.root_mean_square()},
                                                         {"mean", pairs_.angles.mean()},
                                                         {"std", pairs_.angles.standard_deviation()}};
-        for (const auto& [name, percent] : check_.percentiles) {
+        for (const auto& [name, percent] : {std::pair("median", 50.0), std::pair("p95", 95.0)}) {
             all.emplace_back(name, pairs_.angles.percentile(percent));
         }
         return all;
@@ -141,8 +178,9 @@ private:
             return fmt::format("{:9} {}\n", name, value);
         };
         std::string text = line("rows", check_.watch->pairs());
-        if (!check_.within.text.empty()) {
-            text += line("beyond", result.beyond);
+        const std::size_t of_all = index_of_all();
+        if (of_all < check_.limits.size()) {
+            text += line("beyond", check_.watch->limits()[of_all].beyond);
         }
         const auto& [own, other] = result.unpaired;
         text +=
@@ -162,6 +200,11 @@ private:
             text += line("max", where(*check_.watch->worst().begin()));
             for (const auto& [name, value] : figures()) {
                 text += line(name, angle(value));
+            }
+            for (const CheckLimit& limit : check_.limits) {
+                if (limit.percent != 50.0 && limit.percent != 95.0 && !limit.is_of_all()) {
+                    text += line(name_of(limit), angle(figure_of(limit)));
+                }
             }
         }
         if (const auto found = constant()) {
@@ -200,6 +243,26 @@ private:
         }
         return json_object(object);
     }
+    /// The limit without a percentage, or the count of limits.
+    [[nodiscard]] std::size_t index_of_all() const {
+        return static_cast<std::size_t>(std::ranges::find_if(check_.limits, &CheckLimit::is_of_all) -
+                                        check_.limits.begin());
+    }
+    [[nodiscard]] JsonValue limits_in_json() const {
+        std::vector<std::string> limits;
+        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
+            const CheckLimit& limit = check_.limits[i];
+            const bool has_pairs = pairs_.angles.count() > 0;
+            limits.push_back(
+                json_object({{"percent", limit.percent},
+                             {"angle", limit.angle.in(check_.unit)},
+                             {"beyond", check_.watch->limits()[i].beyond},
+                             {"percentile", has_pairs ? JsonValue::as_written(number(figure_of(limit))) : JsonValue()}})
+                    .text);
+        }
+        return limits.empty() ? JsonValue() : JsonValue::as_written(fmt::format("[{}]", fmt::join(limits, ", ")));
+    }
+
     /// The key of a row or, from 1, of its partner.
     [[nodiscard]] JsonValue key(const operations::WorstPair& pair, std::size_t side) const {
         const std::string& text = pair.keys.at(side);
@@ -229,7 +292,9 @@ private:
         const bool has_pairs = pairs_.angles.count() > 0;
         const auto value_if = [](bool is_there, JsonValue value) { return is_there ? std::move(value) : JsonValue(); };
         const auto figure = [&](double value) { return value_if(has_pairs, JsonValue::as_written(number(value))); };
-        const auto limit = [&](const Limit& given) { return value_if(!given.text.empty(), given.angle); };
+        const std::size_t of_all = index_of_all();
+        const bool is_limited = of_all < check_.limits.size();
+        const operations::PairLimit limit = is_limited ? check_.watch->limits()[of_all] : operations::PairLimit();
         const operations::WorstPair worst = has_pairs ? *check_.watch->worst().begin() : operations::WorstPair();
         std::vector<std::pair<std::string_view, JsonValue>> object{
             {"rows", check_.watch->pairs()},
@@ -237,11 +302,10 @@ private:
             {"file", check_.file},
             {"reference", value_if(!check_.reference.empty(), check_.reference)},
             {"version", ROTCONV_VERSION},
-            {"within", limit(check_.within)},
-            {"beyond", value_if(!check_.within.text.empty(), result.beyond)},
-            {"first_beyond", value_if(result.beyond > 0, result.first_beyond)},
-            {"within_p95", limit(check_.within_p95)},
-            {"beyond_p95", value_if(!check_.within_p95.text.empty(), check_.watch->beyond())},
+            {"within", value_if(is_limited, limit.angle)},
+            {"beyond", value_if(is_limited, limit.beyond)},
+            {"first_beyond", value_if(limit.beyond > 0, limit.first_beyond)},
+            {"limits", limits_in_json()},
             {"unpaired", result.unpaired[0].rows + result.unpaired[1].rows},
             {"unpaired_file", result.unpaired[0].rows},
             {"unpaired_reference", result.unpaired[1].rows},

@@ -31,17 +31,33 @@ using TurnOptions = std::vector<TurnOption>;
 /// @param found turns of attitudes that were turned as `given`
 [[nodiscard]] TurnOptions turn_options(const ConstantTurns& found, const ConversionSettings& given);
 
+/// An angle that `percent` in 100 pairs must not exceed.
+struct CheckLimit {
+    GivenAngle angle{};
+    double percent = 100.0;
+    std::string percent_text = "100"; ///< as it is given
+
+    [[nodiscard]] bool is_of_all() const noexcept { return percent == 100.0; }
+};
+
+/// How many pairs must have been compared.
+struct LeastPairs {
+    std::string text{}; ///< as it is given; empty: by default
+    std::size_t pairs = 0;
+    double percent = 0.0; ///< of FILE's data rows
+};
+
 /// What is to be told of the pairs, and what they must hold to.
 struct Check {
     enum class Format : std::uint8_t { pretty, json, csv };
 
     Format format = Format::pretty;
-    Limit within{};
-    Limit within_p95{};
+    std::vector<CheckLimit> limits{};
+    AngleUnitName unit{};                 ///< of the angles that are told
     std::array<bool, 2> allow_unpaired{}; ///< rows of FILE, of REFERENCE
     bool allow_failed = false;
-    std::vector<std::pair<std::string, double>> percentiles{}; ///< with their names
-    std::size_t worst = 0;                                     ///< pairs to show
+    LeastPairs least_pairs{};
+    std::size_t worst = 0; ///< pairs to show
     operations::ComparisonRows rows{};
     ComparisonSettings comparing{};
     stream::Digits digits{};

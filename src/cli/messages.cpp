@@ -141,7 +141,8 @@ Subject subject_of(const Spec& spec, double tolerance) {
 
 Subject subject_of_two(const Spec& first, const Spec& second, double tolerance) {
     Subject subject = subject_of(first, tolerance);
-    subject.text += first.text() == second.text() ? " twice" : fmt::format(" with {}", representation(second.name).text);
+    subject.text +=
+        first.text() == second.text() ? " twice" : fmt::format(" with {}", representation(second.name).text);
     subject.count += second.size();
     return subject;
 }
@@ -227,13 +228,15 @@ std::string explain(const stream::ColumnError& error, const Subject& subject) {
     return {};
 }
 
-std::string no_key_met(const stream::KeysMet& keys) {
+std::string few_keys_met(const stream::KeysMet& keys) {
     const std::string within = keys.within.text();
-    std::string text = keys.interpolates
-                           ? fmt::format("no key of FILE is between two of REFERENCE at most {} apart", within)
-                           : fmt::format("no key of FILE is within {} of one of REFERENCE", within);
-    if (keys.nearest) {
-        text += fmt::format("; the nearest are {} apart: --key-within", keys.nearest->text());
+    const std::string_view few = keys.any_pair ? "fewer than half of FILE's keys are" : "no key of FILE is";
+    std::string text = keys.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
+                                         : fmt::format("{} within {} of {} of REFERENCE", few, within,
+                                                       keys.any_pair ? "those" : "one");
+    if (keys.nearest && *keys.nearest > keys.within) {
+        text += fmt::format("; the nearest {}are {} apart: --key-within", keys.any_pair ? "others " : "",
+                            keys.nearest->text());
     }
     if (!keys.ranges[0] || !keys.ranges[1]) {
         return text;
@@ -245,7 +248,7 @@ std::string no_key_met(const stream::KeysMet& keys) {
     const double size = size_of(own);
     const double other = size_of(reference);
     if (std::max(size, other) >= 900.0 * std::min(size, other)) { // nearly a thousandfold: other units
-        return text + fmt::format("; FILE's are near {}, REFERENCE's near {}: --time-unit", rough(size), rough(other));
+        return text + fmt::format("; FILE's go to {}, REFERENCE's to {}: --time-unit", rough(size), rough(other));
     }
     if (own.last < reference.first || reference.last < own.first) {
         text += fmt::format("; all of FILE's are {} REFERENCE's: --key-offset",

@@ -58,8 +58,8 @@ struct Subject {
 /// For a run without an attitude.
 inline constexpr std::string_view nothing_read = "there was no row with an attitude";
 
-/// For a run in which rows were to be paired by key, and none was.
-[[nodiscard]] std::string no_key_met(const stream::KeysMet& keys);
+/// For a run in which rows were to be paired by key, and most were not.
+[[nodiscard]] std::string few_keys_met(const stream::KeysMet& keys);
 
 /// A diagnostic in words, with its figure.
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);

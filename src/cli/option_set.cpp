@@ -91,6 +91,16 @@ const std::string& OptionSet::text(std::string_view name) const {
     return found == options_.end() ? none : found->given;
 }
 
+std::vector<std::string> OptionSet::texts(std::string_view name) const {
+    const auto found = std::ranges::find(options_, name, &Option::name);
+    if (found == options_.end() || found->given.empty()) {
+        return {};
+    }
+    std::vector<std::string> all{found->given};
+    all.insert(all.end(), found->more.begin(), found->more.end());
+    return all;
+}
+
 std::string OptionSet::help() const {
     CLI::App app;
     app.set_help_flag();
@@ -138,8 +148,12 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
         }
         const FileWord place = is_joined ? FileWord{at, begin_of_argument} : FileWord{++at, 0};
         const std::string argument = words[place.word].substr(place.begin);
-        option_words.push_back(name + "=" + argument);
-        if (is_second) {
+        if (is_second && option->repeats) {
+            option->more.push_back(argument);
+        } else {
+            option_words.push_back(name + "=" + argument);
+        }
+        if (is_second && !option->repeats) {
             read.error = name + " is given twice";
         } else if (argument.empty()) {
             read.error = name + " has an empty argument";

@@ -33,6 +33,8 @@ struct Option {
     std::string_view about;
     std::string_view group; ///< its title in the help
     std::string given{};    ///< the argument, or the name of an option without one; empty: the option is not given
+    bool repeats = false;   ///< it may be given several times...
+    std::vector<std::string> more{}; ///< ...with these arguments after the first
 
     [[nodiscard]] bool takes_argument() const noexcept { return !argument.empty(); }
     /// "--from".
@@ -72,6 +74,8 @@ public:
         options_.push_back({names, argument, about, group_});
     }
     void add_flag(std::string_view names, std::string_view about) { add(names, {}, about); }
+    /// The option may be given several times.
+    void let_repeat(std::string_view name) { find(name)->repeats = true; }
     /// Replaces the text of an option that is shared with other commands.
     void describe(std::string_view name, std::string_view about) { find(name)->about = about; }
     /// The command takes NAMEs in the place of FILEs and VALUEs.
@@ -84,6 +88,8 @@ public:
     /// The argument of an option; empty if it is not given, or not one of these.
     [[nodiscard]] const std::string& text(std::string_view name) const;
     [[nodiscard]] bool has(std::string_view name) const { return !text(name).empty(); }
+    /// All arguments of an option that may be given several times.
+    [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
 
     /// Reads words from the one at `begin` on, and keeps what is given. A word that reads as a number, or begins with
     /// one before a separator, or after brackets with a character of one, is a VALUE, except where an option awaits its

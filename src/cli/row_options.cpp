@@ -225,33 +225,31 @@ std::size_t count_of(const Given& given, std::string_view option, std::size_t mo
         [range](double value) { return value == std::floor(value) && value >= range.first && value <= range.second; }));
 }
 
-Limit limit_of(const Given& given, std::string_view option, bool in_degrees) {
-    const std::string& text = given.text(option);
-    if (text.empty()) {
-        return {};
+double GivenAngle::in(const AngleUnitName& other) const noexcept {
+    if (unit.text == other.text) {
+        return value;
     }
-    static constexpr std::array<std::pair<std::string_view, double>, 3> units{
-        {{"mrad", 1000.0}, {"rad", 1.0}, {"deg", degrees_per_radian}}};
-    const auto* unit = std::ranges::find_if(units, [&](const auto& each) { return text.ends_with(each.first); });
-    const std::string number = text.substr(0, text.size() - (unit != units.end() ? unit->first.size() : 0));
+    const double radians = unit.text == "deg" ? value * radians_per_degree : value / unit.per_radian;
+    return radians * other.per_radian;
+}
+
+GivenAngle given_angle(const Given& given, std::string_view option, const std::string& text) {
+    static constexpr std::array<AngleUnitName, 3> units{{{"mrad", 1000.0}, {}, in_degrees}};
+    const auto* unit = std::ranges::find_if(units, [&](const auto& each) { return text.ends_with(each.text); });
+    const bool is_bare = unit == units.end();
+    const std::string number = text.substr(0, text.size() - (is_bare ? 0 : unit->text.size()));
     double value = 0.0;
     if (stream::trimmed(number) != number || stream::read_number(number, value) != stream::NumberError::none ||
         !(value >= 0.0)) {
         throw Usage("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option,
                     quoted(text));
     }
-    unit = unit != units.end() ? unit : given.has("--degrees") ? &units[2] : &units[1];
-    const auto [name, per_radian] = *unit;
-    const bool is_degrees = name == "deg";
-    value = is_degrees ? value : value / per_radian;
-    return {.text = fmt::format("{} {}", number, name),
-            .angle = is_degrees == in_degrees ? value : value * (in_degrees ? degrees_per_radian : radians_per_degree),
-            .unit = name,
-            .per_radian = per_radian};
+    const AngleUnitName own = !is_bare ? *unit : given.has("--degrees") ? in_degrees : AngleUnitName();
+    return {fmt::format("{} {}", number, own.text), value, own, is_bare};
 }
 
 double angle_of(const Given& given, std::string_view option, double default_value) {
-    const double angle = given.has(option) ? limit_of(given, option, false).angle : default_value;
+    const double angle = given.has(option) ? given_angle(given, option, given.text(option)).in({}) : default_value;
     if (std::isinf(angle)) {
         throw Usage("{} {} must be a finite angle", option, quoted(given.text(option)));
     }

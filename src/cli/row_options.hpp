@@ -58,15 +58,24 @@ struct GivenNumbers {
 /// A whole number from `least` to `most`.
 [[nodiscard]] std::size_t count_of(const Given& given, std::string_view option, std::size_t most, std::size_t least = 1,
                                    std::size_t default_value = 0);
-/// The ANGLE of an option.
-struct Limit {
-    std::string text{};                                     ///< as it was given, with its unit; empty: there is none
-    double angle = std::numeric_limits<double>::infinity(); ///< in degrees or radians, as limit_of() was asked
-    std::string_view unit{};
-    double per_radian = 1.0; ///< of that unit
+/// A unit of angles.
+struct AngleUnitName {
+    std::string_view text = "rad";
+    double per_radian = 1.0;
 };
-[[nodiscard]] Limit limit_of(const Given& given, std::string_view option, bool in_degrees);
-/// The same in radians, finite.
+inline constexpr AngleUnitName in_degrees{"deg", degrees_per_radian};
+/// An ANGLE as it is given.
+struct GivenAngle {
+    std::string text{}; ///< with its unit
+    double value = 0.0;
+    AngleUnitName unit{};
+    bool is_bare = false; ///< it was given without the unit
+
+    [[nodiscard]] double in(const AngleUnitName& other) const noexcept;
+};
+/// @param text the option's argument, or the part of it that is an angle
+[[nodiscard]] GivenAngle given_angle(const Given& given, std::string_view option, const std::string& text);
+/// The ANGLE of an option in radians, finite.
 [[nodiscard]] double angle_of(const Given& given, std::string_view option, double default_value);
 [[nodiscard]] Frame frame_of(const Given& given);
 /// The power of ten of the seconds in a unit of time.

@@ -94,8 +94,7 @@ public:
 
     /// What came of a run that is stopped, unless its code is set.
     [[nodiscard]] RowsResult result(const stream::RunResult& ending) const {
-        const Count& beyond = counts_.at(index_of(DiagnosticKind::beyond, false));
-        return {ending, ExitCode::incomplete, errors_, beyond.rows, beyond.first.line};
+        return {ending, ExitCode::incomplete, errors_};
     }
     /// A note, or any kind but three.
     [[nodiscard]] bool met_diagnostic() const noexcept {

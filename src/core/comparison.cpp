@@ -32,10 +32,9 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     std::array<double, batch_rows> angles;
     relate(input.attitudes, reference.attitudes, rows, relative, angles.data());
 
-    const double unit = settings_.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
     const std::size_t width = outputs();
     for (std::size_t i = 0; i < rows; ++i) {
-        out[i * width] = unit * angles[i];
+        out[i * width] = settings_.per_radian * angles[i];
         if (settings_.attitudes) {
             const Rotation own = input.attitudes.at(i);
             const Rotation other = reference.attitudes.at(i);

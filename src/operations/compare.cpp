@@ -82,7 +82,7 @@ public:
         : comparison_(comparison), rows_(rows), watch_(std::move(watch)) {
         ComparisonSettings settings = comparison.settings();
         names = {"angle"};
-        unit = settings.unit == AngleUnit::degrees ? "deg" : "rad";
+        unit = rows.unit;
         if (rows.delta > 0) {
             turns_.emplace(rows.delta, settings);
             in_order = true;
@@ -177,7 +177,11 @@ void PairWatch::add(const stream::NumberRows& rows, std::span<const double> atti
             continue;
         }
         ++pairs_;
-        beyond_ += angle > limit_ ? 1 : 0;
+        for (PairLimit& limit : limits_) {
+            if (angle > limit.angle) {
+                limit.first_beyond = limit.beyond++ == 0 ? rows.lines[i] : std::min(limit.first_beyond, rows.lines[i]);
+            }
+        }
         if (worst_.size() == most_ && angle < worst_.rbegin()->angle) {
             continue;
         }

@@ -134,6 +134,7 @@ struct PairedRows {
 struct ComparisonRows : PairedRows {
     bool as_numbers = false; ///< rows are those of ComparedPair, for a sink
     std::size_t delta = 0;   ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
+    std::string_view unit{}; ///< of angles
 };
 /// For a sink: the angle and both attitudes as quaternions. An angle of nan is none. With a delta there are no
 /// attitudes.
@@ -163,11 +164,24 @@ struct WorstPair {
     }
 };
 
-/// Looks at all pairs, from several threads: which differ most, and how many by more than a limit.
+/// An angle that so many of 100 pairs must not exceed, and the pairs that do.
+struct PairLimit {
+    double angle = 0.0;
+    double percent = 100.0;
+    std::size_t beyond = 0;
+    std::size_t first_beyond = 0; ///< the least of their lines
+
+    [[nodiscard]] bool holds(std::size_t pairs) const noexcept {
+        // The product may be rounded up from a whole number.
+        return 100.0 * static_cast<double>(pairs - beyond) >= percent * static_cast<double>(pairs) * (1.0 - 0x1p-50);
+    }
+};
+
+/// Looks at all pairs, from several threads: which differ most, and how many by more than each limit.
 class PairWatch {
 public:
     /// @param most as many of the worst are kept
-    PairWatch(std::size_t most, double limit) : most_(most), limit_(limit) {}
+    PairWatch(std::size_t most, std::vector<PairLimit> limits) : most_(most), limits_(std::move(limits)) {}
 
     /// @param attitudes the numbers of both attitudes of each row, of which the first has `size`
     /// @param by_key the numbers of a row begin with its key, and its partner's stands before the second attitude
@@ -177,15 +191,14 @@ public:
     using Worst = std::set<WorstPair>;
     [[nodiscard]] const Worst& worst() const noexcept { return worst_; }
     [[nodiscard]] std::size_t pairs() const noexcept { return pairs_; }
-    [[nodiscard]] std::size_t beyond() const noexcept { return beyond_; }
+    [[nodiscard]] const std::vector<PairLimit>& limits() const noexcept { return limits_; }
 
 private:
     std::mutex mutex_;
     std::size_t most_;
-    double limit_;
+    std::vector<PairLimit> limits_;
     Worst worst_;
     std::size_t pairs_ = 0;
-    std::size_t beyond_ = 0;
 };
 
 /// The angles between the two attitudes of rows, each of which the watch sees.

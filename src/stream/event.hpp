@@ -91,13 +91,15 @@ struct Unpaired {
 struct Output {
     Buffer bytes;
     std::vector<Event> events;
-    std::size_t answered = 0; ///< rows that have a result
+    std::size_t rows = 0;     ///< data rows of the stream
+    std::size_t answered = 0; ///< those that have a result
     bool stopped = false;     ///< a row error ended the run
     Unpaired unpaired{};      ///< of the rows: their partner is not defined
 
     void clear() noexcept {
         bytes.clear();
         events.clear();
+        rows = 0;
         answered = 0;
         stopped = false;
         unpaired = {};
@@ -113,7 +115,7 @@ struct KeysMet {
     std::array<std::optional<Range>, 2> ranges{};
     bool any_pair = false;
     bool interpolates = false;        ///< the difference of two keys is that of neighbours in the reference
-    std::optional<Decimal> nearest{}; ///< without a pair: the least difference of two keys
+    std::optional<Decimal> nearest{}; ///< the least difference of a key without a partner and its neighbours
     Decimal within{};                 ///< see Pairing
 };
 

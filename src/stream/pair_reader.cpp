@@ -194,6 +194,14 @@ void PairReader::pair(Job& job, bool is_between) {
 }
 
 void PairReader::drop_alone(Job& job, Side& side) {
+    if (&side == &rows_ && pairing_->by_key && !pairing_->interpolates) {
+        if (!references_.keys.empty()) {
+            compare_distance(references_.keys[0] - rows_.keys[0]);
+        }
+        if (references_.disposed) {
+            compare_distance(rows_.keys[0] - *references_.disposed);
+        }
+    }
     const bool fails = &side == &rows_ && pairing_->needs_partner;
     if (fails) {
         const Waiting& first = side.waiting.front();
@@ -208,6 +216,7 @@ void PairReader::drop_alone(Job& job, Side& side) {
 }
 
 void PairReader::compare_distance(Decimal distance) {
+    distance = distance < Decimal() ? Decimal() - distance : distance;
     if (!nearest_ || distance < *nearest_) {
         nearest_ = std::move(distance);
     }
@@ -230,9 +239,6 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     const bool is_before = rows_.keys[0] < references_.keys[0];
     Side& low = is_before ? rows_ : references_;
     const Side& high = is_before ? references_ : rows_;
-    if (!interpolates && !any_pair_) {
-        compare_distance(high.keys[0] - low.keys[0]);
-    }
     if (interpolates ? is_before : is_alone(low, high)) {
         drop_alone(job, low);
         return nullptr;

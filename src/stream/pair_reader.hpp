@@ -113,9 +113,10 @@ private:
     Side rows_;
     Side references_;
     bool any_pair_ = false;
-    std::optional<Decimal> nearest_; ///< the least difference of two keys before the first pair
-    Job reference_job_;              ///< room for its blocks
-    Side* dry_ = nullptr;            ///< that the last job ended at
+    std::optional<Decimal>
+        nearest_;         ///< the least difference of the keys of a row without a partner and of its neighbours
+    Job reference_job_;   ///< room for its blocks
+    Side* dry_ = nullptr; ///< that the last job ended at
     std::optional<StreamError> error_;
 };
 

@@ -101,6 +101,7 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
         std::size_t next = 0;
         const auto write_clean = [&](std::size_t end) {
             append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
+            output.rows += end - next;
             output.answered += end - next;
             next = end;
         };
@@ -245,6 +246,7 @@ void RowTransformer::write(Output& output) {
     const bool is_clean = rows_.size() == lines_.size() && reports_.empty();
     if (is_clean && options_->format == Format::result) {
         append_bytes(output.bytes, results_);
+        output.rows += rows_.size();
         output.answered += rows_.size();
         return;
     }
@@ -255,6 +257,7 @@ void RowTransformer::write(Output& output) {
         const auto end = writer_.writes_results_alone() ? std::find_if_not(row, rows_.end(), stands_alone) : row;
         if (end != row) {
             writer_.write(output.bytes, {row, end}, results_);
+            output.rows += static_cast<std::size_t>(end - row);
             output.answered += static_cast<std::size_t>(end - row);
             row = end;
             continue;
@@ -272,6 +275,7 @@ void RowTransformer::write(Output& output) {
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
     const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
+    output.rows += is_ours ? 1 : 0;
     const bool writes_fields = layout_->has_other_fields() && options_->format != Format::result;
     if (is_ours && writes_fields && options_->input.width > 0) {
         make_fields(row);                                          // and other text

@@ -244,6 +244,7 @@ private:
             return false;
         }
         std::ranges::for_each(output.events, *report_);
+        ending_.rows += output.rows;
         ending_.answered += output.answered;
         ending_.unpaired[0].add(output.unpaired);
         ending_.stopped = output.stopped;
@@ -287,6 +288,7 @@ RunResult run(Source& source, Sink& sink, const Options& options, const std::fun
     for (std::size_t side = 0; side < result.unpaired.size(); ++side) {
         result.unpaired.at(side).add(reader->unpaired().at(side));
     }
+    result.rows += reader->unpaired()[0].rows;
     result.keys = reader->keys();
     return result;
 }

@@ -16,7 +16,8 @@ struct RunResult {
     bool reader_left = false; ///< the other end of the pipe was closed: not an error
     bool stopped = false;     ///< at a row error, which was reported
     std::optional<StreamError> error;
-    std::size_t answered = 0;           ///< rows that have a result
+    std::size_t rows = 0;               ///< data rows of the stream, paired or not
+    std::size_t answered = 0;           ///< those that have a result
     std::array<Unpaired, 2> unpaired{}; ///< of the stream, and of the reference
     KeysMet keys{};                     ///< by which rows were paired
 };

@@ -44,8 +44,9 @@ private:
     Folder folder_;
 };
 
-const std::string figures_of_two_rows = "rms       0.1767766952966369 rad\nmean      0.125 rad\nstd       0.125 rad\n"
-                                        "median    0 rad\np95       0.25 rad\npass\n";
+const std::string figures_of_two_rows =
+    "rms       0.176777 rad\nmean      0.125 rad\nstd       0.125 rad\n"
+    "median    0 rad\np95       0.25 rad\npass: max 0.25 rad, limit 0.25 rad, 2 pairs\n";
 const std::string summary_of_two_rows =
     "rows      2\nbeyond    0\nunpaired  0\nfailed    0\nmax       0.25 rad at 2\n" + figures_of_two_rows;
 
@@ -59,7 +60,7 @@ TEST_CASE("compare ends as diff does") {
     CHECK(beyond.exit_code == 1);
     CHECK(beyond.err == "rotconv: new: beyond: 1 row, first at line 3; the attitudes differ by more than --within\n");
     CHECK(missing(beyond.out, {"beyond    1\n", "max       0.5 rad at 3\n",
-                               "fail: max 0.5 rad is beyond 0.25 rad, 1 of 3 rows, first at line 3\n"}) == "");
+                               "fail: max 0.5 rad is beyond 0.25 rad, 1 of 3 pairs, first at line 3\n"}) == "");
     CHECK(files("compare -f rotvec --within 0.25 --format csv --diagnostics rows @new @old") ==
           Failure{1,
                   "0 0 0 0\n0 0 0.25 0.25\n0 0 0.5 0.5\n",
