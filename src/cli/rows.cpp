@@ -330,6 +330,13 @@ ExitCode run_last_pass(const RowsCommand& command) {
                 .text = fmt::format("times {:.6g} apart are read in s; if not: --time-unit ms, us or ns", seconds),
                 .line = line});
         }
+        if (result.keys.likely) {
+            reporter.add(
+                stream::Note{.kind = stream::Note::Kind::pairing,
+                             .text = fmt::format("rows are paired by their number, and column {} increases in "
+                                                 "both files and differs; to pair by it: --key {}",
+                                                 in_shell(*result.keys.likely), in_shell(*result.keys.likely))});
+        }
         const bool strict = command.strict && reporter.met_diagnostic();
         const bool has_failures = result.failed > 0 && !command.allow_failed;
         const bool has_unpaired = result.unpaired[1].rows > 0 && !command.allow_unpaired;

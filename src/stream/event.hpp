@@ -64,7 +64,7 @@ struct FirstBytes {
 
 /// What the input says of its numbers that is at odds with how they are read, in words. Each kind is told once.
 struct Note {
-    enum class Kind : std::uint8_t { order, unit, time_unit, angle, comments, only_header, limit };
+    enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, limit };
     Kind kind = Kind::order;
     std::string text;
     bool ends_run = false;     ///< it is an error
@@ -114,9 +114,10 @@ struct KeysMet {
     };
     std::array<std::optional<Range>, 2> ranges{};
     bool any_pair = false;
-    bool interpolates = false;        ///< the difference of two keys is that of neighbours in the reference
-    std::optional<Decimal> nearest{}; ///< the least difference of a key without a partner and its neighbours
-    Decimal within{};                 ///< see Pairing
+    bool interpolates = false;           ///< the difference of two keys is that of neighbours in the reference
+    std::optional<Decimal> nearest{};    ///< the least difference of a key without a partner and its neighbours
+    std::optional<std::string> likely{}; ///< of rows that are paired by number: see LikelyKey
+    Decimal within{};                    ///< see Pairing
 };
 
 /// Why a run ended early, other than by a row error.

@@ -173,6 +173,14 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
 void PairReader::pair(Job& job, bool is_between) {
     const Waiting& first = rows_.waiting.front();
     const Waiting& other = references_.waiting.front();
+    if (!pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
+        if (!any_pair_) {
+            likely_key_.emplace(
+                std::array<LikelyKey::Side, 2>{{{&rows_.blocks.layout(), &rows_.blocks.names()},
+                                                {&references_.blocks.layout(), &references_.blocks.names()}}});
+        }
+        likely_key_->add({first.line.text, other.line.text});
+    }
     any_pair_ = true;
     Row& row = job.pairs.rows.emplace_back(first.line, first.number);
     row.reference = other.line.text;
@@ -291,6 +299,7 @@ KeysMet PairReader::keys() const {
             .any_pair = any_pair_,
             .interpolates = pairing_->interpolates,
             .nearest = nearest_,
+            .likely = likely_key_ ? likely_key_->found() : std::nullopt,
             .within = pairing_->within};
 }
 

@@ -12,6 +12,7 @@
 
 #include "decimal.hpp"
 #include "job.hpp"
+#include "likely_key.hpp"
 #include "options.hpp"
 #include "row_blocks.hpp"
 #include "row_reader.hpp"
@@ -118,6 +119,7 @@ private:
     Job reference_job_;   ///< room for its blocks
     Side* dry_ = nullptr; ///< that the last job ended at
     std::optional<StreamError> error_;
+    std::optional<LikelyKey> likely_key_; ///< of text that is paired by number, from the first pair on
 };
 
 } // namespace rotconv::stream

@@ -40,6 +40,8 @@ public:
     }
     [[nodiscard]] const Layout& layout() const override { return preamble_.layout(); }
     [[nodiscard]] std::array<RowWidth, 2> widths() const override { return {width_}; }
+    /// The header's names; none without one.
+    [[nodiscard]] const std::vector<std::string>& names() const noexcept { return preamble_.names(); }
 
 private:
     static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
