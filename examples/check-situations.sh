@@ -1,5 +1,5 @@
 #!/bin/sh
-# check-situations.sh: what compare answers in eleven situations that a check of attitudes meets, as the table of README.md. The
+# check-situations.sh: what compare answers in fourteen situations that a check of attitudes meets, as the table of README.md. The
 # files are made from a TUM trajectory, truth.txt with the columns t qw qx qy qz.
 set -eu
 cd "$(dirname "$0")/data"
@@ -52,5 +52,12 @@ awk 'NR == 4 { $2 = $3 = $4 = $5 = "nan" } 1' truth.txt > lost.txt
 try 'nan rows' '-f quat --columns 2-5 lost.txt'
 try '' '-f quat --columns 2-5 --on-error skip lost.txt'
 try '' '-f quat --columns 2-5 --on-error skip --allow-failed lost.txt'
+awk 'NR != 1 && NR != 6 { $2 = $3 = $4 = $5 = "nan" } 1' truth.txt > nans.txt
+try 'all nan but one' '-f quat --columns 2-5 --on-error skip --allow-failed nans.txt'
+awk 'NR > 2 { $1 = sprintf("%.4f", $1 + 0.003) } 1' truth.txt > met.txt
+try 'one row met' '-f quat --columns 2-5 --allow-unpaired both met.txt'
+head -n 4 truth.txt > died.txt
+try 'ended after three rows' '-f quat --columns 2-5 --allow-unpaired reference died.txt'
+try '' '-f quat --columns 2-5 --allow-unpaired reference --min-pairs 10 died.txt'
 : > empty.txt
 try 'an empty file' '-f quat --columns 2-5 empty.txt'

@@ -33,10 +33,9 @@ std::string_view LikelyKey::field(std::size_t side, std::string_view row, std::s
 }
 
 void LikelyKey::add(const std::array<std::string_view, 2>& rows) {
-    if (columns_.empty()) {
+    if (columns_.empty() || (++pairs_ > close_pairs && pairs_ % 16 != 0)) {
         return;
     }
-    ++pairs_;
     std::erase_if(columns_, [this, &rows](Column& column) {
         const std::array texts{field(0, rows[0], column.at[0]), field(1, rows[1], column.at[1])};
         if (pairs_ > first_pairs && texts[0] == texts[1]) {

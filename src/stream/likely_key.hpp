@@ -35,8 +35,10 @@ private:
         std::array<std::size_t, 2> at{}; ///< in the rows of either stream
         std::array<Decimal, 2> last{};   ///< of the pairs that were looked at
     };
-    /// Of these many pairs the columns increase; later ones are looked at if the texts differ.
+    /// Of so many pairs the columns increase; later ones are looked at if the texts differ...
     static constexpr std::size_t first_pairs = 3;
+    /// ...and from so many on one in 16, which finds a lost row as well, and costs nothing.
+    static constexpr std::size_t close_pairs = 64;
 
     std::array<Side, 2> sides_;
     std::vector<Column> columns_;
