@@ -184,16 +184,15 @@ Agreement ComparedTurns::check_angle(const Compared& compared, Numbers numbers, 
     return std::fabs(angle / unit - exact) <= 32.0 * oracle::eps ? Agreement::yes : Agreement::no;
 }
 
-Agreement check_relative(const Compared& compared, Numbers numbers, Numbers relative) {
-    if (!compared.turns || !is_well_conditioned(compared, numbers) || !is_finite(relative)) { // the half-turn of cayley
+Agreement check_product(const Compared& compared, Numbers numbers, Numbers product) {
+    if (!compared.turns || !is_well_conditioned(compared, numbers) || !is_finite(product)) { // the half-turn of cayley
         return Agreement::not_modelled;
     }
     const oracle::Quaternion a = compared.turns->left *
                                  oracle::attitude(compared.from, numbers.first(compared.from.size())) *
                                  compared.turns->right;
     const oracle::Quaternion b = oracle::attitude(compared.reference, numbers.subspan(compared.from.size()));
-    const oracle::Quaternion exact = compared.in_reference_axes ? a * b.conjugate() : b.conjugate() * a;
-    const double error = oracle::eps * oracle::error_in_eps(oracle::attitude(*compared.relative, relative), exact);
+    const double error = oracle::eps * oracle::error_in_eps(oracle::attitude(*compared.product, product), a * b);
     return error <= 16.0 * oracle::eps + compared.lock_margin ? Agreement::yes : Agreement::no;
 }
 

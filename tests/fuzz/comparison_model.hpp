@@ -25,9 +25,8 @@ struct Turns {
 struct Compared {
     rotconv::Spec from;
     rotconv::Spec reference;
-    std::optional<rotconv::Spec> relative;
-    bool in_reference_axes = false; ///< the relative attitude
-    bool degrees = false;           ///< the angle
+    std::optional<rotconv::Spec> product; ///< in which the product of the two is written, in the place of the angle
+    bool degrees = false;                 ///< the angle
     double tolerance = 1e-3;
     double lock_margin = 1e-15;
     std::size_t delta = 0; ///< not 0: the turns from each pair to the so many-th after it are compared
@@ -61,8 +60,8 @@ private:
     std::vector<std::optional<Pair>> pairs_; ///< nothing: not modelled
 };
 
-/// The attitude that the relative one's numbers stand for, likewise.
-[[nodiscard]] Agreement check_relative(const Compared& compared, std::span<const double> numbers,
-                                       std::span<const double> relative);
+/// The attitude that the product's numbers stand for, likewise.
+[[nodiscard]] Agreement check_product(const Compared& compared, std::span<const double> numbers,
+                                      std::span<const double> product);
 
 } // namespace fuzz

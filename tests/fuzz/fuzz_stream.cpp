@@ -39,9 +39,10 @@ using fuzz::words_of;
 fuzz::Reach reach{
     // clang-format off
         "rows converted by conversion", "rows converted by rates", "rows converted by propagate", "rows converted by survey",
-        "rows converted by compare", "rows converted by identify", "rows converted by sample",
+        "rows converted by compare", "rows converted by compose", "rows converted by rotate",
+        "rows converted by identify", "rows converted by sample",
         "rows failed in conversion", "rows failed in rates", "rows failed in propagate", "rows failed in survey",
-        "rows failed in compare", "rows failed in identify",
+        "rows failed in compare", "rows failed in compose", "rows failed in rotate", "rows failed in identify",
         "rows failed under --on-error=stop", "rows failed under --on-error=nan", "rows failed under --on-error=skip",
         "rows converted under --format=csv", "rows converted under --format=json", "rows converted under --format=pretty",
         "rows converted under --format=f64", "rows converted under --input-format=f64",
@@ -56,8 +57,9 @@ fuzz::Reach reach{
         "rows compared of one stream", "rows compared by row", "rows compared by key",
         "rows compared under --input-format=f64", "rows compared beyond --within",
         "rows compared under --align", "rows compared under --delta", "rows compared under --interpolate",
-        "rows compared under --key-offset", "rows compared under --worst", "rows compared under --percentiles",
-        "rows compared under --within-p95", "rows compared under --allow-failed", "rows compared under --allow-unpaired",
+        "rows compared under --key-offset", "rows compared under --worst", "rows compared under --min-pairs",
+        "rows compared under a limit with a percentage", "rows composed by row", "rows composed by key",
+        "rows compared under --allow-failed", "rows compared under --allow-unpaired",
         "rows identified of one stream", "rows identified by row", "rows identified by key",
         "conventions identified", "conventions identified with turns", "identifications that are ambiguous",
         "runs of which many threads had a part", "runs of pairs by row of which many threads had a part",
@@ -73,7 +75,7 @@ fuzz::Reach reach{
         "failed row of the stream", "failed row of the reference", "failed key of the stream", "failed key of the reference",
         "notes of an order that agree", "notes of comments that agree",
         "notes of a header alone that agree", "refused order that agrees", "refused number of names that agrees",
-        "angle that agrees", "relative attitude that agrees", "refusal that agrees", "angle of turns that agrees",
+        "angle that agrees", "product that agrees", "refusal that agrees", "angle of turns that agrees",
         "verdict that agrees", "worst pair that agrees", "alignment that agrees", "sample that agrees",
     // clang-format on
 };
@@ -125,7 +127,8 @@ struct Result {
     std::string bytes;
     std::vector<fuzz::Failure> failed;
     bool to_the_end = false;
-    std::string error; ///< of a stream, that ended the run
+    std::string error;    ///< of a stream, that ended the run
+    std::size_t rows = 0; ///< of the stream
     std::size_t answered = 0;
     std::size_t beyond = 0;
     std::array<std::size_t, 4> unpaired{}; ///< of the stream and of the reference how many, and the line of the first
@@ -165,9 +168,9 @@ struct Program {
 
 /// Has compare take what only its report shows.
 bool is_about_report(const std::string& word) {
-    constexpr std::array<std::string_view, 5> options{"--align", "--allow-", "--percentiles", "--within-p95",
-                                                      "--worst"};
-    return std::ranges::any_of(options, [&word](std::string_view option) { return word.starts_with(option); });
+    constexpr std::array<std::string_view, 4> options{"--align", "--allow-", "--min-pairs", "--worst"};
+    return word.find('@') != std::string::npos ||
+           std::ranges::any_of(options, [&word](std::string_view option) { return word.starts_with(option); });
 }
 
 /// What the words say.
@@ -244,17 +247,14 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     TextSource text(input.text);
     Pieces source(own.command.source ? *own.command.source : text, input.piece);
     Text sink(own.reports ? own.command.conclusion->rows() : nullptr);
-    std::size_t first_beyond = 0;
     std::string notes_of_reference;
-    const auto report = [&result, &first_beyond, &notes_of_reference](const Event& event) {
+    const auto report = [&result, &notes_of_reference](const Event& event) {
         if (const auto* error = std::get_if<RowError>(&event)) {
             result.failed.push_back({error->line, error->of_reference});
         } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
-            if (diagnostic->kind == DiagnosticKind::beyond && result.beyond++ == 0) {
-                first_beyond = diagnostic->line;
-            }
+            result.beyond += diagnostic->kind == DiagnosticKind::beyond ? 1 : 0;
         } else if (const auto* note = std::get_if<Note>(&event)) {
-            const char kind = "outachl"[static_cast<std::size_t>(note->kind)];
+            const char kind = "outapchl"[static_cast<std::size_t>(note->kind)];
             std::string& notes = note->of_reference ? notes_of_reference : result.notes;
             const bool is_known = notes.find(kind) != std::string::npos;
             const bool is_modelled = kind != 'u' && kind != 't'; // units are not
@@ -274,6 +274,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         result.error = fmt::format("{} {}{}", static_cast<int>(ending.error->what), ending.error->line,
                                    ending.error->of_reference ? " of the reference" : "");
     }
+    result.rows = ending.rows;
     result.answered = ending.answered;
     for (std::size_t i = 0; i < 2 && result.to_the_end; ++i) {
         result.unpaired.at(2 * i) = ending.unpaired.at(i).rows;
@@ -281,8 +282,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     }
     result.threads = source.threads();
     if ((own.has_text_alone() || own.reports) && result.to_the_end && result.answered > 0) {
-        const auto answer = own.command.conclusion->answer(
-            {ending, cli::ExitCode::done, result.failed.size(), result.beyond, first_beyond});
+        const auto answer = own.command.conclusion->answer({ending, cli::ExitCode::done, result.failed.size()});
         result.conclusion = answer.text;
         result.holds = answer.holds;
     }
@@ -301,7 +301,7 @@ bool has(const std::vector<std::string>& words, std::string_view word) { return 
 
 std::string name_of_command(const std::vector<std::string>& words) {
     const auto& first = words.front();
-    constexpr std::array commands{"rates", "propagate", "survey", "compare", "identify", "sample"};
+    constexpr std::array commands{"rates", "propagate", "survey", "compare", "compose", "rotate", "identify", "sample"};
     return std::ranges::count(commands, first) > 0 ? first : "conversion";
 }
 
@@ -321,11 +321,17 @@ void count_reach(const Result& result, const std::vector<std::string>& words, co
         reach.add("rows compared under --input-format=f64", is_binary ? rows : 0);
         reach.add("rows compared beyond --within", result.beyond);
         for (const std::string option : {"--align", "--delta", "--interpolate", "--key-offset", "--worst",
-                                         "--percentiles", "--within-p95", "--allow-failed", "--allow-unpaired"}) {
+                                         "--min-pairs", "--allow-failed", "--allow-unpaired"}) {
             const bool is_given = std::ranges::any_of(
                 words, [&option](const auto& word) { return word.substr(0, word.find('=')) == option; });
             reach.add("rows compared under " + option, is_given ? rows : 0);
         }
+        const bool has_percentage =
+            std::ranges::any_of(words, [](const auto& word) { return word.find('@') != std::string::npos; });
+        reach.add("rows compared under a limit with a percentage", has_percentage ? rows : 0);
+    } else if (command == "compose") {
+        reach.add("rows composed by row", program.is_paired() && !program.is_by_key() ? rows : 0);
+        reach.add("rows composed by key", program.is_by_key() ? rows : 0);
     } else if (command == "identify") {
         reach.add("rows identified " + pairing, rows);
         const std::size_t found = std::min(result.conclusion.find("-f "), result.conclusion.size());
@@ -379,20 +385,18 @@ void require(fuzz::Agreement agreement, const std::string& what, std::span<const
 
 /// The answer of a comparison stands by the definitions.
 void check(const fuzz::Compared& compared, std::span<const double> numbers, const fuzz::Answer& answer,
-           bool has_relative, fuzz::ComparedTurns& turns) {
+           fuzz::ComparedTurns& turns) {
     const std::span<const double> result = answer.numbers;
     require(check_refusal(compared, numbers, answer.failed, answer.of_reference), "refusal", numbers, result);
     if (answer.failed) {
         return;
     }
-    if (compared.delta > 0) {
+    if (compared.product) {
+        require(check_product(compared, numbers, result.first(compared.product->size())), "product", numbers, result);
+    } else if (compared.delta > 0) {
         require(turns.check_angle(compared, numbers, result[0]), "angle of turns", numbers, result);
     } else {
         require(check_angle(compared, numbers, result[0]), "angle", numbers, result);
-        if (has_relative) {
-            require(check_relative(compared, numbers, result.subspan(1, compared.relative->size())),
-                    "relative attitude", numbers, result);
-        }
     }
 }
 
@@ -401,13 +405,23 @@ void check_report(const Result& result, const std::vector<std::string>& words) {
     std::vector<double> angles = result.angles;
     std::ranges::sort(angles, std::greater());
     const auto argument = [&words](std::string_view name) { return argument_of(words, name); };
-    const std::string limit = argument("--within-p95");
-    const auto beyond_p95 = [&, most = std::strtod(limit.c_str(), nullptr)] {
-        return static_cast<std::size_t>(std::ranges::count_if(angles, [most](double angle) { return angle > most; }));
+    const auto is_met = [&angles](const std::string& word) {
+        const std::string limit = word.starts_with("--within=") ? word.substr(word.find('=') + 1) : "";
+        const std::size_t at = limit.find('@');
+        const double percent = at == std::string::npos ? 100.0 : std::strtod(limit.c_str() + at + 1, nullptr);
+        const auto within = std::ranges::count_if(
+            angles, [most = std::strtod(limit.c_str(), nullptr)](double angle) { return angle <= most; });
+        return limit.empty() || 100.0 * static_cast<double>(within) >= percent * static_cast<double>(angles.size());
     };
     const std::string allowed = argument("--allow-unpaired");
-    const bool holds = !angles.empty() && result.beyond == 0 &&
-                       (limit.empty() || 100 * beyond_p95() <= 5 * angles.size()) &&
+    const std::string least = argument("--min-pairs");
+    const bool leaves_out = !allowed.empty() || has(words, "--allow-failed");
+    const double needed =
+        least.ends_with('%') || (least.empty() && leaves_out)
+            ? std::strtod(least.empty() ? "50" : least.c_str(), nullptr) / 100.0 * static_cast<double>(result.rows)
+            : std::strtod(least.c_str(), nullptr);
+    const bool holds = !angles.empty() && std::ranges::all_of(words, is_met) &&
+                       static_cast<double>(result.answered) >= needed &&
                        (result.unpaired[0] == 0 || allowed == "file" || allowed == "both") &&
                        (result.unpaired[2] == 0 || allowed == "reference" || allowed == "both") &&
                        (result.failed.empty() || has(words, "--allow-failed"));
@@ -425,7 +439,8 @@ void check_report(const Result& result, const std::vector<std::string>& words) {
         const std::size_t at = result.conclusion.find(name);
         const double shown =
             at == std::string::npos ? -1.0 : std::strtod(result.conclusion.c_str() + at + name.size(), nullptr);
-        if (shown != (i < worst ? angles[i] : -1.0)) {
+        const double expected = i < worst ? std::strtod(fmt::format("{:.6g}", angles[i]).c_str(), nullptr) : -1.0;
+        if (shown != expected) {
             differ("the worst pairs do not agree", result.conclusion, fmt::format("{}", fmt::join(angles, " ")));
         }
         reach.add("worst pair that agrees", i < worst ? 1 : 0);
@@ -481,12 +496,12 @@ void check_sample(const Result& result, const std::vector<std::string>& words, c
 
 fuzz::Compared compared_of(const std::vector<std::string>& words, const Program& program) {
     const bool degrees = has(words, "--degrees");
-    const std::string to = argument_of(words, "--to", argument_of(words, "--from"));
+    const bool composes = name_of_command(words) == "compose";
+    const std::string to = argument_of(words, composes ? "--by" : "--to", argument_of(words, "--from"));
     const Spec reference = std::get<Spec>(parse_spec(to));
     return {.from = *program.options().input.numbers.attitude,
             .reference = degrees ? reference.in_degrees() : reference,
-            .relative = program.operation().attitude,
-            .in_reference_axes = has(words, "--frame=reference"),
+            .product = composes ? program.operation().attitude : std::nullopt,
             .degrees = degrees,
             .tolerance = std::strtod(argument_of(words, "--tolerance", "1e-3").c_str(), nullptr),
             .lock_margin = std::strtod(argument_of(words, "--lock-margin", "1e-15").c_str(), nullptr),
@@ -645,16 +660,23 @@ void add_reference(fuzz::Rules& rules, const std::vector<std::string>& words, co
 /// What the model is to know: the options' words, and the command's numbers.
 std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const Program& program) {
     const RowOperation& operation = program.operation();
-    const bool compares = name_of_command(words) == "compare";
+    const std::string command = name_of_command(words);
+    const bool compares = command == "compare";
+    const bool composes = command == "compose";
     const bool sums_up = program.options().format == Format::result;
     const std::string format = sums_up ? "result" : argument_of(words, "--format", "csv");
-    const std::string to = argument_of(words, compares ? "--as" : "--to");
+    const std::string to = compares ? "" : argument_of(words, "--to");
     const int precision = std::atoi(argument_of(words, "--precision", "0").c_str());
     const bool fixed = !argument_of(words, "--decimals").empty();
     const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
     if (format == "pretty" || format == "f64" || program.options().input.width > 0 || program.has_text_alone() ||
         !operation.answers.empty() || operation.looks_ahead || ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
+    }
+    // Nor are names that are kept, and rows of a product that lack a partner.
+    if ((command == "rotate" && argument_of(words, "--header", "auto") != "no") || (composes && program.is_paired()) ||
+        (composes && operation.is_continuous)) {
+        return std::nullopt;
     }
     // Nor are references between two rows, and keys with units: pieces and threads must give the same, and a test of
     // the pairs looks at all rows. The options that an identification answers with are counted, and not tried.
@@ -677,21 +699,21 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         add_reference(rules, words, program);
     }
     rules.calculate = calculate_of(words, program, rules.diagnostic_columns);
-    if (compares) {
+    if (compares || composes) {
         fuzz::Compared compared = compared_of(words, program);
         if (program.command.first_pass) {
             compared.turns.reset(); // which only the program knows
         }
         rules.calculate = [compared, turns = std::make_shared<fuzz::ComparedTurns>(), calculate = rules.calculate,
-                           has_relative = compared.relative && !sums_up, by_key = program.is_by_key()](
-                              const std::vector<double>& numbers, const std::vector<std::string>& texts) {
+                           by_key = program.is_by_key()](const std::vector<double>& numbers,
+                                                         const std::vector<std::string>& texts) {
             auto bare = numbers;
             if (by_key) {
                 bare.erase(bare.begin() + 1 + static_cast<std::ptrdiff_t>(compared.from.size()));
                 bare.erase(bare.begin());
             }
             fuzz::Answer answer = calculate(numbers, texts);
-            check(compared, bare, answer, has_relative, *turns);
+            check(compared, bare, answer, *turns);
             return answer;
         };
     }
@@ -840,11 +862,11 @@ const std::vector<std::string> option_words =
              "--reference-axes=ned:enu --body-axes=frd:flu --reference-axes=ruf:flu --body-axes=ruf:flu "
              "--condition=10 --method=shepperd --method=all --key=1 --key=t --key-within=0.5 --key-within=1e-9 "
              "--reference-key=2 --reference-columns=2-5 --reference-columns=a,b,c,d --reference-columns=3,1,2 "
-             "--reference-columns=2-4 --within=0.1 --within=0 --as=quat --as=rpy:deg --as=cayley --as=dcm:passive "
+             "--reference-columns=2-4 --within=0.1 --within=0 --by=quat --by=rpy:deg --by=cayley --by=dcm:passive "
              "--from=mrp:passive --from=euler --columns=1-4 --columns=1-8 --columns=5-8,1-4 --columns=1-12 "
              "--align=reference --align=body --align=both --align=yaw --align=first --delta=1 --delta=2 --interpolate "
-             "--key-offset=0.25 --key-offset=-1 --worst=1 --worst=3 --percentiles=25,75.5 --within-p95=0.1 "
-             "--within-p95=2 --allow-failed --allow-unpaired=file --allow-unpaired=reference --allow-unpaired=both "
+             "--key-offset=0.25 --key-offset=-1 --worst=1 --worst=3 --min-pairs=2 --min-pairs=60% --within=0.1@95 "
+             "--within=2@50 --allow-failed --allow-unpaired=file --allow-unpaired=reference --allow-unpaired=both "
              "--ragged --columns=roll,pitch,yaw --rows=40 --seed=7 --kind=cube,small --kind=noise --kind=many-turns "
              "--noise=0.1 --kinds-column",
              ' ');
