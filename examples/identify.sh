@@ -11,7 +11,7 @@ END
 
 echo
 echo "Three angles called roll, pitch and yaw, and a matrix with six digits: turns about the body's axes or about fixed ones?"
-echo "(xyz of columns 1-3 is ZYX of columns 3,2,1)"
+echo "(rpy of columns 1-3 is euler:ZYX of columns 3,2,1)"
 rotconv identify -t dcm <<END | tail -n 1
 10 20 30     0.813798 -0.44097 0.378522  0.469846 0.882564 0.0180283  -0.34202 0.163176 0.925417
 -50 60 100   -0.0868241 -0.517822 -0.851071  0.492404 -0.764954 0.415191  -0.866025 -0.383022 0.321394

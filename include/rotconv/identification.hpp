@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,9 +21,14 @@ struct Candidate {
     std::array<std::uint8_t, 9> columns{}; ///< for each number of the SPEC the column that holds it, from 0
     std::size_t rows = 0; ///< number of rows on which it was tried; it is dropped at the first that it misses by far
     double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
-    std::size_t angle_row = 0;       ///< the first row with that angle
-    std::optional<Rotation> left{};  ///< known = left unknown right, where a constant turn was found...
-    std::optional<Rotation> right{}; ///< ...on that side
+    std::size_t angle_row = 0;         ///< the first row with that angle
+    std::optional<Rotation> left{};    ///< known = left unknown right, where a constant turn was found...
+    std::optional<Rotation> right{};   ///< ...on that side
+    std::string_view reference_axes{}; ///< the name of the left turn, such as "ned:enu", where it is a usual one...
+    std::string_view body_axes{};      ///< ...and of the right turn, whose inverse the axes name
+
+    /// The SPEC has no signs, and its columns are as they stand.
+    [[nodiscard]] bool is_plain() const noexcept;
 };
 
 /// How many candidates fit and, if more than one does, why the rows do not tell them apart.
@@ -42,6 +48,8 @@ struct Verdict {
     std::size_t fitting = 0;
     std::vector<Candidate> turned; ///< those that fit with constant turns, where none does without
     Ambiguity ambiguity = Ambiguity::nothing;
+    /// What fits, as a person would write it, if nothing is ambiguous.
+    std::optional<Candidate> answer{};
     double angle = 0.0;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     std::size_t column = 0; ///< from 0
@@ -55,21 +63,23 @@ struct IdentificationSettings {
 
 /// Finds the convention of numbers that come with the same attitude in a known one.
 ///
-/// All SPECs with that count of numbers are tried, with all modifiers, sequences and their signs, and for Euler angles,
-/// quaternions, axis-angle and two columns with all orders of the columns. Candidates that mean the same for all
-/// numbers count as one: the one whose list of columns comes first; if several share it, the one with the fewest
-/// modifiers and signs, preferably without `passive`. `rpy` is named euler:xyz. A candidate is dropped at the first row
-/// that it misses by more than a thousand times the limit or by half a radian, or whose numbers have no attitude in it,
-/// so that long data cost little more than one conversion.
+/// All SPECs with that count of numbers are tried, with all modifiers, sequences and their signs, with three angles in
+/// all orders of the columns, axis-angle with the angle first too, and two columns interleaved too. Candidates that
+/// mean the same for all numbers count as one, under the name with the fewest modifiers and signs. A candidate is
+/// dropped at the first row that it misses by more than a thousand times the limit or by half a radian, or whose
+/// numbers have no attitude in it, so that long data cost little more than one conversion.
 ///
-/// Where none fits, each is tried with a constant turn on either side, and then on both: see Alignment. Those
-/// that a constant turn makes the same count as one. For this rows are kept; of more than `most_kept` every second,
-/// fourth, eighth and so on. Constant memory.
+/// Where none fits, each is tried with a constant turn on either side, of which the one that leaves least counts, and
+/// where none fits then with turns on both: see Alignment. For this rows are kept; of more than `most_kept` every
+/// second, fourth, eighth and so on. Constant memory.
 class Identification {
 public:
     /// @param name if given, only candidates of this representation, which has `count` numbers
     Identification(std::size_t count, const Spec& known, std::optional<RepresentationId> name = {},
                    const IdentificationSettings& settings = {});
+
+    /// Holds all rows against one candidate, with its turns.
+    Identification(const Candidate& candidate, const Spec& known, const IdentificationSettings& settings);
 
     /// Whether there is a representation with that count of numbers.
     [[nodiscard]] static bool is_count(std::size_t count) noexcept;
@@ -87,7 +97,7 @@ public:
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
     [[nodiscard]] bool fits(const Candidate& candidate) const noexcept {
         const std::size_t looked_at = candidate.left || candidate.right ? kept_rows_.size() : rows_;
-        return rows_ > 0 && candidate.rows == looked_at && candidate.angle <= settings_.within;
+        return rows_ > 0 && candidate.rows >= looked_at && candidate.angle <= settings_.within;
     }
     /// The candidates that were tried on the most rows first; among these, in order of their angles.
     [[nodiscard]] std::vector<Candidate> best_first() const;
@@ -116,9 +126,16 @@ private:
     /// Whether the relative turns lie in a plane or about one axis in such a way that a change of axes could be
     /// mistaken for another convention.
     [[nodiscard]] bool may_mistake_turns() const;
+    /// Whether there are four rows or more whose relative turns do not lie in one plane.
+    [[nodiscard]] bool determines_both() const;
     struct RowsForTurns;
-    /// Those that fit with constant turns.
+    /// Those that fit with constant turns, of which the nearest leaves an angle not below a tenth of another's.
     [[nodiscard]] std::vector<Candidate> turned() const;
+    /// The same meaning as a person would write it: a SPEC alone; a SPEC without signs, its columns as they stand, with
+    /// axes that have names; signs or another order of the columns; other axes; turns.
+    [[nodiscard]] Candidate as_written(const Candidate& candidate) const;
+    /// The attitudes of generic numbers, turned.
+    [[nodiscard]] std::vector<Rotation> meaning_of(const Candidate& candidate) const;
     /// False where no constant turns make the candidate fit, nor any of its class.
     [[nodiscard]] bool may_fit(const Trial& trial, const RowsForTurns& rows) const;
     [[nodiscard]] std::optional<Candidate> with_turn(const Trial& trial, AlignedSide side,

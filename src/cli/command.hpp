@@ -46,6 +46,8 @@ public:
         std::string text;   ///< printed at the end
         bool holds = false; ///< what was to be found or checked
     };
+    /// Called before answer(): what is to be done with all rows once more, if they can be read again; null: nothing.
+    [[nodiscard]] virtual std::shared_ptr<stream::RowOperation> look_again() { return nullptr; }
     /// Called at the end of a run that was not stopped.
     [[nodiscard]] virtual Answer answer(const RowsResult& /*result*/) { return {}; }
     /// The run goes on, without output, where nobody reads that any more: its exit status counts.

@@ -178,12 +178,11 @@ CommandEntry compare_command() {
     set.add("--delta", "N", "Compare the turns from each pair to the N-th after it");
     add_attitudes(set);
     set.begin_group("Check");
-    set.add("--within", "ANGLE",
-            "The largest angle that passes, such as 0.3deg, 5mrad or 0.1rad; 0.3deg@95: of 95 in 100 pairs");
+    set.add("--within", "ANGLE", "The largest angle that passes, such as 0.3deg; 0.3deg@95: of 95 in 100");
     set.let_repeat("--within");
     set.add("--allow-unpaired", "WHOSE", "Rows without a partner pass: file, reference or both");
     set.add_flag("--allow-failed", "Rows without an attitude pass, with --on-error skip or nan");
-    set.add("--min-pairs", "N", "Pairs that must be compared, or N% of FILE's rows (with --allow-...: 50%)");
+    set.add("--min-pairs", "N", "Pairs that must be compared, or N% of the rows (with --allow-...: 50%)");
     add_pairing(set);
     set.add_flag("--interpolate", "Take the reference at FILE's key, between two rows --key-within apart");
     add_reading(set);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -74,8 +75,14 @@ std::string turn_option(std::string_view side, std::string_view axes_option, con
 }
 
 std::string turn_options(const Candidate& candidate) {
-    return (candidate.left ? turn_option("--left", "--reference-axes", *candidate.left, false) : "") +
-           (candidate.right ? turn_option("--right", "--body-axes", *candidate.right, true) : "");
+    const auto option = [](std::string_view side, std::string_view axes_option, std::string_view axes,
+                           const std::optional<Rotation>& turn, bool inverse) {
+        return !axes.empty() ? fmt::format(" {} {}", axes_option, axes)
+               : turn        ? turn_option(side, axes_option, *turn, inverse)
+                             : std::string();
+    };
+    return option("--left", "--reference-axes", candidate.reference_axes, candidate.left, false) +
+           option("--right", "--body-axes", candidate.body_axes, candidate.right, true);
 }
 
 std::string in_brackets(const Eigen::Vector3d& v) {
@@ -104,12 +111,25 @@ public:
         if (!Identification::is_count(count)) {
             return no_such_count(fields, settings_.rows);
         }
-        begin(count);
+        if (identification_->count() != count) { // not when the rows are read again
+            begin(count);
+        }
         return fields;
     }
 
     [[nodiscard]] Identification& identification() noexcept { return *identification_; }
     [[nodiscard]] std::vector<std::size_t>& positions() noexcept { return positions_; }
+
+    /// Of many rows only some were kept to find turns: all are held against the answer.
+    [[nodiscard]] std::shared_ptr<stream::RowOperation> look_again() override {
+        verdict_ = identification_->verdict();
+        if (!verdict_.answer || verdict_.answer->rows == identification_->rows()) {
+            return nullptr;
+        }
+        again_.emplace(*verdict_.answer, settings_.rows.known, settings_.identification);
+        return operations::identify(
+            settings_.rows, [this]() -> Identification& { return *again_; }, unused_positions_);
+    }
 
     [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
         const std::size_t rows = identification_->rows();
@@ -118,10 +138,20 @@ public:
             return {.text = settings_.json ? json_line({{"rows", rows}, {"fit", rows}, {"answer", "none"}}) : "none\n"};
         }
         auto candidates = identification_->best_first();
-        const Verdict verdict = identification_->verdict();
+        Verdict& verdict = verdict_;
+        const bool all_were_held = !again_ || again_->rows() > 0;
+        if (again_ && all_were_held) {
+            Candidate& found = verdict.turned.front();
+            const Candidate all = again_->best_first().front();
+            std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
+            if (all.rows < rows || !again_->fits(all)) {
+                verdict.answer.reset();
+                verdict.fitting = 0;
+            }
+        }
         candidates.insert(candidates.begin(), verdict.turned.begin(), verdict.turned.end());
-        const bool is_ambiguous = verdict.fitting > 1;
-        const std::string limit = is_ambiguous ? smaller_limit(candidates) : "";
+        const bool is_ambiguous = verdict.ambiguity != Verdict::Ambiguity::nothing;
+        const std::string limit = verdict.fitting > 1 ? smaller_limit(candidates) : "";
         candidates.resize(std::min(candidates.size(), listed));
         const auto line_of = [](const auto&... cells) {
             return fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", cells...);
@@ -144,8 +174,8 @@ public:
                                              each.rows, (fits ? "yes" : "no") + turns);
         }
         std::string best = is_ambiguous ? "ambiguous" : "none";
-        if (verdict.fitting == 1) {
-            const Candidate& first = candidates.front();
+        if (verdict.answer) {
+            const Candidate& first = *verdict.answer;
             best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), turn_options(first));
         }
         if (settings_.json) {
@@ -155,7 +185,7 @@ public:
                                {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
         } else {
             const std::size_t looked_at = verdict.turned.empty() ? 0 : verdict.turned.front().rows;
-            const bool is_part = looked_at > 0 && looked_at < rows;
+            const bool is_part = !all_were_held;
             if (is_ambiguous) {
                 best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
             }
@@ -163,7 +193,7 @@ public:
                                 is_part ? fmt::format(", of which {} were held against turns", looked_at) : "",
                                 settings_.identification.within * unit_, unit_name_, best);
         }
-        return {.text = text, .holds = verdict.fitting == 1};
+        return {.text = text, .holds = verdict.answer.has_value() && all_were_held};
     }
 
 private:
@@ -237,7 +267,10 @@ private:
     std::string_view unit_name_;
     std::shared_ptr<messages::Subject> subject_; ///< of the rows
     std::optional<Identification> identification_;
+    Verdict verdict_{};
+    std::optional<Identification> again_{}; ///< a second look at all rows, with the answer alone
     std::vector<std::size_t> positions_;
+    std::vector<std::size_t> unused_positions_;
 };
 
 /// How many unknown numbers a row has, if the command line tells it; otherwise 0.

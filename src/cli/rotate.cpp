@@ -22,7 +22,7 @@ CommandEntry rotate_command() {
     set.add("-f,--from", "SPEC", "The representation of the attitudes: NAME[:MODIFIER]...");
     add_reading(set);
     add_writing(set);
-    return {"rotate", "Take vectors from body to reference coordinates, by the attitude in their row",
+    return {"rotate", "Take vectors from body to reference coordinates",
             "Usage: rotconv rotate -f SPEC [OPTION]... [VALUE]...\n"
             "       rotconv rotate -f SPEC [OPTION]... [FILE]\n",
             std::move(set), rotate};

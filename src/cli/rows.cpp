@@ -247,6 +247,29 @@ private:
     bool is_read_ = true;
 };
 
+/// Runs the operation over the rows, and tells nothing.
+stream::RunResult run_silently(const RowsCommand& command, const std::shared_ptr<stream::RowOperation>& operation,
+                               stream::Sink& sink, const std::vector<std::unique_ptr<stream::File>>& files) {
+    stream::Options options = command.options;
+    options.operation = operation;
+    options.format = stream::Format::result;
+    return stream::run(
+        *files.front(), sink, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
+}
+
+/// What the command's conclusion wants to know of all rows at the end. A pipe cannot be read again.
+void look_again(const RowsCommand& command) {
+    const auto operation = command.conclusion->look_again();
+    if (!operation || command.has_values) {
+        return;
+    }
+    const auto files = open_inputs(command);
+    if (std::ranges::all_of(files, [](const auto& file) { return file->is_open() && file->is_regular(); })) {
+        stream::NullSink nowhere;
+        static_cast<void>(run_silently(command, operation, nowhere, files));
+    }
+}
+
 /// The command as its first pass makes it.
 /// @return what is wrong, in words
 std::string run_first_pass(RowsCommand& command) {
@@ -260,12 +283,7 @@ std::string run_first_pass(RowsCommand& command) {
                                shown(file == files.front() ? command.input : command.reference));
         }
     }
-    stream::Options options = command.options;
-    options.operation = command.first_pass->operation;
-    options.format = stream::Format::result;
-    const auto ending = stream::run(
-        *files.front(), *command.first_pass->rows, options, [](const auto&) {},
-        files.size() > 1 ? files.back().get() : nullptr);
+    const auto ending = run_silently(command, command.first_pass->operation, *command.first_pass->rows, files);
     if (ending.error || ending.stopped) { // again, for the messages
         command.conclusion = std::make_shared<Conclusion>();
         return {};
@@ -345,6 +363,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
     }
     reporter.count_rest();
     if (conclusion != nullptr && is_whole) {
+        look_again(command);
         const Conclusion::Answer answer = conclusion->answer(result);
         if (const int error = rows_output.write(answer.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);

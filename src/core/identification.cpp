@@ -76,7 +76,23 @@ std::vector<Spec> specs_of(const Representation& entry) {
     return specs;
 }
 
-/// All candidates, preferred names first.
+/// The orders in which programs list the numbers of a representation.
+std::vector<Columns> orders_of(const Representation& entry) {
+    Columns columns{};
+    std::iota(columns.begin(), columns.end(), std::uint8_t{0});
+    std::vector<Columns> orders{columns};
+    if (entry.name == RepresentationId::axis_angle) { // the angle first
+        orders.push_back({1, 2, 3, 0});
+    } else if (entry.name == RepresentationId::two_column) { // row by row of the two
+        orders.push_back({0, 2, 4, 1, 3, 5});
+    }
+    while (entry.has_gimbal_lock && std::next_permutation(columns.begin(), columns.begin() + 3)) {
+        orders.push_back(columns);
+    }
+    return orders;
+}
+
+/// All candidates, preferred names first: a SPEC without signs whose columns are as they stand, then the others.
 std::vector<Candidate> candidates_of(std::size_t count, std::optional<RepresentationId> name) {
     std::vector<Candidate> candidates;
     for (const RepresentationId id : all_representations) {
@@ -85,20 +101,19 @@ std::vector<Candidate> candidates_of(std::size_t count, std::optional<Representa
         if (!is_wanted || entry.size != count) {
             continue;
         }
-        const bool any_order = entry.has_gimbal_lock || id == RepresentationId::quat ||
-                               id == RepresentationId::axis_angle || id == RepresentationId::two_column;
-        for (const Spec& spec : specs_of(entry)) {
-            Columns columns{};
-            std::iota(columns.begin(), columns.end(), std::uint8_t{0});
-            do {
+        for (Spec spec : specs_of(entry)) {
+            const bool is_rpy = !name && entry.takes_sequence && spec.sequence == roll_pitch_yaw;
+            spec.name = is_rpy ? RepresentationId::rpy : spec.name;
+            for (const Columns& columns : orders_of(entry)) {
                 // Intrinsic turns are the extrinsic ones with the columns reversed.
                 if (!entry.takes_sequence || columns[0] < columns[2]) {
                     candidates.push_back({.spec = spec, .columns = columns});
                 }
-            } while (any_order && std::next_permutation(columns.begin(), columns.begin() + static_cast<int>(count)));
+            }
         }
     }
-    std::ranges::stable_sort(candidates, {}, &Candidate::columns);
+    std::ranges::stable_sort(candidates, {},
+                             [](const Candidate& each) { return std::pair(!each.is_plain(), each.columns); });
     return candidates;
 }
 
@@ -136,6 +151,11 @@ std::vector<double> generic_numbers(const Spec& spec) {
 
 } // namespace
 
+bool Candidate::is_plain() const noexcept {
+    return std::ranges::is_sorted(std::span(columns).first(spec.size())) && spec.sequence.sign(0) > 0.0 &&
+           spec.sequence.sign(1) > 0.0 && spec.sequence.sign(2) > 0.0;
+}
+
 Identification::Identification(std::size_t count, const Spec& known, std::optional<RepresentationId> name,
                                const IdentificationSettings& settings)
     : count_(count), settings_(settings), known_conversion_(known, Spec{}, {.tolerance = settings.tolerance}) {
@@ -149,6 +169,13 @@ Identification::Identification(std::size_t count, const Spec& known, std::option
             trials_.push_back({candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance})});
         }
     }
+}
+
+Identification::Identification(const Candidate& candidate, const Spec& known, const IdentificationSettings& settings)
+    : count_(candidate.spec.size()), settings_(settings),
+      known_conversion_(known, Spec{}, {.tolerance = settings.tolerance}),
+      trials_{{candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance})}}, living_{0} {
+    trials_[0].candidate.rows = 0;
 }
 
 std::vector<Rotation> Identification::generic_attitudes(const Candidate& candidate) const {
@@ -209,9 +236,12 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
     angles_.resize(trials_.size() * count);
     for (const std::size_t trial : living_) {
         const auto own = attitudes_of(trials_[trial], numbers.subspan(first * width, count * width), width, found_);
+        const auto& [left, right] = std::pair(trials_[trial].candidate.left, trials_[trial].candidate.right);
         for (std::size_t i = 0; i < count; ++i) {
+            Rotation turned = left ? *left * own[i] : own[i];
+            turned = right ? turned * *right : turned;
             angles_[trial * count + i] =
-                is_attitude(own[i]) ? angle_between(own[i], rotation_at(known_, first + i)) : infinity;
+                is_attitude(own[i]) ? angle_between(turned, rotation_at(known_, first + i)) : infinity;
         }
     }
     for (std::size_t row = 0; row < count; ++row) {

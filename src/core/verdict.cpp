@@ -6,8 +6,10 @@
 #include <limits>
 #include <map>
 #include <utility>
+#include <variant>
 
 #include <rotconv/alignment.hpp>
+#include <rotconv/axes.hpp>
 #include <rotconv/dcm.hpp>
 
 #include "numerics/eigensystem.hpp"
@@ -62,6 +64,32 @@ ConstantTurns with_named_axes(const ConstantTurns& turns, AlignedSide first, con
     }
     const Rotation right = named(turns.right);
     return {named(constant_turns(AlignedSide::reference, unknown, known, {{}, right}).left), right};
+}
+
+/// Axes that people have names for, on either side of an attitude.
+struct NamedAxes {
+    NamedAxes(std::string_view reference_, std::string_view body_)
+        : reference(reference_), body(body_), turns{turn_of(reference), turn_of(body).inverse()} {}
+
+    static Rotation turn_of(std::string_view text) {
+        return text.empty() ? Rotation() : std::get<AxesChange>(parse_axes(text)).turn().rotation;
+    }
+
+    std::string_view reference;
+    std::string_view body;
+    ConstantTurns turns;
+};
+
+const std::vector<NamedAxes>& named_axes() {
+    static const std::vector<NamedAxes> axes{
+        {"ned:enu", ""}, {"ned:enu", "frd:flu"}, {"", "rdf:rub"}, {"ruf:flu", "ruf:flu"}, {"fru:flu", "fru:flu"}};
+    return axes;
+}
+
+/// Whether it moves and negates axes alone.
+bool is_of_axes(const Rotation& rotation) noexcept {
+    const Dcm matrix = dcm::from_rotation(rotation);
+    return (matrix.array() == matrix.array().round()).all();
 }
 
 /// sin(theta/2) cos(theta/2) n of the turn from a to b in body axes: whatever the signs of the quaternions.
@@ -173,13 +201,18 @@ std::vector<Candidate> Identification::best_first() const {
 Verdict Identification::verdict() const {
     Verdict verdict;
     const auto fits_as_it_is = [this](const Trial& trial) { return fits(trial.candidate); };
+    const auto first = std::ranges::find_if(trials_, fits_as_it_is);
     verdict.fitting = static_cast<std::size_t>(std::ranges::count_if(trials_, fits_as_it_is));
     if (verdict.fitting == 0 && rows_ > 0) {
         verdict.turned = turned();
         verdict.fitting = verdict.turned.size();
     }
-    if (verdict.fitting > 1) {
+    const bool has_both =
+        verdict.fitting == 1 && !verdict.turned.empty() && verdict.turned[0].left && verdict.turned[0].right;
+    if (verdict.fitting > 1 || (has_both && !determines_both())) {
         verdict.ambiguity = ambiguity(verdict);
+    } else if (verdict.fitting == 1) {
+        verdict.answer = as_written(verdict.turned.empty() ? first->candidate : verdict.turned[0]);
     }
     return verdict;
 }
@@ -247,41 +280,124 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSi
 }
 
 std::vector<Candidate> Identification::turned() const {
-    struct Class { // of candidates that are the same but for constant turns
-        std::vector<const Trial*> trials;
-        std::optional<Candidate> found{}; ///< the one with the fewest turns
-    };
-    std::vector<Class> classes;
-    std::map<std::vector<std::int64_t>, std::size_t> met;
+    std::map<std::vector<std::int64_t>, std::vector<const Trial*>> classes; // that are the same but for constant turns
     for (const Trial& trial : trials_) {
-        const auto place = met.try_emplace(turned_fingerprint(generic_attitudes(trial.candidate)), met.size()).first;
-        classes.resize(met.size());
-        classes[place->second].trials.push_back(&trial);
+        classes[turned_fingerprint(generic_attitudes(trial.candidate))].push_back(&trial);
     }
     const RowsForTurns rows(*this);
-    std::erase_if(classes, [&](const Class& each) { return !may_fit(*each.trials.front(), rows); });
-    const auto is_found = [](const Class& each) { return each.found.has_value(); };
-    for (const AlignedSide side : {AlignedSide::body, AlignedSide::reference, AlignedSide::both}) {
-        const bool both = side == AlignedSide::both;
-        // Turns on both sides fit nearly any three rows: what fits with one stands, unless its turns are of a special
-        // kind.
-        if (both && std::ranges::any_of(classes, is_found) && rows_ < 4 && !may_mistake_turns()) {
-            break;
+    std::erase_if(classes, [&](const auto& each) { return !may_fit(*each.second.front(), rows); });
+    std::vector<Candidate> found;
+    std::vector<const Trial*> left_over;
+    for (const auto& [mark, trials] : classes) {
+        const std::size_t before = found.size();
+        for (const AlignedSide side : {AlignedSide::reference, AlignedSide::body}) {
+            for (const Trial* trial : trials) {
+                if (auto turned = with_turn(*trial, side, rows)) {
+                    found.push_back(std::move(*turned));
+                }
+            }
         }
-        for (Class& each : classes) {
-            const std::size_t last = both ? 1 : each.trials.size(); // if one does not fit with both, none does
-            for (std::size_t i = 0; i < last && !each.found; ++i) {
-                each.found = with_turn(*each.trials[i], side, rows);
+        if (found.size() == before) {
+            left_over.push_back(trials.front());
+        }
+    }
+    if (found.empty() || may_mistake_turns()) {
+        for (const Trial* trial : left_over) { // if one of a class does not fit with both, none does
+            if (auto turned = with_turn(*trial, AlignedSide::both, rows)) {
+                found.push_back(std::move(*turned));
             }
         }
     }
-    std::vector<Candidate> found;
-    for (const Class& each : classes) {
-        if (each.found) {
-            found.push_back(*each.found);
+    std::ranges::stable_sort(found, {}, &Candidate::angle);
+    std::vector<std::vector<Rotation>> meanings;
+    std::erase_if(found, [&](const Candidate& each) {
+        constexpr double exact = 1e-12;
+        const auto own = meaning_of(each);
+        const bool is_known = std::ranges::any_of(meanings, [&](const auto& meaning) {
+            return largest_angle({}, own, meaning).angle <= 2.0 * settings_.within + rounding;
+        });
+        const bool is_far = each.angle > 10.0 * std::max(found.front().angle, exact);
+        if (!is_known && !is_far) {
+            meanings.push_back(own);
+        }
+        return is_known || is_far;
+    });
+    return found;
+}
+
+Attitudes Identification::meaning_of(const Candidate& candidate) const {
+    Attitudes attitudes = generic_attitudes(candidate);
+    for (Rotation& attitude : attitudes) {
+        attitude = candidate.left.value_or(Rotation()) * attitude * candidate.right.value_or(Rotation());
+    }
+    return attitudes;
+}
+
+Candidate Identification::as_written(const Candidate& candidate) const {
+    const bool has_turns = candidate.left || candidate.right;
+    if (candidate.is_plain() && !has_turns) {
+        return candidate;
+    }
+    const Attitudes meaning = meaning_of(candidate);
+    const auto with = [&candidate](const Candidate& named) { // what was measured, under another name
+        Candidate made = candidate;
+        made.spec = named.spec;
+        made.columns = named.columns;
+        return made;
+    };
+    struct Name {
+        Candidate candidate;
+        Attitudes own;
+    };
+    std::vector<Name> plain; // that differ from the candidate by constant turns
+    for (const Trial& trial : trials_) {
+        if (trial.candidate.is_plain()) {
+            Name name{trial.candidate, generic_attitudes(trial.candidate)};
+            if (turned_fingerprint(name.own) == turned_fingerprint(meaning)) {
+                plain.push_back(std::move(name));
+            }
         }
     }
-    return found;
+    for (const auto& [name, own] : plain) {
+        for (const NamedAxes& axes : named_axes()) {
+            if (largest_angle(axes.turns, own, meaning).angle <= rounding) {
+                Candidate made = with(name);
+                made.left = axes.reference.empty() ? std::nullopt : std::optional(axes.turns.left);
+                made.right = axes.body.empty() ? std::nullopt : std::optional(axes.turns.right);
+                made.reference_axes = axes.reference;
+                made.body_axes = axes.body;
+                return made;
+            }
+        }
+    }
+    if (!has_turns) {
+        return candidate;
+    }
+    // The fewest turns, first those of axes; of equals a plain name.
+    std::optional<Candidate> best;
+    std::pair<bool, int> least{true, 3};
+    plain.push_back({candidate, generic_attitudes(candidate)});
+    for (const auto& [name, own] : plain) {
+        const ConstantTurns exact = constant_turns(AlignedSide::both, own, meaning);
+        const ConstantTurns named = with_named_axes(exact, AlignedSide::reference, own, meaning);
+        const bool is_named =
+            is_of_axes(named.left) && is_of_axes(named.right) && largest_angle(named, own, meaning).angle <= rounding;
+        const ConstantTurns& turns = is_named ? named : exact;
+        Candidate made = with(name);
+        made.left = angle_of(turns.left) <= rounding ? std::nullopt : std::optional(turns.left);
+        made.right = angle_of(turns.right) <= rounding ? std::nullopt : std::optional(turns.right);
+        const std::pair rank(!is_named, (made.left ? 1 : 0) + (made.right ? 1 : 0));
+        if (rank < least && largest_angle(turns, own, meaning).angle <= rounding) {
+            least = rank;
+            best = made;
+        }
+    }
+    return best.value_or(candidate);
+}
+
+bool Identification::determines_both() const {
+    const PrincipalAxes turns(relative_scatter(kept_known_, false));
+    return rows_ >= 4 && turns.sizes[0] > std::max(settings_.within, rounding);
 }
 
 // Along the axes, or halfway between them, other axes are turns of the numbers' signs and order.

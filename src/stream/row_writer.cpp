@@ -361,7 +361,7 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
             fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width, i % 3 == 2 ? "\n" : "");
         }
     }
-    const auto names = result_columns(*options_, *layout_);
+    const auto& names = layout_->kept_names.empty() ? options_->operation->names : layout_->kept_names;
     for (std::size_t i = labelled; i < row.result.size(); ++i) {
         fmt::format_to(out, "  {:<9}  {}\n", names[i], texts[i]);
     }

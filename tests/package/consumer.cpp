@@ -121,10 +121,21 @@ void rows() {
     continuous.run(turned, {});
     check(turned[4] == -0.6 && turned[7] == 0.8, "ContinuousNumbers");
 
-    const Comparison comparison(spec_of("rpy:deg"), spec_of("quat"), ComparisonSettings{.unit = AngleUnit::degrees});
+    const Comparison comparison(spec_of("rpy:deg"), spec_of("quat"),
+                                ComparisonSettings{.per_radian = degrees_per_radian});
     std::array<double, 1> angle{};
     comparison.run(std::array<double, 7>{0, 0, 90, 1, 0, 0, 0}, angle, reports);
     check(near(angle[0], 90), "Comparison");
+
+    const Composition composition(spec_of("quat:passive"), spec_of("rpy:deg"), spec_of("rotvec:deg"));
+    std::array<double, 3> product{};
+    composition.run(std::array<double, 7>{1, 0, 0, 0, 0, 0, 90}, product, reports);
+    check(near(product[2], 90), "Composition");
+
+    const VectorRotation rotation(spec_of("rpy:deg"));
+    std::array<double, 3> vector{};
+    rotation.run(std::array<double, 6>{0, 0, 90, 1, 0, 0}, vector, reports);
+    check(near(vector[1], 1), "VectorRotation");
 
     const Rates rates(spec_of("rpy"), RateSettings{});
     std::array<double, 3> angle_rates{};

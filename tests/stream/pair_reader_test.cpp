@@ -28,8 +28,9 @@ InputOptions keyed() {
 
 Options keyed_pairs(const std::string& within) {
     return {.input = keyed(),
-            .operation = operations::compare(Comparison(Spec{}, Spec{}), {.paired = true, .by_key = true},
-                                             std::make_shared<operations::PairWatch>(1, 1.0)),
+            .operation =
+                operations::compare(Comparison(Spec{}, Spec{}), {{.paired = true, .by_key = true}},
+                                    std::make_shared<operations::PairWatch>(1, std::vector<operations::PairLimit>())),
             .pairing = Pairing{.reference = keyed(), .by_key = true, .within = *Decimal::parse(within)}};
 }
 
