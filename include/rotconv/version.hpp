@@ -7,8 +7,8 @@
 /// The version of rotconv; the build reads it here. Macros, so that users can ask for it with #if.
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)
-#define ROTCONV_VERSION_MAJOR 0
-#define ROTCONV_VERSION_MINOR 1
+#define ROTCONV_VERSION_MAJOR 1
+#define ROTCONV_VERSION_MINOR 0
 #define ROTCONV_VERSION_PATCH 0
 
 /// As a text, "MAJOR.MINOR.PATCH".

@@ -6,6 +6,7 @@
 
 #include <rotconv/version.hpp>
 
+#include "../core/kernels.hpp"
 #include "../stream/file.hpp"
 #include "row_options.hpp"
 
@@ -127,7 +128,7 @@ Command read_command_line(int argc, const char* const* argv) {
         return help(*entry, commands);
     }
     if (table.front().options.has("--version")) {
-        return "rotconv " ROTCONV_VERSION "\n";
+        return fmt::format("rotconv " ROTCONV_VERSION " (kernels: {})\n", kernel_table().target);
     }
     const Given given{options, arguments.values, arguments.files};
     for (const Option& option : options.all()) { // whose numbers would else be taken for VALUEs

@@ -1,5 +1,5 @@
 #compdef rotconv
-# Completion of rotconv for bash and zsh. Written at build time: the words stand in the program's own tables.
+# Completion of rotconv for bash and zsh, and the part of it that fish has run by sh. Written at build time: the words stand in the program's own tables.
 
 @words@
 
@@ -95,6 +95,8 @@ _rotconv_spec() {
     *) _rotconv_add "$names" ;;
     esac
 }
+
+# The rest is for bash and zsh alone.
 
 if [ -n "${ZSH_VERSION-}" ]; then
     _rotconv() {

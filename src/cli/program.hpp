@@ -9,7 +9,7 @@ namespace rotconv::cli {
 /// All of the program; returns its exit status.
 [[nodiscard]] int run_program(int argc, const char* const* argv);
 
-/// The names that completion offers, as a piece of a script for bash and zsh.
+/// The names that completion offers, as a function of the shell.
 [[nodiscard]] std::string completion_words();
 
 } // namespace rotconv::cli

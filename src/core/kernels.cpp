@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include <rotconv/version.hpp>
+
 #include "numerics/elementary.hpp"
 #include "numerics/quaternion_algebra.hpp"
 #include "representations/kernel.hpp"
@@ -393,7 +395,8 @@ DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[
 #define ROTCONV_JOINED(a, b) a##b
 
 extern const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET);
-constinit const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET){.convert = convert<DoubleDouble>,
+constinit const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET){.target = ROTCONV_DETAIL_TEXT(ROTCONV_TARGET),
+                                                               .convert = convert<DoubleDouble>,
                                                                .convert_fast = convert<double>,
                                                                .read = read,
                                                                .relate = relate_rounded,

@@ -48,6 +48,7 @@ struct ProductBatch {
 /// The functions that are compiled for one kind of processor. Batches have at most `batch_rows` rows. Numbers are in
 /// the representation's own order. Diagnostics are what there is to report of each row; the sets are empty at first.
 struct KernelTable {
+    const char* target; ///< that kind of processor, for people
     /// From one representation to the other, each number rounded once. `attitudes` become those that are written,
     /// rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers have beside
     /// those written.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# completion_test.sh PROGRAM COMPLETION: what bash and zsh offer, once the file is sourced, is what the program's help and lists
+# completion_test.sh PROGRAM COMPLETION: what bash, zsh and fish offer, once the file is sourced (of fish COMPLETION.fish), is what the program's help and lists
 # say. Catches an option, a name, a modifier or a preset that completion does not know, and words of the wrong place.
 set -eu
 program=$1
@@ -24,6 +24,10 @@ zsh_offers() {
         _rotconv' "$completion" "$1"
 }
 
+fish_offers() {
+    fish --no-config -c 'source $argv[1]; complete -C $argv[2]' "$completion.fish" "$1" | cut -f 1
+}
+
 # check SHELL LINE WORD...: the words are among those that the shell offers; !WORD: is not.
 check() {
     shell=$1
@@ -43,7 +47,7 @@ fail() {
     failed=1
 }
 
-# Readline takes what stands behind a colon or an equals sign for the word, zsh the whole.
+# Readline takes what stands behind a colon or an equals sign for the word, zsh and fish the whole.
 check_part() { # LINE, what stands before the word, WORD...
     line=$1
     before=$2
@@ -56,15 +60,20 @@ check_part() { # LINE, what stands before the word, WORD...
         *) whole="$whole $before$word" ;;
         esac
     done
-    # shellcheck disable=SC2086 # the words have no blanks
-    [ "$shells" = bash ] || check zsh "$line" $whole
+    for shell in $shells; do
+        # shellcheck disable=SC2086 # the words have no blanks
+        [ "$shell" = bash ] || check "$shell" "$line" $whole
+    done
 }
 
-shells="bash zsh"
-command -v zsh > /dev/null || {
-    echo "zsh is not installed, and is left out"
-    shells=bash
-}
+shells=bash
+for shell in zsh fish; do
+    if command -v $shell > /dev/null; then
+        shells="$shells $shell"
+    else
+        echo "$shell is not installed, and is left out"
+    fi
+done
 # Columns of the program's own lists.
 names=$("$program" list | sed -n '2,/^$/p' | sed 's/euler:SEQ/euler/' | awk 'NF { print $1 }')
 commands=$("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')

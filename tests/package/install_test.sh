@@ -10,7 +10,8 @@ trap 'rm -rf "$work"' EXIT
 
 "$cmake" --install "$build" --prefix "$work/usr" > "$work/log"
 for file in bin/rotconv include/rotconv/rotconv.hpp share/man/man1/rotconv.1 share/doc/rotconv/LICENSE \
-    share/doc/rotconv/LGPL-2.1 share/bash-completion/completions/rotconv share/zsh/site-functions/_rotconv; do
+    share/doc/rotconv/LGPL-2.1 share/bash-completion/completions/rotconv share/zsh/site-functions/_rotconv \
+    share/fish/vendor_completions.d/rotconv.fish share/pkgconfig/rotconv.pc; do
     [ -f "$work/usr/$file" ] || {
         echo "FAILED: $file is not installed"
         exit 1
@@ -24,6 +25,7 @@ for library in $(sed -n 's/^find_package(\([A-Za-z]*\).*/\1/p' "$source/CMakeLis
     }
 done
 version=$("$work/usr/bin/rotconv" --version)
+version=${version% (*} # without the kernels of this processor
 grep -q "^version: ${version#rotconv }$" "$work/usr/share/doc/rotconv/CITATION.cff" || {
     echo "FAILED: CITATION.cff is not of the version of the program, $version"
     exit 1
@@ -61,11 +63,41 @@ for type in $(sed -nE 's/^(class|struct) ([A-Za-z]+) .*\{.*/\2/p' "$work"/usr/in
     }
 done
 
+# The same by pkg-config, from a tree that was moved. Catches a path of the build, and a library or folder that is not named.
+compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+if command -v pkg-config > /dev/null && pkg-config --exists eigen3; then
+    cp -r "$work/usr" "$work/moved"
+    PKG_CONFIG_PATH=$work/moved/share/pkgconfig
+    export PKG_CONFIG_PATH
+    [ "rotconv $(pkg-config --modversion rotconv)" = "$version" ] || {
+        echo "FAILED: rotconv.pc is not of the version of the program, $version"
+        exit 1
+    }
+    # shellcheck disable=SC2046,SC2086 # lists of options
+    "$compiler" -std=c++20 ${CXXFLAGS:-} -c "$work/project/attitude.cpp" -o "$work/attitude.o" $(pkg-config --cflags rotconv)
+    # shellcheck disable=SC2046,SC2086 # likewise
+    "$compiler" ${CXXFLAGS:-} "$work/attitude.o" -o "$work/attitude" $(pkg-config --libs rotconv)
+    # shellcheck disable=SC2046,SC2086 # likewise
+    "$compiler" ${CXXFLAGS:-} -static "$work/attitude.o" -o "$work/attitude_static" $(pkg-config --static --libs rotconv)
+    for program in attitude attitude_static; do
+        [ "$("$work/$program")" = "$("$work/project/build/attitude")" ] || {
+            echo "FAILED: $program, built by pkg-config, says something else"
+            exit 1
+        }
+    done
+    ! ldd "$work/attitude_static" > /dev/null 2>&1 || ldd "$work/attitude_static" | grep -q 'statically' || {
+        echo "FAILED: by pkg-config --static the program is not static"
+        exit 1
+    }
+    unset PKG_CONFIG_PATH
+else
+    echo "pkg-config is not installed, and is left out"
+fi
+
 # Each header asks for C++20 before anything else fails. Empty headers stand for Eigen's.
 mkdir -p "$work/empty/Eigen"
 : > "$work/empty/Eigen/Core"
 : > "$work/empty/Eigen/Geometry"
-compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 for header in "$work"/usr/include/rotconv/*.hpp; do
     "$compiler" -std=c++17 -fsyntax-only -x c++ -I "$work/usr/include" -I "$work/empty" "$header" 2>&1 | grep error |
         head -n 1 | grep -q 'rotconv needs C++20' || {

@@ -1,6 +1,7 @@
 #!/bin/sh
-# packages_test.sh CPACK BUILD [EMULATOR]: the Debian packages and the tarball hold what they should, and their program runs.
-# Catches a file that no package or the wrong one has, a missing dependency, and a program that needs what is not there.
+# packages_test.sh CPACK BUILD [EMULATOR]: the Debian packages and the tarball hold what they should, their program runs, and dpkg
+# installs and removes them. Catches a file that no package or the wrong one has, a missing dependency, a program of the tarball
+# that needs any file of the system, and one of the package that brings a C library of its own.
 set -eu
 cpack=$1
 build=$2
@@ -30,33 +31,71 @@ holds() {
 runs() { # PROGRAM
     [ "$($emulator "$1" -f euler:ZYX:deg -t quat 90 0 180)" = "0 0.7071067811865476 0.7071067811865476 0" ] || fail "$1 does not convert"
 }
-program="bin/rotconv share/man/man1/rotconv.1 share/bash-completion/completions/rotconv share/doc/rotconv/LICENSE
-    share/doc/rotconv/NOTICES share/doc/rotconv/LGPL-2.1 share/doc/rotconv/CITATION.cff"
-library="include/rotconv/rotconv.hpp lib/librotconv_core.a lib/cmake/rotconv/rotconvConfig.cmake
-    share/doc/librotconv-dev/LICENSE"
+both="bin/rotconv share/bash-completion/completions/rotconv share/fish/vendor_completions.d/rotconv.fish
+    share/doc/rotconv/CITATION.cff"
+library="include/rotconv/rotconv.hpp lib/librotconv_core.a lib/cmake/rotconv/rotconvConfig.cmake share/pkgconfig/rotconv.pc"
+pages=$(cd "$(dirname "$0")/../../man" && for page in *.[1-9]; do echo "share/man/man${page##*.}/$page"; done)
 
 tar -xzf "$work"/rotconv-"$version"-*.tar.gz -C "$work"
 mv "$work"/rotconv-"$version"-*/ "$work/tarball"
 # shellcheck disable=SC2086 # a list
-holds "$work/tarball" $program $library share/zsh/site-functions/_rotconv
+holds "$work/tarball" $both $library $pages share/zsh/site-functions/_rotconv share/doc/rotconv/LICENSE share/doc/rotconv/NOTICES \
+    share/doc/rotconv/LGPL-2.1 share/doc/librotconv-dev/LICENSE
 runs "$work/tarball/bin/rotconv"
+# An empty root has neither libraries nor /proc, /dev, /etc.
+if [ -z "$emulator" ] && grep -q '^ROTCONV_STATIC:BOOL=ON' "$build/CMakeCache.txt"; then
+    enter=chroot
+    [ "$(id -u)" -eq 0 ] || enter="unshare --map-root-user chroot"
+    if $enter / true 2> /dev/null; then
+        answer=$(printf '90 0 180\n' | $enter "$work/tarball" /bin/rotconv -f euler:ZYX:deg -t quat) || fail "the program needs files"
+        [ "$answer" = "0 0.7071067811865476 0.7071067811865476 0" ] || fail "on an empty root the answer is $answer"
+    else
+        echo "neither root nor user namespaces: the empty root is left out"
+    fi
+fi
 
-command -v dpkg-deb > /dev/null || exit 0
+grep -q '^set(CPACK_GENERATOR ".*DEB' "$build/CPackConfig.cmake" && command -v dpkg-deb > /dev/null || exit 0
 for package in rotconv librotconv-dev; do
     file=$(echo "$work/${package}_$version"_*.deb)
     [ -f "$file" ] || fail "there is no ${file##*/}"
     dpkg-deb -x "$file" "$work/$package"
     [ "$(dpkg-deb -f "$file" Package Version)" = "Package: $package
 Version: $version" ] || fail "$file is not of that name and version"
+    for field in Homepage Maintainer Section; do
+        [ -n "$(dpkg-deb -f "$file" $field)" ] || fail "$file has no $field"
+    done
+    holds "$work/$package/usr/share/doc/$package" copyright changelog.gz CHANGELOG.md.gz
 done
 # shellcheck disable=SC2086 # a list
-holds "$work/rotconv/usr" $program share/zsh/vendor-completions/_rotconv
+holds "$work/rotconv/usr" $both $(printf '%s.gz\n' $pages) share/zsh/vendor-completions/_rotconv
 # shellcheck disable=SC2086 # a list
 holds "$work/librotconv-dev/usr" $library
-runs "$work/rotconv/usr/bin/rotconv"
+for part in Eigen fmt Dragonbox FastFloat CLI11; do
+    grep -qw "$part" "$work/rotconv/usr/share/doc/rotconv/copyright" || fail "the copyright has no $part"
+done
 dpkg-deb -f "$work"/librotconv-dev_*.deb Depends | grep -q libeigen3-dev || fail "librotconv-dev needs no Eigen"
+depends=$(dpkg-deb -f "$work"/rotconv_*.deb Depends)
+for needed in libc6 libstdc++6; do
+    echo "$depends" | grep -qF "$needed" || fail "the package needs no $needed, but $depends"
+done
 # dpkg would not install two packages with one file.
 (cd "$work/rotconv" && find . -type f) | sort > "$work/ours"
-(cd "$work/librotconv-dev" && find . -type f) | sort | comm -12 "$work/ours" - > "$work/both"
-[ ! -s "$work/both" ] || fail "both packages have $(cat "$work/both")"
+(cd "$work/librotconv-dev" && find . -type f) | sort | comm -12 "$work/ours" - > "$work/shared"
+[ ! -s "$work/shared" ] || fail "both packages have $(cat "$work/shared")"
 [ ! -e "$work/rotconv/usr/include" ] || fail "the program's package has headers"
+runs "$work/rotconv/usr/bin/rotconv"
+
+# Into a root of their own, where dpkg knows of no other package.
+root=$work/root
+mkdir -p "$root/var/lib/dpkg/info" "$root/var/lib/dpkg/updates"
+: > "$root/var/lib/dpkg/status"
+in_root() {
+    PATH=$PATH:/usr/sbin:/sbin dpkg --root="$root" --log=/dev/null --force-not-root "$@" > "$work/log" 2>&1
+}
+! in_root -i "$work"/rotconv_*.deb || fail "dpkg does not miss the C library"
+grep -q 'depends on libc6' "$work/log" || fail "dpkg does not say that libc6 is missing: $(cat "$work/log")"
+in_root --force-depends -i "$work"/*.deb || fail "dpkg -i: $(cat "$work/log")"
+runs "$root/usr/bin/rotconv"
+in_root --purge librotconv-dev rotconv || fail "dpkg --purge: $(cat "$work/log")"
+left=$(find "$root" -path "$root/var" -prune -o -type f -print)
+[ -z "$left" ] || fail "dpkg leaves $left"

@@ -249,6 +249,14 @@ TEST_CASE("help and version go to stdout with exit 0") {
     CHECK(count_rows(version.out) == 1);
 }
 
+TEST_CASE("the version names the kernels that the processor can run") {
+    // Catches a name that is not of the kernels chosen, and a choice that does not look at the processor.
+    std::ifstream processor("/proc/cpuinfo");
+    const std::string flags(std::istreambuf_iterator<char>(processor), {});
+    const bool has_fma = flags.find(" avx2 ") != std::string::npos && flags.find(" fma ") != std::string::npos;
+    CHECK(missing(run("--version").out, {has_fma ? "(kernels: avx2_fma)" : "(kernels: any_processor)"}) == "");
+}
+
 TEST_CASE("list knows every representation") {
     // Catches a representation that cannot be looked up.
     const auto all = run("list");
