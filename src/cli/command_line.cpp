@@ -100,8 +100,12 @@ Command read_command_line(int argc, const char* const* argv) {
         return std::ranges::count(commands, word, &CommandEntry::name) > 0;
     };
     words = translated(std::move(words), is_command);
+    const auto has_meaning = [](std::string_view word) {
+        return !messages::answer_to_verb(word).empty() || std::holds_alternative<Spec>(parse_spec(word)) ||
+               (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)); // rpy2quat
+    };
     CommandEntry* entry = table.data();
-    Arguments arguments = entry->options.read(words, 0, is_command);
+    Arguments arguments = entry->options.read(words, 0, is_command, has_meaning);
     std::string misplaced; // the first option that stands before the name of a command
     if (arguments.end < words.size()) {
         if (!arguments.unknown.empty()) {
@@ -110,7 +114,8 @@ Command read_command_line(int argc, const char* const* argv) {
         const std::string error = arguments.error;
         misplaced = arguments.first_option;
         entry = &*std::ranges::find(table, words[arguments.end], &CommandEntry::name);
-        arguments = entry->options.read(words, arguments.end + 1, [](auto) { return false; });
+        arguments = entry->options.read(
+            words, arguments.end + 1, [](auto) { return false; }, has_meaning);
         arguments.error = error.empty() ? arguments.error : error;
     }
     const OptionSet& options = entry->options;

@@ -10,15 +10,18 @@ namespace {
 Command compose(const Given& given) {
     const Spec first = spec_of(given, "--from");
     const Spec second = given.has("--by") ? spec_of(given, "--by") : first;
-    const Spec to = spec_of(given, "--to");
+    const std::vector<Spec> to = specs_of(given, "--to");
     const ConversionSettings settings = attitude_settings_of(given);
     const operations::PairedRows rows = paired_rows_of(given);
     messages::Subject subject = rows.paired ? messages::subject_of(first, settings.tolerance)
                                             : messages::subject_of_two(first, second, settings.tolerance);
-    RowsCommand command =
-        rows_command(given, columns_of_file(given), operations::pair_numbers(first, second, rows),
-                     operations::compose(Composition(first, second, to, settings), rows, given.has("--continuous")),
-                     std::move(subject));
+    std::vector<operations::Operation> products;
+    for (const Spec& each : to) {
+        products.push_back(
+            operations::compose(Composition(first, second, each, settings), rows, given.has("--continuous")));
+    }
+    RowsCommand command = rows_command(given, columns_of_file(given), operations::pair_numbers(first, second, rows),
+                                       operations::several(std::move(products)), std::move(subject));
     if (given.has("--allow-unpaired")) {
         static_cast<void>(
             one_of<bool>("kind of rows for --allow-unpaired", given.text("--allow-unpaired"), {{"reference", true}}));

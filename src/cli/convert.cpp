@@ -21,17 +21,59 @@ operations::Operation by_method(const std::string& name, const Conversion& conve
     return operations::method(MethodConversion(conversion, *method), false, is_continuous);
 }
 
+/// What is written where -t is not given.
+std::vector<Spec> all_forms() {
+    std::vector<Spec> specs;
+    for (const std::string_view text :
+         {"dcm", "quat", "axis-angle:deg", "rotvec:deg", "rpy:deg", "euler:ZYX:deg", "cayley", "mrp"}) {
+        specs.push_back(spec_of("--to", std::string(text), false));
+    }
+    return specs;
+}
+
+/// The attitude of VALUEs in all forms, for people or as one object.
+void write_block(const Given& given, RowsCommand& command) {
+    constexpr int most_digits = 9;
+    for (const std::string_view option : {"--append", "--header"}) {
+        if (given.has(option)) {
+            throw Usage("{} needs -t SPEC", option);
+        }
+    }
+    stream::Options& options = command.options;
+    const std::string& format = given.text("--format");
+    if (format == "csv" || format == "f64") {
+        throw Usage("--format {} needs -t SPEC", format);
+    }
+    options.format = format == "json" ? stream::Format::json : stream::Format::pretty;
+    options.block = "";
+    if (options.format == stream::Format::pretty && options.digits.shortest()) {
+        options.digits.significant = most_digits;
+        options.block = fmt::format("At most {} digits: -t SPEC or --format json gives all of them\n", most_digits);
+    }
+    if (options.format == stream::Format::pretty && command.diagnostics == ShowDiagnostics::summary) {
+        command.diagnostics = ShowDiagnostics::off; // which are in the block
+    }
+}
+
 Command convert(const Given& given) {
     if (!given.has("--from") && !given.has("--to")) {
         throw MissingSpec("--from SPEC and --to SPEC are missing; see rotconv --help");
     }
+    const bool is_block = !given.has("--to") && !given.values.empty();
     const Spec from = spec_of(given, "--from");
-    const Spec to = spec_of(given, "--to");
+    const std::vector<Spec> to = is_block ? all_forms() : specs_of(given, "--to");
     const std::string& method = given.text("--method");
     ConversionSettings conversion = attitude_settings_of(given);
     conversion.fast = method == fast_method;
     conversion.few_digits = !given.values.empty() || given.text("--input-format") != "f64";
-    operations::Operation operation = by_method(method, Conversion(from, to, conversion), given.has("--continuous"));
+    if (to.size() > 1 && !method.empty() && method != default_method && method != fast_method) {
+        throw Usage("--method {} is for one SPEC after -t", method);
+    }
+    std::vector<operations::Operation> parts;
+    for (const Spec& each : to) {
+        parts.push_back(by_method(method, Conversion(from, each, conversion), given.has("--continuous")));
+    }
+    operations::Operation operation = operations::several(std::move(parts));
     if (operation->is_continuous && !operation->answers.empty()) {
         throw Usage("--continuous cannot be combined with --method all, which writes several answers to a row");
     }
@@ -39,6 +81,9 @@ Command convert(const Given& given) {
                                        std::move(operation), messages::subject_of(from, conversion.tolerance));
     if (method == all_methods && command.options.format == stream::Format::f64) {
         throw Usage("--format f64 cannot be combined with --method all, which writes names");
+    }
+    if (is_block) {
+        write_block(given, command);
     }
     return command;
 }
@@ -48,7 +93,7 @@ Command convert(const Given& given) {
 CommandEntry convert_command() {
     OptionSet set;
     set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
-    set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
+    set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...; several with commas");
     add_attitudes(set);
     add_continuous(set);
     add_reading(set);
@@ -58,6 +103,7 @@ CommandEntry convert_command() {
     set.add("--method", "METHOD", "A published formula (see rotconv list methods), fast, or all of them");
     return {"", "Converts rotations from any representation into any other.",
             "Usage: rotconv -f FROM -t TO [OPTION]... [VALUE]...\n"
+            "       rotconv -f FROM [OPTION]... VALUE...\n"
             "       rotconv -f FROM -t TO [OPTION]... [FILE]\n"
             "       rotconv list [NAME]\n"
             "       rotconv rates|propagate|survey [OPTION]... [FILE]\n"

@@ -84,7 +84,10 @@ std::string why(const stream::RowError& error, const Subject& subject) {
     case stream::RowError::What::too_large: return "too large for a double";
     case stream::RowError::What::wrong_count:
         return fmt::format("{} where {} has {}{}", counted(error.found, "field"), subject.text, error.expected,
-                           error.found > error.expected ? " (--columns selects)" : "");
+                           error.found <= error.expected ? ""
+                           : error.expected == 9 && (error.found == 12 || error.found == 16)
+                               ? " (--columns 1-3,5-7,9-11 is the rotation of a pose)"
+                               : " (--columns selects)");
     case stream::RowError::What::missing_column:
         return fmt::format("no column {}, the row has {}", error.expected, error.found);
     case stream::RowError::What::other_width:

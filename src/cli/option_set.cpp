@@ -7,7 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "../stream/number_text.hpp"
+#include "../stream/file.hpp"
+#include "values.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -31,53 +32,12 @@ void define(CLI::App& app, Option& option) {
     }
 }
 
-constexpr std::string_view brackets = "[](){}";
-
-/// The word is a number, or begins with one; after brackets its first character is enough.
-bool is_value(std::string_view word) {
-    const std::size_t first = std::min(word.find_first_not_of("[](){} \t\r\n"), word.size());
-    const bool has_bracket = word.substr(0, first).find_first_of(brackets) != std::string_view::npos;
-    word.remove_prefix(first);
-    return stream::is_number(word.substr(0, word.find_first_of(",; \t\r\n[](){}"))) ||
-           (has_bracket && word.find_first_of("0123456789+-.") == 0);
-}
-
 /// Such as -90deg and -pi/2, which are not options.
 bool resembles_number(std::string_view word) {
     return word.find_first_of("0123456789.") == 1 || word.starts_with("-pi");
 }
 
 } // namespace
-
-std::pair<std::string, stream::Delimiter> row_of_values(const std::vector<std::string>& values,
-                                                        std::optional<stream::Delimiter> given) {
-    std::string text = fmt::format("{}", fmt::join(values, " "));
-    if (!given || values.size() > 1) {
-        given = text.find(',') != std::string::npos ? stream::Delimiter::character(',') : stream::Delimiter::blanks();
-    }
-    if (text.find_first_of("[](){};\r\n") == std::string::npos) {
-        return {std::move(text), *given};
-    }
-    const std::string separators = fmt::format("{}; \t\r\n{}", brackets, given->text());
-    std::string row;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t begin = std::min(text.find_first_not_of(separators, at), text.size());
-        const std::string gap = text.substr(at, begin - at);
-        const bool at_edge = at == 0 || begin == text.size();
-        const bool has_bracket = gap.find_first_of(brackets) != std::string::npos;
-        const auto delimiters = static_cast<std::size_t>(std::ranges::count_if(
-            gap, [&](char c) { return c == ';' || (c == given->text() && !given->is_blanks()); }));
-        if (!has_bracket && delimiters == 0 && gap.find_first_of("\r\n") == std::string::npos) {
-            row += at_edge ? "" : gap;
-        } else { // a bracket or line end leaves no empty field beside it
-            const std::size_t least = at_edge ? 0 : 1;
-            row.append(has_bracket || given->is_blanks() ? least : std::max(delimiters, least), given->text());
-        }
-        at = std::min(text.find_first_of(separators, begin), text.size());
-        row += text.substr(begin, at - begin);
-    }
-    return {row, *given};
-}
 
 Option* OptionSet::find(std::string_view name) {
     const auto found = std::ranges::find_if(
@@ -120,7 +80,8 @@ std::string OptionSet::help() const {
 }
 
 Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t begin,
-                          const std::function<bool(std::string_view)>& is_command) {
+                          const std::function<bool(std::string_view)>& is_command,
+                          const std::function<bool(std::string_view)>& has_meaning) {
     Arguments read;
     std::vector<Option*> given;
     std::vector<std::string> option_words;
@@ -163,6 +124,7 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
         }
     };
 
+    std::vector<std::string> operands; // FILEs and VALUEs in their order
     bool only_operands = false;
     for (; at < words.size(); ++at) {
         const std::string& word = words[at];
@@ -173,6 +135,7 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
                 break;
             }
             (takes_value ? read.values : read.files).push_back(word);
+            operands.push_back(word);
             if (!takes_value) {
                 read.file_words.push_back({at, 0});
             }
@@ -191,6 +154,15 @@ Arguments OptionSet::read(const std::vector<std::string>& words, std::size_t beg
         }
     }
     read.end = at;
+    const auto is_word = [&has_meaning](const std::string& file) {
+        return stream::File::why_unreadable(file.c_str()) != 0 && !has_meaning(file);
+    };
+    if (!takes_names() && !only_operands && !read.files.empty() &&
+        (!read.values.empty() || std::ranges::any_of(read.files, holds_number)) &&
+        std::ranges::all_of(read.files, is_word)) {
+        read.values = std::move(operands);
+        read.files.clear();
+    }
     if (read.error.empty()) {
         CLI::App app; // it knows the given ones alone: to define all of them took half of a start
         app.set_help_flag();

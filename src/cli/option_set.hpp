@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "../stream/delimiter.hpp"
 #include "words.hpp"
 
 namespace rotconv::cli {
@@ -40,12 +39,6 @@ struct Option {
     /// "--from".
     [[nodiscard]] std::string_view name() const { return names.substr(names.find(',') + 1); }
 };
-
-/// VALUEs as one row, and its delimiter. Brackets, semicolons and line ends separate numbers too, as commas do if there
-/// are any, otherwise as blanks do: so a matrix of NumPy, MATLAB or JSON can be pasted. Several words are a row with
-/// commas or blanks, whatever is `given`.
-[[nodiscard]] std::pair<std::string, stream::Delimiter> row_of_values(const std::vector<std::string>& values,
-                                                                      std::optional<stream::Delimiter> given);
 
 /// Where in the command line a file to read is named: from a character of one of its words to the word's end.
 struct FileWord {
@@ -91,12 +84,13 @@ public:
     /// All arguments of an option that may be given several times.
     [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
 
-    /// Reads words from the one at `begin` on, and keeps what is given. A word that reads as a number, or begins with
-    /// one before a separator, or after brackets with a character of one, is a VALUE, except where an option awaits its
-    /// argument. Any other word that is not an option is a FILE, or ends the reading if it comes first and names a
-    /// command.
+    /// Reads words from the one at `begin` on, and keeps what is given. A word that is_value() is a VALUE, except where
+    /// an option awaits its argument. Any other word that is not an option is a FILE, or ends the reading if it comes
+    /// first and names a command. Where a word is a VALUE, or holds a number and is not a file, all are VALUEs, if no
+    /// other is a file or means something by itself.
     [[nodiscard]] Arguments read(const std::vector<std::string>& words, std::size_t begin,
-                                 const std::function<bool(std::string_view)>& is_command);
+                                 const std::function<bool(std::string_view)>& is_command,
+                                 const std::function<bool(std::string_view)>& has_meaning);
 
 private:
     /// By one of its names, or null.

@@ -25,7 +25,6 @@ Command propagate(const Given& given) {
     const std::string& time_unit = given.text("--time-unit");
     operations::PropagationRows rows{.time_power = time_power_of(time_unit),
                                      .degrees = given.has("--degrees"),
-                                     .to = spec_of(given, "--to"),
                                      .conversion = attitude_settings_of(given),
                                      .continuous = given.has("--continuous"),
                                      .stop_at_error = on_error_of(given) == stream::OnError::stop};
@@ -45,8 +44,13 @@ Command propagate(const Given& given) {
     }
     auto numbers = operations::propagation_numbers();
     numbers.has_unit = !time_unit.empty();
+    std::vector<operations::Operation> parts;
+    for (const Spec& to : specs_of(given, "--to")) {
+        rows.to = to;
+        parts.push_back(operations::propagate(rows));
+    }
     return rows_command(
-        given, {.list = given.text("--columns")}, numbers, operations::propagate(rows),
+        given, {.list = given.text("--columns")}, numbers, operations::several(std::move(parts)),
         {"t wx wy wz", numbers.names.size(), settings.representation.name, rows.conversion.tolerance, true});
 }
 

@@ -14,6 +14,8 @@
 
 #include "../stream/delimiter.hpp"
 #include "../stream/number_text.hpp"
+#include "column_names.hpp"
+#include "values.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -134,6 +136,41 @@ stream::InputOptions input_of(const Given& given, const SelectedColumns& selecte
     return in;
 }
 
+/// What the labels of VALUEs say of them, as a header's names do.
+void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
+    const stream::InputOptions& in = command.options.input;
+    if (labels.size() != in.numbers.names.size() || !in.columns.empty()) {
+        return; // the count is told, or other numbers are read
+    }
+    // The first attitude, the second, and what is between.
+    const std::size_t kept = in.numbers.kept;
+    const std::size_t end = kept + (in.numbers.attitude ? in.numbers.attitude->size() : 0);
+    const std::size_t second = labels.size() - (in.numbers.second ? in.numbers.second->size() : 0);
+    for (const auto& [from, to] : {std::pair(kept, end), std::pair(end, second), std::pair(second, labels.size())}) {
+        for (std::size_t i = from; i < to; ++i) {
+            const auto part = std::span(labels).subspan(from, i - from);
+            if (!labels[i].empty() && std::ranges::count(part, labels[i]) > 0) {
+                throw Usage("two of the numbers are called {}: {}", quoted(labels[i]), command.values);
+            }
+        }
+    }
+    for (stream::Note& note : in.notes_of({.names = labels, .header = labels})) {
+        if (note.text.starts_with("the header")) {
+            note.text.replace(4, 6, "order of the labels");
+        }
+        if (note.ends_run) {
+            throw Usage(note.text);
+        }
+        command.notes.push_back(std::move(note));
+    }
+    if (const auto& spec = in.numbers.attitude; spec && !find_names(*spec, std::span(labels).first(spec->size()))) {
+        command.notes.push_back(
+            {.kind = stream::Note::Kind::order,
+             .text = fmt::format("the labels {} are not names of {}: the numbers are read as they stand",
+                                 fmt::join(labels, ","), spec->text())});
+    }
+}
+
 } // namespace
 
 Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
@@ -146,6 +183,21 @@ Spec spec_of(std::string_view option, const std::string& text, bool degrees) {
     }
     const Spec& spec = std::get<Spec>(parsed);
     return degrees ? spec.in_degrees() : spec;
+}
+
+std::vector<Spec> specs_of(const Given& given, std::string_view option) {
+    std::vector<Spec> specs;
+    std::vector<std::string> names;
+    for (const std::string_view text : items_of(given.text(option))) {
+        specs.push_back(spec_of(option, std::string(text), given.has("--degrees")));
+        for (const std::string& name : operations::names_of(specs.back())) {
+            if (std::ranges::count(names, name) > 0) {
+                throw Usage("{} {}: two of these have a column {}", option, quoted(given.text(option)), quoted(name));
+            }
+            names.push_back(name);
+        }
+    }
+    return specs;
 }
 
 void require_rates(std::string_view option, const Spec& spec) {
@@ -415,7 +467,15 @@ RowsCommand rows_command(const Given& given, const SelectedColumns& selected, co
     command.subject = std::make_shared<messages::Subject>(std::move(subject));
     if (command.has_values) {
         stream::InputOptions& in = command.options.input;
-        std::tie(command.values, in.delimiter) = row_of_values(given.values, in.delimiter);
+        Values values = values_of(given.values, in.delimiter);
+        const auto& spec = in.numbers.attitude;
+        if (spec && spec->name == RepresentationId::dcm && in.numbers.names.size() == spec->size() &&
+            in.columns.empty()) {
+            take_rotation_of_pose(values);
+        }
+        command.values = std::move(values.row);
+        in.delimiter = values.delimiter;
+        hold_labels(values.labels, command);
         in.header = in.header == stream::HeaderMode::add ? in.header : stream::HeaderMode::no;
     }
     return command;

@@ -39,6 +39,8 @@ Value one_of(const Given& given, std::string_view option, std::string_view what,
 [[nodiscard]] inline Spec spec_of(const Given& given, std::string_view option) {
     return spec_of(option, given.text(option), given.has("--degrees"));
 }
+/// The SPECs of an option that takes several, with commas between, whose column names differ.
+[[nodiscard]] std::vector<Spec> specs_of(const Given& given, std::string_view option);
 /// Refuses a SPEC whose numbers have no rates.
 void require_rates(std::string_view option, const Spec& spec);
 /// An option's "SPEC: NUMBERS".

@@ -106,21 +106,21 @@ public:
     void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         compared_.resize(turns_ ? rows.lines.size() * comparison_.outputs() : 0);
         const std::span<double> compared = turns_ ? std::span(compared_) : out;
-        std::span<const double> attitudes = rows.numbers;
+        std::span<const double> numbers = rows.numbers;
         if (between_) {
             between_->run(rows.numbers, compared, reports);
-            attitudes = comparison_.settings().attitudes ? with_quaternions(rows, compared) : attitudes;
+            numbers = comparison_.settings().attitudes ? with_quaternions(rows, compared) : numbers;
         } else {
             if (rows_.by_key) {
                 attitudes_ = without_keys(rows.numbers, comparison_.from().size(), comparison_.reference().size());
-                attitudes = attitudes_;
+                numbers = attitudes_;
             }
-            comparison_.run(attitudes, compared, reports);
+            comparison_.run(numbers, compared, reports);
         }
         if (turns_) {
             turns_->compare(compared, out, names.size(), reports);
         }
-        watch_->add(rows, attitudes, comparison_.from().size(), rows_.by_key, out, names.size());
+        watch_->add(rows, numbers, comparison_.from().size(), rows_.by_key, out, names.size());
     }
 
 private:

@@ -49,7 +49,7 @@ class AttitudeOperation : public stream::RowOperation {
 public:
     AttitudeOperation(const Spec& to, bool continuous) : numbers_(std::make_shared<ContinuousNumbers>(to)) {
         names = names_of(to);
-        attitude = to;
+        attitudes = {to};
         is_continuous = continuous && numbers_->have_choice();
     }
     void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
@@ -73,6 +73,10 @@ private:
 
 /// The conversion of attitudes.
 [[nodiscard]] Operation convert(const Conversion& conversion, bool continuous);
+
+/// Several operations whose results are attitudes, one after the other. A diagnostic of any is one of the row, whose
+/// margin is the least and whose condition the greatest.
+[[nodiscard]] Operation several(std::vector<Operation> parts);
 
 /// The answers of a published method; `all`: of all methods of the pair, each with its angle to the attitude.
 [[nodiscard]] Operation method(const MethodConversion& conversion, bool all, bool continuous);

@@ -7,7 +7,7 @@ class Sample final : public stream::RowOperation {
 public:
     Sample(const Spec& spec, const SampleSettings& settings) : sampler_(spec, settings) {
         names = names_of(spec);
-        attitude = spec;
+        attitudes = {spec};
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Sample>(*this); }
 

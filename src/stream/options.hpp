@@ -95,7 +95,9 @@ struct Options {
     bool show_diagnostics = true;                         ///< in words, under Format::pretty
     std::size_t threads = 1;                              ///< at most
     std::string (*describe)(const Diagnostic&) = nullptr; ///< those words
-    std::optional<Pairing> pairing{};                     ///< where the rows are paired with those of a reference
+    /// With pretty and json: one row by itself, its numbers under their SPECs, and the line after it.
+    std::optional<std::string> block{};
+    std::optional<Pairing> pairing{}; ///< where the rows are paired with those of a reference
 
     [[nodiscard]] bool writes_partners() const noexcept {
         return pairing && pairing->by_key && pairing->tells_partner && format == Format::csv;

@@ -60,7 +60,7 @@ public:
 
     std::vector<std::string> names{}; ///< the columns of the result
     bool keeps_names = false;         ///< where the input has names, the result has those of the last selected columns
-    std::optional<Spec> attitude{};   ///< what the result is, if it is an attitude
+    std::vector<Spec> attitudes{};    ///< what the result is, one after the other, if it is attitudes
     /// Where each row gets several answers, a line each: their names, for the column `method` before the last number.
     /// RowReport::row is then the index of the answer among those of all rows.
     std::vector<std::string> answers{};

@@ -391,7 +391,7 @@ void RowTransformer::tell_error(const Row& row, std::string_view given, const Ro
 }
 
 void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output) {
-    for_each_diagnostic(report, row.number, operation_->attitude, [&](Diagnostic diagnostic) {
+    for_each_diagnostic(report, row.number, operation_->attitudes, [&](Diagnostic diagnostic) {
         if (diagnostic.kind == DiagnosticKind::method_error && !operation_->answers.empty()) {
             diagnostic.answer = options_->operation->answers[answer]; // outlives this
         } else if (answer > 0) {

@@ -25,7 +25,7 @@ void append_notes(Buffer& to, const ConvertedRow& row) {
         return;
     }
     const std::size_t begin = to.size();
-    for_each_diagnostic(*row.report, row.number, {}, [&](const Diagnostic& diagnostic) {
+    for_each_diagnostic(*row.report, row.number, std::vector<Spec>(), [&](const Diagnostic& diagnostic) {
         append(to, to.size() > begin ? "+" : "");
         append(to, name_of(diagnostic.kind));
     });
@@ -164,29 +164,37 @@ void write_added_header(Buffer& to, const Options& options, const Layout& layout
     write_header(to, options, layout, HeaderLine({indices, layout.line_end}, layout.delimiter));
 }
 
+RowWriter::OuterAngles RowWriter::outer_angles(const Spec& spec, std::size_t first) const {
+    const Digits digits = options_->digits;
+    const bool degrees = spec.unit == AngleUnit::degrees;
+    const int whole_digits = degrees ? 3 : 1; // of a half-turn
+    const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
+    const double half_turn = degrees ? 180.0 : std::numbers::pi;
+    const double open_end = spec.positive ? 2.0 * half_turn : -half_turn;
+    const auto text_of = [&](double end) {
+        Buffer text;
+        append_number(text, end, digits);
+        return fmt::to_string(text);
+    };
+    return {.first = first,
+            .third = first + 2,
+            .open_end = open_end,
+            .half_a_digit = whole_digits + decimals > 1 ? Decimal::parse("0.5")->rounded(-decimals) : -1.0,
+            .open_end_text = text_of(open_end),
+            .closed_end_text = text_of(spec.positive ? 0.0 : half_turn)};
+}
+
 RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
-    const auto& spec = options.operation->attitude;
-    const Digits digits = options.digits;
-    const bool has_range = spec && representation(spec->name).has_gimbal_lock && !options.operation->is_continuous;
-    if (!digits.shortest() && has_range) {
-        const bool degrees = spec->unit == AngleUnit::degrees;
-        const int whole_digits = degrees ? 3 : 1; // of a half-turn
-        const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
-        const std::size_t after = options.operation->answers.empty() ? 0 : 1; // the attitude
-        middle_angle_ = options.operation->names.size() - 2 - after;
-        const double half_turn = degrees ? 180.0 : std::numbers::pi;
-        open_end_ = spec->positive ? 2.0 * half_turn : -half_turn;
-        half_a_digit_ = whole_digits + decimals > 1 ? Decimal::parse("0.5")->rounded(-decimals) : -1.0;
-        const auto text_of = [&](double end) {
-            Buffer text;
-            append_number(text, end, digits);
-            return fmt::to_string(text);
-        };
-        open_end_text_ = text_of(open_end_);
-        closed_end_text_ = text_of(spec->positive ? 0.0 : half_turn);
+    std::size_t first = 0;
+    for (const Spec& spec : options.operation->attitudes) {
+        if (representation(spec.name).has_gimbal_lock && !options.digits.shortest() &&
+            !options.operation->is_continuous) {
+            outer_angles_.push_back(outer_angles(spec, first));
+        }
+        first += spec.size();
     }
     writes_results_alone_ =
-        options.format == Format::csv && !options.diagnostic_columns && !options.pairing && std::isinf(open_end_);
+        options.format == Format::csv && !options.diagnostic_columns && !options.pairing && outer_angles_.empty();
     for (const std::string_view name : result_columns(options, layout)) {
         json_keys_.push_back(json_string(layout.delimiter.unquoted(name)) + ": ");
     }
@@ -237,16 +245,19 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
     append_number(to, value, options_->digits);
     // The outer Euler angles have the range (-pi, pi] or [0, 2 pi): what is the open end to the digits that are printed
     // is the other; one digit does not tell.
-    if (column != middle_angle_ && std::abs(value - open_end_) <= half_a_digit_ &&
-        std::string_view(to.data() + start, to.size() - start) == open_end_text_) {
-        to.resize(start);
-        append(to, closed_end_text_);
+    for (const OuterAngles& range : outer_angles_) {
+        if ((column == range.first || column == range.third) &&
+            std::abs(value - range.open_end) <= range.half_a_digit &&
+            std::string_view(to.data() + start, to.size() - start) == range.open_end_text) {
+            to.resize(start);
+            append(to, range.closed_end_text);
+        }
     }
 }
 
 void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (std::isinf(open_end_) && row.answer.empty()) {
+    if (outer_angles_.empty() && row.answer.empty()) {
         append_numbers(to, row.result, delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
@@ -314,7 +325,19 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
             append(to, std::isnan(value) ? "null" : value > 0 ? "\"inf\"" : "\"-inf\"");
         }
     };
-    for (std::size_t i = 0; i < row.result.size(); ++i) {
+    std::size_t first = 0; // of a SPEC's numbers, which with a block have one key
+    for (const Spec& spec : options_->block ? options_->operation->attitudes : std::vector<Spec>()) {
+        begin_member();
+        append_json_string(to, spec.text());
+        append(to, ": [");
+        for (std::size_t i = first; i < first + spec.size(); ++i) {
+            append(to, i > first ? ", " : "");
+            number(row.result[i], i);
+        }
+        append(to, "]");
+        first += spec.size();
+    }
+    for (std::size_t i = first; i < row.result.size(); ++i) {
         if (stands_name_before(i)) {
             key();
             append_json_string(to, row.answer);
@@ -325,7 +348,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     if (options_->diagnostic_columns) {
         for (const double figure : figures_of(row)) {
             key();
-            number(figure, middle_angle_); // a figure is no outer angle
+            number(figure, row.result.size()); // a figure is not an outer angle
         }
         key();
         to.push_back('"');
@@ -335,12 +358,46 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     append(to, "}\n");
 }
 
+void RowWriter::write_attitudes(Buffer& to, const ConvertedRow& row) const {
+    const auto out = std::back_inserter(to);
+    const std::vector<Spec>& specs = options_->operation->attitudes;
+    std::vector<std::string> labels;
+    std::ranges::transform(specs, std::back_inserter(labels), &Spec::text);
+    const std::size_t longest = std::ranges::max(labels, {}, &std::string::size).size();
+    const std::string_view indent = options_->block ? "" : "  ";
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < specs.size(); ++k) {
+        const bool is_matrix = specs[k].name == RepresentationId::dcm;
+        std::vector<std::string> texts(specs[k].size());
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            Buffer text;
+            write_number(text, row.result[first + i], first + i);
+            texts[is_matrix ? specs[k].order().at(i) : i] = fmt::to_string(text);
+        }
+        const std::size_t width = is_matrix ? std::ranges::max(texts, {}, &std::string::size).size() : 0;
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            const bool begins = i == 0 || (is_matrix && i % 3 == 0);
+            fmt::format_to(out, "{}", begins ? fmt::format("{}{:<{}}", indent, i == 0 ? labels[k] : "", longest) : "");
+            fmt::format_to(out, "  {:>{}}{}", texts[i], width,
+                           i + 1 == texts.size() || (is_matrix && i % 3 == 2) ? "\n" : "");
+        }
+        first += texts.size();
+    }
+}
+
 void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     const auto out = std::back_inserter(to);
-    const auto& spec = options_->operation->attitude;
-    fmt::format_to(out, "line {}\n", row.number);
+    const std::vector<Spec>& specs = options_->operation->attitudes;
+    if (!options_->block) {
+        fmt::format_to(out, "line {}\n", row.number);
+    }
     if (!row.answer.empty()) {
         fmt::format_to(out, "  {:<9}  {}\n", answer_column, row.answer);
+    }
+    std::size_t labelled = 0; // the first number that is not part of what is written
+    if (specs.size() > 1) {
+        write_attitudes(to, row);
+        labelled = row.result.size();
     }
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < row.result.size(); ++i) {
@@ -348,14 +405,13 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
         write_number(text, row.result[i], i);
         texts.push_back(fmt::to_string(text));
     }
-    std::size_t labelled = 0; // the first number that is not part of a matrix
-    if (spec && spec->name == RepresentationId::dcm) {
+    if (specs.size() == 1 && specs[0].name == RepresentationId::dcm) {
         labelled = 9;
         const std::span matrix(texts.data(), labelled);
         const std::size_t width = std::ranges::max(matrix, {}, &std::string::size).size();
         std::array<std::string_view, 9> in_rows;
         for (std::size_t i = 0; i < in_rows.size(); ++i) {
-            in_rows.at(spec->order()[i]) = matrix[i];
+            in_rows.at(specs[0].order()[i]) = matrix[i];
         }
         for (std::size_t i = 0; i < in_rows.size(); ++i) {
             fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width, i % 3 == 2 ? "\n" : "");
@@ -376,11 +432,11 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (row.failed) {
         append(to, "  error\n");
     } else if (options_->show_diagnostics) {
-        for_each_diagnostic(*row.report, row.number, spec, [&](const Diagnostic& diagnostic) {
-            fmt::format_to(out, "  {}\n", options_->describe(diagnostic));
+        for_each_diagnostic(*row.report, row.number, specs, [&](const Diagnostic& diagnostic) {
+            fmt::format_to(out, "{}{}\n", options_->block ? "" : "  ", options_->describe(diagnostic));
         });
     }
-    to.push_back('\n');
+    append(to, options_->block.value_or("\n"));
 }
 
 void RowWriter::write_f64(Buffer& to, const ConvertedRow& row) const {

@@ -64,11 +64,19 @@ private:
     const Options* options_;
     const Layout* layout_;
     std::vector<std::string> json_keys_; ///< of the result and the diagnostic columns, each with what stands around it
-    double open_end_ = std::numeric_limits<double>::infinity(); ///< of the range of rounded outer Euler angles
-    std::size_t middle_angle_ = 1;                              ///< the column of the other
-    double half_a_digit_ = 0.0;                                 ///< the last that is printed of it
-    std::string open_end_text_;                                 ///< as it would be printed...
-    std::string closed_end_text_;                               ///< ...and the other end, which is
+    /// The range of outer Euler angles, the open end of which rounded numbers may show.
+    struct OuterAngles {
+        std::size_t first = 0; ///< their columns...
+        std::size_t third = 0;
+        double open_end = 0.0;
+        double half_a_digit = 0.0;     ///< the last that is printed of it
+        std::string open_end_text{};   ///< as it would be printed...
+        std::string closed_end_text{}; ///< ...and the other end, which is
+    };
+    [[nodiscard]] OuterAngles outer_angles(const Spec& spec, std::size_t first) const;
+    void write_attitudes(Buffer& to, const ConvertedRow& row) const;
+
+    std::vector<OuterAngles> outer_angles_; ///< where numbers are rounded and have such a range
     bool writes_results_alone_;
 };
 
@@ -87,16 +95,17 @@ private:
     }
 }
 
-/// The diagnostics of a row, whose result may be an attitude, in order of kind, with their figures.
+/// The diagnostics of a row, whose result may be attitudes, in order of kind, with their figures.
 template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line,
-                                                const std::optional<Spec>& attitude, const Visit& visit) {
+                                                const std::vector<Spec>& attitudes, const Visit& visit) {
     if (report.diagnostics.empty()) {
         return;
     }
     for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
         const auto kind = static_cast<DiagnosticKind>(i);
         if (report.diagnostics.has(kind)) {
-            visit(Diagnostic{line, kind, figure_of(report, kind), attitude ? attitude->name : RepresentationId::quat});
+            visit(Diagnostic{line, kind, figure_of(report, kind),
+                             attitudes.empty() ? RepresentationId::quat : attitudes.front().name});
         }
     }
 }

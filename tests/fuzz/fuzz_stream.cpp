@@ -476,7 +476,7 @@ void check_alignment(const Result& result, const std::vector<std::string>& words
 
 /// Rows of doubles are so many as were asked for, and each is an attitude.
 void check_sample(const Result& result, const std::vector<std::string>& words, const Program& program) {
-    const Spec spec = *program.operation().attitude;
+    const Spec spec = program.operation().attitudes.front();
     if (argument_of(words, "--format") != "f64") {
         return;
     }
@@ -501,7 +501,7 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
     const Spec reference = std::get<Spec>(parse_spec(to));
     return {.from = *program.options().input.numbers.attitude,
             .reference = degrees ? reference.in_degrees() : reference,
-            .product = composes ? program.operation().attitude : std::nullopt,
+            .product = composes ? std::optional(program.operation().attitudes.front()) : std::nullopt,
             .degrees = degrees,
             .tolerance = std::strtod(argument_of(words, "--tolerance", "1e-3").c_str(), nullptr),
             .lock_margin = std::strtod(argument_of(words, "--lock-margin", "1e-15").c_str(), nullptr),
@@ -558,7 +558,7 @@ ByDigits by_digits(const std::vector<std::string>& words, const Program& program
     const RowNumbers& read = program.options().input.numbers;
     ByDigits digits{.from = read.attitude, .to = {}, .first = read.kept, .other = read.kept};
     if (name_of_command(words) == "conversion") {
-        digits.to = program.operation().attitude;
+        digits.to = program.operation().attitudes.front();
     } else if (program.is_paired()) {
         digits.other = read.names.size() + program.options().pairing->reference.numbers.kept;
     } else if (read.attitude) {

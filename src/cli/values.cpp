@@ -1,0 +1,161 @@
+#include "values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "../stream/fmt.hpp"
+#include "../stream/number_text.hpp"
+#include "words.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+constexpr std::string_view brackets = "[](){}";
+constexpr std::string_view opening = "[({\"'";
+constexpr std::string_view separators = ",; \t\r\n[](){}\"'";
+
+/// Numbers without words.
+Values row_of_numbers(std::string text, stream::Delimiter given) {
+    if (text.find_first_of("[](){};\r\n") == std::string::npos) {
+        return {std::move(text), given, {}};
+    }
+    const std::string around = fmt::format("{}; \t\r\n{}", brackets, given.text());
+    std::string row;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = std::min(text.find_first_not_of(around, at), text.size());
+        const std::string gap = text.substr(at, begin - at);
+        const bool at_edge = at == 0 || begin == text.size();
+        const bool has_bracket = gap.find_first_of(brackets) != std::string::npos;
+        const auto delimiters = static_cast<std::size_t>(
+            std::ranges::count_if(gap, [&](char c) { return c == ';' || (c == given.text() && !given.is_blanks()); }));
+        if (!has_bracket && delimiters == 0 && gap.find_first_of("\r\n") == std::string::npos) {
+            row += at_edge ? "" : gap;
+        } else { // a bracket or line end leaves no empty field beside it
+            const std::size_t least = at_edge ? 0 : 1;
+            row.append(has_bracket || given.is_blanks() ? least : std::max(delimiters, least), given.text());
+        }
+        at = std::min(text.find_first_of(around, begin), text.size());
+        row += text.substr(begin, at - begin);
+    }
+    return {row, given, {}};
+}
+
+/// A word, or a number, and what stands around it.
+struct Token {
+    std::string_view text;
+    bool is_number = false;
+    char next = '\0';       ///< the character after it, and after blanks if it is : or =
+    bool is_joined = false; ///< the next character is not a blank
+};
+
+/// Parts a text into words and numbers.
+std::vector<Token> tokens_of(std::string_view text) {
+    std::vector<Token> tokens;
+    const std::string ends = fmt::format("{}:=", separators);
+    for (std::size_t at = text.find_first_not_of(ends); at != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(ends, at), text.size());
+        Token& token = tokens.emplace_back(Token{text.substr(at, end - at)});
+        token.is_number = stream::is_number(token.text);
+        const std::size_t after = std::min(text.find_first_not_of(" \t", end), text.size());
+        token.next = after < text.size() ? text[after] : '\0';
+        token.is_joined = after == end;
+        at = text.find_first_not_of(ends, end);
+    }
+    return tokens;
+}
+
+/// Letters, digits, _ and dots, from a letter on; not a unit of angles, nor a number in words.
+bool may_be_label(std::string_view word) {
+    static constexpr std::array<std::string_view, 8> numbers_and_units{"pi",  "deg",    "degree",  "degrees",
+                                                                       "rad", "radian", "radians", "f"};
+    return std::ranges::count(numbers_and_units, lower(word)) == 0 && is_alphanumeric(word.front()) &&
+           (word.front() < '0' || word.front() > '9') &&
+           std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '_' || c == '.'; });
+}
+
+/// Numbers among words. `by_blank`: a word before a blank and a number is its label.
+Values row_of_words(const std::string& text, stream::Delimiter delimiter, bool by_blank = true) {
+    Values values{.delimiter = delimiter};
+    std::vector<std::string_view> fields;
+    std::string_view label;
+    bool is_value_of_key = false;
+    const std::vector<Token> tokens = tokens_of(text);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const Token& token = tokens[i];
+        const bool is_key = token.next == ':' || token.next == '=';
+        const bool before_number = i + 1 < tokens.size() && tokens[i + 1].is_number;
+        if (std::exchange(is_value_of_key, false) && !token.is_number) {
+            continue; // dtype=float64
+        }
+        if (is_key && before_number) {
+            label = token.text;
+        } else if (is_key) {
+            is_value_of_key = token.next == '=';
+        } else if (token.is_number) {
+            fields.push_back(token.text);
+            values.labels.emplace_back(std::exchange(label, {}));
+        } else if (token.is_joined && opening.find(token.next) != std::string_view::npos && token.next != '\0') {
+            continue; // Quaternion(...)
+        } else if (by_blank && before_number && may_be_label(token.text) && token.next != ',' && token.next != ';') {
+            label = token.text;
+        } else if (std::ranges::any_of(token.text, [](char c) { return is_alphanumeric(c) || c < 0; })) {
+            fields.push_back(token.text); // which is not a number
+            values.labels.emplace_back();
+        }
+    }
+    const auto labelled = values.labels.size() - static_cast<std::size_t>(std::ranges::count(values.labels, ""));
+    const bool is_first_alone = labelled == 1 && !values.labels.front().empty();
+    if (by_blank && labelled < values.labels.size() && !is_first_alone) {
+        return row_of_words(text, delimiter, false); // 1 0 zero 0
+    }
+    if (labelled == 0 || (is_first_alone && values.labels.size() > 1)) {
+        values.labels.clear();
+    }
+    values.row = fmt::format("{}", fmt::join(fields, std::string(1, delimiter.text())));
+    return values;
+}
+
+} // namespace
+
+bool is_value(std::string_view word) {
+    const std::size_t first = std::min(word.find_first_not_of("[](){} \t\r\n"), word.size());
+    const bool has_bracket = word.substr(0, first).find_first_of(brackets) != std::string_view::npos;
+    word.remove_prefix(first);
+    return stream::is_number(word.substr(0, word.find_first_of(",; \t\r\n[](){}"))) ||
+           (has_bracket && word.find_first_of("0123456789+-.") == 0);
+}
+
+bool holds_number(std::string_view word) { return std::ranges::any_of(tokens_of(word), &Token::is_number); }
+
+Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given) {
+    std::string text = fmt::format("{}", fmt::join(words, " "));
+    if (!given || words.size() > 1) {
+        given = text.find(',') != std::string::npos ? stream::Delimiter::character(',') : stream::Delimiter::blanks();
+    }
+    const bool has_words = text.find_first_of(":=\"'") != std::string::npos ||
+                           std::ranges::any_of(tokens_of(text), [](const Token& token) { return !token.is_number; });
+    return has_words && holds_number(text) ? row_of_words(text, *given) : row_of_numbers(std::move(text), *given);
+}
+
+void take_rotation_of_pose(Values& values) {
+    std::vector<std::string_view> fields;
+    static_cast<void>(values.delimiter.split(values.row, fields));
+    const auto is = [&fields](std::size_t at, double expected) {
+        double value = 0.0;
+        return stream::read_number(stream::trimmed(fields[at]), value) == stream::NumberError::none &&
+               value == expected;
+    };
+    if (fields.size() != 16 || !is(12, 0.0) || !is(13, 0.0) || !is(14, 0.0) || !is(15, 1.0)) {
+        return;
+    }
+    std::vector<std::string_view> rotation;
+    for (const std::size_t first : {0U, 4U, 8U}) {
+        rotation.insert(rotation.end(), fields.begin() + static_cast<std::ptrdiff_t>(first),
+                        fields.begin() + static_cast<std::ptrdiff_t>(first + 3));
+    }
+    values = {.row = fmt::format("{}", fmt::join(rotation, std::string(1, values.delimiter.text()))),
+              .delimiter = values.delimiter};
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <utility>
+
+#include "operations.hpp"
+
+namespace rotconv::operations {
+namespace {
+
+/// Copies `size` numbers of each row, from rows of `from_width` to rows of `to_width`.
+void copy_columns(std::span<const double> from, std::size_t from_first, std::size_t from_width, std::span<double> to,
+                  std::size_t to_first, std::size_t to_width, std::size_t size) {
+    for (std::size_t row = 0; row < to.size() / to_width; ++row) {
+        std::copy_n(from.data() + row * from_width + from_first, size, to.data() + row * to_width + to_first);
+    }
+}
+
+class Several final : public stream::RowOperation {
+public:
+    explicit Several(std::vector<Operation> parts) {
+        for (Operation& each : parts) {
+            names = joined(names, each->names);
+            attitudes.insert(attitudes.end(), each->attitudes.begin(), each->attitudes.end());
+            in_order = in_order || each->in_order;
+            looks_ahead = looks_ahead || each->looks_ahead;
+            is_continuous = is_continuous || each->is_continuous;
+            parts_.push_back({.operation = std::move(each)});
+        }
+    }
+    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override {
+        std::vector<Operation> parts;
+        for (const Part& part : parts_) {
+            parts.push_back(part.operation->copy());
+        }
+        return std::make_unique<Several>(std::move(parts));
+    }
+
+    std::size_t run_ahead(const stream::NumberRows& rows, bool flush, std::span<double> out,
+                          std::vector<RowReport>& reports) override {
+        reports.clear();
+        std::size_t answered = rows.lines.size(); // by all alike
+        std::size_t first = 0;
+        for (Part& part : parts_) {
+            const std::size_t width = part.operation->names.size();
+            part.out.resize(rows.lines.size() * width);
+            answered = part.operation->run_ahead(rows, flush, part.out, part.reports);
+            copy_columns(part.out, 0, width, out, first, names.size(), width);
+            merge(part.reports, reports);
+            first += width;
+        }
+        first_step = parts_.front().operation->first_step;
+        return answered;
+    }
+    void make_continuous(std::span<double> results, std::span<const RowReport> /*reports*/) override {
+        std::size_t first = 0;
+        for (Part& part : parts_) {
+            const std::size_t width = part.operation->names.size();
+            const auto own = std::span(part.out).first(results.size() / names.size() * width);
+            if (part.operation->is_continuous) {
+                part.operation->make_continuous(own, part.reports);
+                copy_columns(own, 0, width, results, first, names.size(), width);
+            }
+            first += width;
+        }
+    }
+
+private:
+    struct Part {
+        Operation operation;
+        std::vector<double> out{};
+        std::vector<RowReport> reports{};
+    };
+
+    /// Both are in the order of rows.
+    static void merge(const std::vector<RowReport>& more, std::vector<RowReport>& reports) {
+        std::vector<RowReport> merged;
+        auto other = reports.begin();
+        for (const RowReport& report : more) {
+            while (other != reports.end() && other->row < report.row) {
+                merged.push_back(*other++);
+            }
+            RowReport& both = merged.emplace_back(report);
+            if (other != reports.end() && other->row == report.row) {
+                const RowReport& before = *other++;
+                both = before.error != Error::none ? before : report;
+                both.diagnostics |= before.diagnostics;
+                both.diagnostics |= report.diagnostics;
+                both.sensitivity = {std::min(before.sensitivity.margin, report.sensitivity.margin),
+                                    std::max(before.sensitivity.condition, report.sensitivity.condition)};
+                both.deviation = std::max(before.deviation, report.deviation);
+                both.openness = std::max(before.openness, report.openness);
+            }
+        }
+        merged.insert(merged.end(), other, reports.end());
+        reports = std::move(merged);
+    }
+
+    std::vector<Part> parts_;
+};
+
+} // namespace
+
+Operation several(std::vector<Operation> parts) {
+    return parts.size() == 1 ? std::move(parts.front()) : std::make_shared<Several>(std::move(parts));
+}
+
+} // namespace rotconv::operations
