@@ -37,8 +37,7 @@ struct ConversionSettings {
     std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes...
     std::optional<FixedRotation> right{};            ///< ...or R right: other body axes
     bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
-    /// Report rows with a condition above `few_digits_condition` that may have few digits, for a caller who knows.
-    bool few_digits = false;
+    bool decimal = false;                            ///< the numbers were read from text: see last_place()
 };
 
 /// The attitude of one row of numbers in the conventions of the spec.
@@ -49,9 +48,17 @@ struct ConversionSettings {
 /// @pre numbers.size() >= spec.size()
 [[nodiscard]] double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept;
 
+/// The unit of the last place of numbers read from text: the finest decimal place, as they are printed with the fewest
+/// digits, among those that are at least half as large as the largest one; 0, which means exact, if one of these is an
+/// integer. Rounding to it explains a defect of up to two units, and DiagnosticKind::few_digits is about half a unit.
+[[nodiscard]] double last_place(std::span<const double> numbers) noexcept;
+
 /// What is unusual about a row of finite numbers.
+/// @param defect that of a quaternion or matrix, reported above `reported_defect` and, if the numbers are `decimal`,
+/// above two units of the last place
 /// @pre numbers.size() >= spec.size()
-[[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers) noexcept;
+[[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect = 0.0,
+                                             bool decimal = false) noexcept;
 
 struct Codec;
 struct ConversionBatch;
@@ -84,16 +91,17 @@ private:
                    double* rest, std::vector<RowReport>& reports) const;
     void report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
                 double* out, std::vector<RowReport>& reports) const;
+    /// See RowReport::openness; 0 if the condition is not above `few_digits_condition`.
+    [[nodiscard]] double openness(const InputBatch& input, std::size_t row) const noexcept;
 
     Spec from_;
     Spec to_;
     ConversionSettings settings_;
     const Codec* out_codec_;
-    /// Within the inner limits of these numbers of the result its condition is at most few_digits_condition, within the
-    /// outer ones at most 1e5.
+    /// Within the limits of these numbers of the result its condition is at most few_digits_condition.
     struct Limits {
         std::size_t first, count;
-        double low, high, lowest, highest;
+        double low, high;
     };
     Limits limits_{};
 };

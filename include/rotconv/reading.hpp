@@ -137,8 +137,8 @@ inline constexpr double reported_velocity = 35.0;
 
 /// What is unusual about the numbers of an attitude; 0 where nothing is.
 struct UnusualNumbers {
-    double axis = 0.0;  ///< of an axis that is reported, | length - 1 |
-    double angle = 0.0; ///< the largest angle or angular velocity that is reported
+    double defect = 0.0; ///< a defect that is reported, or | length - 1 | of an axis
+    double angle = 0.0;  ///< the largest angle or angular velocity that is reported
 };
 
 /// The report on one row.
@@ -156,9 +156,9 @@ struct RowReport {
     UnusualNumbers unusual{};      ///< of the first attitude...
     UnusualNumbers reference_unusual{}; ///< ...and of the second
 
-    /// Adds the diagnostics of the defect and of the unusual numbers of the first attitude.
+    /// Adds the diagnostics of the unusual numbers of the first attitude.
     void report_numbers() noexcept {
-        diagnostics |= {DiagnosticKind::normalized, defect > reported_defect || unusual.axis > 0.0};
+        diagnostics |= {DiagnosticKind::normalized, unusual.defect > 0.0};
         diagnostics |= {DiagnosticKind::large_angle, unusual.angle > 0.0};
     }
 };

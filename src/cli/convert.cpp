@@ -30,7 +30,6 @@ Command convert(const Given& given) {
     const std::string& method = given.text("--method");
     ConversionSettings conversion = attitude_settings_of(given);
     conversion.fast = method == fast_method;
-    conversion.few_digits = !given.values.empty() || given.text("--input-format") != "f64";
     operations::Operation operation = by_method(method, Conversion(from, to, conversion), given.has("--continuous"));
     if (operation->is_continuous && !operation->answers.empty()) {
         throw Usage("--continuous cannot be combined with --method all, which writes several answers to a row");

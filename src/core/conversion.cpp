@@ -45,17 +45,6 @@ bool passes_numbers(const Spec& from, const Spec& to) noexcept {
     return are_angles ? same(0) && same(2) : from.name == to.name;
 }
 
-/// False, without a look at a text, if a row whose condition is at most 1e5 has too many digits to leave it open: if
-/// its largest number does not end within 7 decimals.
-bool may_have_few_digits(std::span<const double> numbers) noexcept {
-    double largest = 0.0;
-    for (const double number : numbers) {
-        largest = std::max(largest, std::abs(number));
-    }
-    const double units = 1e7 * largest;
-    return std::abs(units - std::nearbyint(units)) <= 1e-3 + 0x1p-51 * units; // what is rounded
-}
-
 /// Whether numbers of the result are a convention, and another kind says so.
 bool is_convention(DiagnosticSet found) noexcept {
     return found.has(DiagnosticKind::gimbal_lock) || found.has(DiagnosticKind::infinite) ||
@@ -101,50 +90,20 @@ Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<Fix
     return {left.has_value(), right.has_value(), exact(left.value_or(none)), exact(right.value_or(none))};
 }
 
-double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept {
-    const auto turn_per_error = codec_of(spec.name).turn_per_error;
-    const double unit = spec.unit == AngleUnit::degrees ? radians_per_degree : 1.0;
-    return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
-}
-
-UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
-    UnusualNumbers found;
-    if (!representation(spec.name).has_angles()) {
-        return found;
-    }
-    const bool has_axis = spec.name == RepresentationId::axis_angle;
-    const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
-    const auto scale = PowerOfTwo::to_unit(largest);
-    double square = 0.0;
-    for (const double number : numbers.first(3)) {
-        square += scale(number) * scale(number);
-    }
-    const double length = scale.undone(std::sqrt(square));
-    const double angle = has_axis ? std::abs(numbers[3]) : spec.name == RepresentationId::rotvec ? length : largest;
-    if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
-        found.axis = std::abs(length - 1.0);
-    }
-    if (spec.unit == AngleUnit::radians && angle > reported_angle) {
-        found.angle = angle;
-    }
-    return found;
-}
-
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {
-    if (!settings.few_digits || (!settings.left && !settings.right && passes_numbers(from, to))) {
+    if (!settings.decimal || (!settings.left && !settings.right && passes_numbers(from, to))) {
         return;
     }
     const double unit = to.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
     if (representation(to.name).has_gimbal_lock) {
         const double middle = to.sequence.proper() ? unit * std::numbers::pi / 2 : 0.0;
         const double inner = unit * (std::numbers::pi / 2 - 0.142); // a little more than 2 asin(1/(10 sqrt 2))
-        const double outer = unit * (std::numbers::pi / 2 - 0.142e-4);
-        limits_ = {1, 1, middle - inner, middle + inner, middle - outer, middle + outer};
+        limits_ = {1, 1, middle - inner, middle + inner};
     } else if (to.name == RepresentationId::axis_angle) {
-        limits_ = {3, 1, unit * 0.101, unit * 4.0, unit * 0.101e-4, unit * 4.0};
+        limits_ = {3, 1, unit * 0.101, unit * 4.0};
     } else if (to.name == RepresentationId::cayley) {
-        limits_ = {0, 3, -2.5, 2.5, -250.0, 250.0}; // |c|^2 is less than 19 and 2e5
+        limits_ = {0, 3, -2.5, 2.5}; // |c|^2 is less than 19
     }
 }
 
@@ -175,14 +134,11 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
         convert(batch, input.own(), rows, input.attitudes, out, rest, diagnostics.data());
         std::for_each_n(out, rows * to_.size(), [](double& number) { number += 0.0; }); // -0 becomes 0
     }
-    for (std::size_t k = limits_.first; k < limits_.first + limits_.count; ++k) {
-        for (std::size_t i = 0; i < rows; ++i) {
-            const double number = out[i * to_.size() + k];
-            if (number < limits_.low || number > limits_.high) {
-                diagnostics[i] |=
-                    {DiagnosticKind::few_digits, number < limits_.lowest || number > limits_.highest ||
-                                                     may_have_few_digits({in + i * from_.size(), from_.size()})};
-            }
+    const auto is_outside = [this](double number) { return number < limits_.low || number > limits_.high; };
+    for (std::size_t i = 0; limits_.count > 0 && i < rows; ++i) {
+        const std::span numbers(out + i * to_.size() + limits_.first, limits_.count);
+        if (std::ranges::any_of(numbers, is_outside) && !is_convention(diagnostics[i])) {
+            diagnostics[i] |= {DiagnosticKind::few_digits, openness(input, i) > reported_openness};
         }
     }
     report(input, diagnostics.data(), first, rows, out, reports);
@@ -207,8 +163,8 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
                 found.sensitivity = out_codec_->sensitivity(to_, attitudes.at(i));
             }
             found.diagnostics |= diagnostics[i];
-            if (found.sensitivity.condition <= few_digits_condition || is_convention(diagnostics[i])) {
-                found.diagnostics -= {DiagnosticKind::few_digits};
+            if (found.diagnostics.has(DiagnosticKind::few_digits)) {
+                found.openness = openness(input, i);
             }
             if (!settings_.sensitivity && found.diagnostics.empty()) {
                 continue;
@@ -217,6 +173,16 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
         found.row = first + i;
         reports.push_back(found);
     }
+}
+
+double Conversion::openness(const InputBatch& input, std::size_t row) const noexcept {
+    if (input.attitudes.error[row] != Error::none) {
+        return 0.0;
+    }
+    const std::span numbers(input.own() + row * from_.size(), from_.size());
+    const double condition = out_codec_->sensitivity(to_, input.attitudes.at(row)).condition;
+    return condition > few_digits_condition ? condition * attitude_error(from_, numbers, 0.5 * last_place(numbers))
+                                            : 0.0;
 }
 
 } // namespace rotconv

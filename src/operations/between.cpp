@@ -41,7 +41,8 @@ void SomeRows::run(std::span<double> to, std::size_t width, std::span<double> re
 Between::Between(PairFunction at, PairFunction between, std::size_t first, const Spec& reference,
                  const ConversionSettings& settings)
     : at_(std::move(at)), between_(std::move(between)), first_(first),
-      reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
+      reading_(reference, Spec{},
+               {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}) {}
 
 void Between::run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports,
                   std::span<double> rest) {

@@ -109,7 +109,7 @@ void rows() {
     check(enu.matrix(0, 1) == 1 && !enu.changes_hand() && near((left * enu.turn()).rotation.z(), 0), "AxesChange");
     const std::array<double, 4> angle_first{7, 0, 0, 8};
     const UnusualNumbers found = unusual_numbers(spec_of("axis-angle"), angle_first);
-    check(near(found.axis, 6) && found.angle == 8, "unusual_numbers");
+    check(near(found.defect, 6) && found.angle == 8, "unusual_numbers");
     ConversionSettings settings;
     settings.left = left;
     Conversion(spec_of("euler:ZYX:deg"), Spec{}, settings).run(yaw_pitch_roll, quaternions, reports);

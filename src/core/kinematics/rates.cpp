@@ -88,7 +88,7 @@ RowReport Rates::run_row(const double* in, double* out) const noexcept {
     if (report.error != Error::none) {
         return report;
     }
-    report.unusual = unusual_numbers(spec_, numbers);
+    report.unusual = unusual_numbers(spec_, numbers, report.defect, settings_.decimal);
     const double speed = settings_.degrees || settings_.inverse ? 0.0 : Vector3d(given).norm();
     report.unusual.angle = std::max(report.unusual.angle, speed > reported_velocity ? speed : 0.0);
     report.report_numbers();
