@@ -98,12 +98,7 @@ private:
     Spec to_;
     ConversionSettings settings_;
     const Codec* out_codec_;
-    /// Within the limits of these numbers of the result its condition is at most few_digits_condition.
-    struct Limits {
-        std::size_t first, count;
-        double low, high;
-    };
-    Limits limits_{};
+    bool looks_at_digits_; ///< rows may have DiagnosticKind::few_digits
 };
 
 } // namespace rotconv

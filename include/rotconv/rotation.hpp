@@ -42,6 +42,8 @@ public:
     [[nodiscard]] double x() const noexcept { return q_[1]; }
     [[nodiscard]] double y() const noexcept { return q_[2]; }
     [[nodiscard]] double z() const noexcept { return q_[3]; }
+    /// w, x, y, z.
+    [[nodiscard]] const std::array<double, 4>& components() const noexcept { return q_; }
     /// Component of the vector part along `axis` 0, 1, 2.
     [[nodiscard]] double along(int axis) const noexcept { return q_[static_cast<std::size_t>(axis) + 1]; }
 

@@ -36,11 +36,8 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     for (std::size_t i = 0; i < rows; ++i) {
         out[i * width] = settings_.per_radian * angles[i];
         if (settings_.attitudes) {
-            const Rotation own = input.attitudes.at(i);
-            const Rotation other = reference.attitudes.at(i);
-            std::ranges::copy(
-                std::array{own.w(), own.x(), own.y(), own.z(), other.w(), other.x(), other.y(), other.z()},
-                out + (i + 1) * width - 8);
+            std::ranges::copy(input.attitudes.at(i).components(), out + (i + 1) * width - 8);
+            std::ranges::copy(reference.attitudes.at(i).components(), out + (i + 1) * width - 4);
         }
     }
     for (std::size_t i = 0; i < rows; ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "numerics/power_of_two.hpp"
 #include "representations/codec.hpp"
 
 namespace rotconv {
@@ -26,7 +27,7 @@ void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport
         const Error error = is_reported ? report->error : Error::none;
         const DiagnosticSet diagnostics = is_reported ? report->diagnostics : DiagnosticSet();
         report += is_reported ? 1 : 0;
-        if (error != Error::none || !std::ranges::all_of(own, [](double number) { return std::isfinite(number); })) {
+        if (error != Error::none || !all_finite(own.data(), size)) {
             continue;
         }
         if (has_last_) {

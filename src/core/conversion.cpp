@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
@@ -91,21 +90,9 @@ Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<Fix
 }
 
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
-    : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {
-    if (!settings.decimal || (!settings.left && !settings.right && passes_numbers(from, to))) {
-        return;
-    }
-    const double unit = to.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
-    if (representation(to.name).has_gimbal_lock) {
-        const double middle = to.sequence.proper() ? unit * std::numbers::pi / 2 : 0.0;
-        const double inner = unit * (std::numbers::pi / 2 - 0.142); // a little more than 2 asin(1/(10 sqrt 2))
-        limits_ = {1, 1, middle - inner, middle + inner};
-    } else if (to.name == RepresentationId::axis_angle) {
-        limits_ = {3, 1, unit * 0.101, unit * 4.0};
-    } else if (to.name == RepresentationId::cayley) {
-        limits_ = {0, 3, -2.5, 2.5}; // |c|^2 is less than 19
-    }
-}
+    : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)),
+      looks_at_digits_(settings.decimal && out_codec_->well_conditioned != nullptr &&
+                       (settings.left || settings.right || !passes_numbers(from, to))) {}
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
@@ -134,11 +121,14 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
         convert(batch, input.own(), rows, input.attitudes, out, rest, diagnostics.data());
         std::for_each_n(out, rows * to_.size(), [](double& number) { number += 0.0; }); // -0 becomes 0
     }
-    const auto is_outside = [this](double number) { return number < limits_.low || number > limits_.high; };
-    for (std::size_t i = 0; limits_.count > 0 && i < rows; ++i) {
-        const std::span numbers(out + i * to_.size() + limits_.first, limits_.count);
-        if (std::ranges::any_of(numbers, is_outside) && !is_convention(diagnostics[i])) {
-            diagnostics[i] |= {DiagnosticKind::few_digits, openness(input, i) > reported_openness};
+    if (looks_at_digits_) {
+        const NumberRange range = out_codec_->well_conditioned(to_);
+        const auto is_outside = [&range](double number) { return number < range.least || number > range.greatest; };
+        for (std::size_t i = 0; i < rows; ++i) {
+            const std::span numbers(out + i * to_.size() + range.first, range.count);
+            if (std::ranges::any_of(numbers, is_outside) && !is_convention(diagnostics[i])) {
+                diagnostics[i] |= {DiagnosticKind::few_digits, openness(input, i) > reported_openness};
+            }
         }
     }
     report(input, diagnostics.data(), first, rows, out, reports);

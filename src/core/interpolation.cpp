@@ -4,13 +4,12 @@
 #include <limits>
 
 #include "numerics/elementary.hpp"
+#include "representations/half_turn.hpp"
 
 namespace rotconv {
 namespace {
 
 using Eigen::Vector4d;
-
-Vector4d unit(const Rotation& q) noexcept { return Vector4d(q.w(), q.x(), q.y(), q.z()) / std::sqrt(q.squared_norm()); }
 
 double sine(double angle) noexcept { return sine_cosine<double>(DoubleDouble(angle), AngleUnit::radians).sine; }
 

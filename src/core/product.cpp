@@ -7,6 +7,7 @@
 
 #include "input_batch.hpp"
 #include "kernels.hpp"
+#include "numerics/power_of_two.hpp"
 
 namespace rotconv {
 namespace {
@@ -98,16 +99,14 @@ void VectorRotation::run(std::span<const double> in, std::span<double> out, std:
         for (std::size_t i = 0; i < rows; ++i) {
             const std::span vector(vectors.data() + 3 * i, 3);
             const std::span rotated(written + 3 * i, 3);
-            const auto are_finite = [](auto three) {
-                return std::ranges::all_of(three, [](double x) { return std::isfinite(x); });
-            };
             std::ranges::for_each(rotated, [](double& number) { number += 0.0; }); // -0 becomes 0
-            if (are_finite(rotated) && !input.is_remarkable(i, settings_)) {
+            const bool is_finite = all_finite(rotated.data(), 3);
+            if (is_finite && !input.is_remarkable(i, settings_)) {
                 continue;
             }
             RowReport found = input.report(i, settings_);
-            if (found.error == Error::none && !are_finite(rotated)) {
-                found = {.error = are_finite(vector) ? Error::overflow : Error::not_finite};
+            if (found.error == Error::none && !is_finite) {
+                found = {.error = all_finite(vector.data(), 3) ? Error::overflow : Error::not_finite};
             }
             if (found.error != Error::none) {
                 std::ranges::fill(rotated, nan);

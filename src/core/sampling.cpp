@@ -7,6 +7,7 @@
 
 #include "numerics/double_double.hpp"
 #include "numerics/philox.hpp"
+#include "representations/codec.hpp"
 
 // Bytes are the same on every machine: no function of the C library but the square root, which is rounded correctly.
 
@@ -160,7 +161,7 @@ std::vector<SampleKind> sample_kinds_of(RepresentationId name) {
     std::vector kinds{uniform, small, half_turn, lock, border, cube};
     if (name == RepresentationId::quat) {
         kinds.push_back(scaled);
-    } else if (name <= RepresentationId::five_d) { // dcm, 6d, 5d
+    } else if (codec_of(name).exact_defect != nullptr) { // dcm, 6d, 5d
         kinds.push_back(noise);
     } else if (representation(name).has_angles()) {
         kinds.push_back(many_turns);

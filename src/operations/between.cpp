@@ -10,8 +10,6 @@
 namespace rotconv::operations {
 namespace {
 
-std::array<double, 4> components_of(const Rotation& q) noexcept { return {q.w(), q.x(), q.y(), q.z()}; }
-
 /// Copies rows of `size` numbers to their places among rows of `width`.
 void scatter(std::span<const double> from, std::size_t size, std::span<const std::size_t> rows, std::span<double> to,
              std::size_t width) {
@@ -113,7 +111,7 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
     if (!found) {
         reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
     }
-    return components_of(found.value_or(Rotation()));
+    return found.value_or(Rotation()).components();
 }
 
 } // namespace rotconv::operations

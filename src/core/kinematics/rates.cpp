@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "../numerics/power_of_two.hpp"
 #include "../representations/codec.hpp"
 
 namespace rotconv {
@@ -14,10 +15,6 @@ namespace {
 
 using Numbers = std::array<double, 9>;
 using Eigen::Vector3d;
-
-bool all_finite(const double* numbers, std::size_t count) noexcept {
-    return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
-}
 
 /// Where the equation itself is singular. A representation that switches its chart at a half-turn, where the range of
 /// its numbers ends, has an equation that goes on: the condition of a rotation vector is pi/2 there, that of an mrp
