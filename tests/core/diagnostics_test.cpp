@@ -309,6 +309,7 @@ TEST_CASE("a defect is reported where two units of the last place do not explain
 // the conditions.
 TEST_CASE("numbers within half a digit leave the result open by as much as is said") {
     constexpr int rows = 20'000;
+    int judged = 0; // of 63
     strata::Source source(23);
     const auto check = [&](const std::string& from_text, const std::string& to_text, double condition) {
         const rotconv::Spec from = spec(from_text);
@@ -330,15 +331,22 @@ TEST_CASE("numbers within half a digit leave the result open by as much as is sa
                       source.uniform(-pi, pi) * unit};
         }
         auto numbers = accuracy::own(to, from)(result);
-        double half = 1.0; // a digit, with which the figure is 0.003 to 0.03: small angles
-        while (rotconv::attitude_error(from, numbers, half) * condition > 0.03) {
-            half /= 10.0;
+        double units =
+            1.0; // of the digits in 1, with which the figure is 0.012 to 0.12: small angles that are reported
+        while (rotconv::attitude_error(from, numbers, 0.5 / units) * condition > 0.12) {
+            units *= 10.0;
         }
+        const double half = 0.5 / units;
         for (double& number : numbers) {
-            number = 2 * half * std::round(number / (2 * half));
+            number = std::round(number * units) / units;
         }
         const auto settings = rotconv::ConversionSettings{.tolerance = 1.0, .sensitivity = true, .decimal = true};
         const auto [given, report] = accuracy::converted(from, to, numbers, settings);
+        if (rotconv::last_place(numbers) == 0.0) { // one is an integer, such as an entry of a matrix near the lock
+            CHECK_FALSE(report.diagnostics.has(DiagnosticKind::few_digits));
+            return;
+        }
+        ++judged;
         REQUIRE(report.diagnostics.has(DiagnosticKind::few_digits));
         const double figure = rotconv::attitude_error(from, numbers, half) * report.sensitivity.condition;
         const bool is_quaternion = from.name == rotconv::RepresentationId::quat;
@@ -373,7 +381,7 @@ TEST_CASE("numbers within half a digit leave the result open by as much as is sa
         CHECK(further <= rows / 100);
         CHECK(figure <= 4 * worst);
     };
-    for (const double condition : {20.0, 2'773.0, 1e6}) {
+    for (const double condition : {25.0, 2'773.0, 1e6}) {
         for (const char* from : {"quat", "dcm", "6d", "5d", "mrp", "rotvec", "rotvec:deg", "cayley", "euler:ZXZ:deg"}) {
             for (const char* to : {"euler:ZYX:deg", "rpy"}) {
                 check(from, to, condition);
@@ -383,6 +391,7 @@ TEST_CASE("numbers within half a digit leave the result open by as much as is sa
         check("quat", "cayley", condition);
         check("dcm", "cayley", condition);
     }
+    CHECK(judged > 45);
 }
 
 // Would catch: a word about digits where the result has those that were given, or where it is a convention.
