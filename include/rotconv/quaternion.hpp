@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <Eigen/Core>
@@ -14,7 +16,7 @@ namespace rotconv::quaternion {
 
 /// The attitude q/|q|. Exact: nothing is rounded. The defect is | |q| - 1 |; up to `reported_defect` it may be an upper
 /// bound. Errors: not_finite, zero_quaternion, defect above the tolerance.
-[[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q, double tolerance = any_defect) noexcept;
+[[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q, double tolerance = default_tolerance) noexcept;
 
 /// | |q| - 1 |.
 /// @pre to_rotation(q) has a rotation
@@ -45,8 +47,11 @@ namespace rotconv::quaternion {
 inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {
     const Rotation rotation = Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
     const double excess = std::fabs(rotation.squared_norm() - 1.0);
-    // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1); a number that is not finite fails the comparison
-    if (excess <= reported_defect && excess <= tolerance) [[likely]] {
+    const auto bits = [](double component) { return std::bit_cast<std::uint64_t>(component); };
+    // Below 2 this bit is 0. It is 1 in nan and infinity, with -ffast-math too.
+    const bool is_small = ((bits(q.w()) | bits(q.x()) | bits(q.y()) | bits(q.z())) >> 62U & 1U) == 0;
+    // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1)
+    if (is_small && excess <= reported_defect && excess <= tolerance) [[likely]] {
         return {rotation, excess};
     }
     return to_rotation_of_any_size(q, tolerance);

@@ -4,16 +4,17 @@
 #include <array>
 #include <limits>
 
+#include "checks.hpp"
 #include "input_batch.hpp"
 #include "kernels.hpp"
 
 namespace rotconv {
 Comparison::Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings)
-    : from_(from), reference_(reference), settings_(settings) {}
+    : from_(checked(from)), reference_(checked(reference)), settings_(settings) {}
 
 void Comparison::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
-    const std::size_t rows = in.size() / inputs();
+    const std::size_t rows = checked_rows(in.size(), inputs(), out.size(), outputs());
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run_batch(in.data() + first * inputs(), first, std::min(batch_rows, rows - first),
                   out.data() + first * outputs(), reports);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "checks.hpp"
 #include "input_batch.hpp"
 #include "kernels.hpp"
 #include "numerics/power_of_two.hpp"
@@ -57,14 +58,16 @@ ExactQuaternion exact(const FixedRotation& turn) noexcept {
 
 } // namespace
 
-Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept {
+Reading read_attitude(const Spec& spec, std::span<const double> numbers) {
+    check_size(numbers.size(), checked(spec).size());
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
     const Reading reading = read_row(spec, own.data());
     return reading && spec.passive ? Reading(reading->inverse(), reading.defect()) : reading;
 }
 
-FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
+FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double> numbers) {
+    check_size(numbers.size(), checked(spec).size());
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
     ExactQuaternion q{};
@@ -90,7 +93,7 @@ Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<Fix
 }
 
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
-    : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)),
+    : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)),
       looks_at_digits_(settings.decimal && out_codec_->well_conditioned != nullptr &&
                        (settings.left || settings.right || !passes_numbers(from, to))) {}
 
@@ -101,7 +104,8 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     const Turns turns = to_.passive ? turns_of(inverse_of(settings_.right), inverse_of(settings_.left))
                                     : turns_of(settings_.left, settings_.right);
     const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
-    const std::size_t rows = in.size() / from_.size();
+    const std::size_t rows = checked_rows(in.size(), from_.size(), out.size(), to_.size());
+    check_size(rest.empty() ? out.size() : rest.size(), rows * to_.size());
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run_batch(batch, in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
                   out.data() + first * to_.size(), rest.empty() ? nullptr : rest.data() + first * to_.size(), reports);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "checks.hpp"
 #include "numerics/power_of_two.hpp"
 #include "representations/codec.hpp"
 
@@ -40,14 +41,15 @@ double last_place(std::span<const double> numbers) noexcept {
     return 1.0 / power;
 }
 
-double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept {
+double attitude_error(const Spec& spec, std::span<const double> numbers, double error) {
+    check_size(numbers.size(), spec.size());
     const auto turn_per_error = codec_of(spec.name).turn_per_error;
     const double unit = spec.unit == AngleUnit::degrees ? radians_per_degree : 1.0;
     return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
 }
 
-UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect,
-                               bool decimal) noexcept {
+UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect, bool decimal) {
+    check_size(numbers.size(), spec.size());
     UnusualNumbers found;
     if (defect > reported_defect && !(decimal && defect <= 2.0 * last_place(numbers.first(spec.size())))) {
         found.defect = defect;

@@ -1,4 +1,4 @@
-#include "interpolation.hpp"
+#include <rotconv/rotation.hpp>
 
 #include <cmath>
 #include <limits>
@@ -15,7 +15,9 @@ double sine(double angle) noexcept { return sine_cosine<double>(DoubleDouble(ang
 
 } // namespace
 
-std::optional<Rotation> interpolated(const Rotation& a, const Rotation& b, double fraction) noexcept {
+double angle_between(const Rotation& a, const Rotation& b) noexcept { return angle_of(a * b.inverse()); }
+
+std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept {
     const Vector4d p = unit(a);
     const Vector4d q = unit(b);
     const double cosine = p.dot(q); // of half the turn

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "checks.hpp"
 #include "numerics/double_double.hpp"
 #include "numerics/philox.hpp"
 #include "representations/codec.hpp"
@@ -174,6 +175,7 @@ Sampler::Sampler(const Spec& spec, SampleSettings settings)
       cube_(rotations_of_cube(spec.name != RepresentationId::cayley)) {}
 
 void Sampler::run(std::span<const double> rows, std::span<double> out) {
+    check_size(out.size(), rows.size() * conversion_.to().size());
     attitudes_.clear();
     for (const double row : rows) {
         const auto q = attitude_of(static_cast<std::uint64_t>(row));

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "../core/interpolation.hpp"
-
 namespace rotconv::operations {
 namespace {
 
@@ -107,7 +105,7 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
     if (std::isnan(earlier.w()) || std::isnan(later.w())) {
         return {1.0}; // which is reported of them
     }
-    const auto found = interpolated(earlier, later, fraction);
+    const auto found = interpolate(earlier, later, fraction);
     if (!found) {
         reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
     }

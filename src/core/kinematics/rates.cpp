@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "../checks.hpp"
 #include "../numerics/power_of_two.hpp"
 #include "../representations/codec.hpp"
 
@@ -31,7 +32,7 @@ constexpr Frame inverse_of(Frame frame) noexcept { return frame == Frame::body ?
 
 bool has_rates(RepresentationId name) noexcept { return codec_of(name).rate != nullptr; }
 
-Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), settings_(settings) {
+Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(checked(spec)), settings_(settings) {
     if (!has_rates(spec.name)) {
         throw std::invalid_argument("rotconv: this representation has no rates");
     }
@@ -39,7 +40,7 @@ Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), sett
 
 void Rates::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
-    const std::size_t rows = in.size() / in_size();
+    const std::size_t rows = checked_rows(in.size(), in_size(), out.size(), out_size());
     for (std::size_t row = 0; row < rows; ++row) {
         double* const to = out.data() + row * out_size();
         RowReport report = run_row(in.data() + row * in_size(), to);

@@ -83,7 +83,7 @@ Reading to_rotation(const EulerAngles& value) noexcept {
 
 EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
                           double lock_margin) noexcept {
-    EulerAngles result{.sequence = sequence, .unit = unit};
+    EulerAngles result(Eigen::Vector3d::Zero(), sequence, unit);
     write_row({.name = RepresentationId::euler, .sequence = sequence, .unit = unit}, rotation, result.angles.data(),
               lock_margin);
     return result;
