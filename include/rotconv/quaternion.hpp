@@ -1,8 +1,6 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include <Eigen/Core>
@@ -44,14 +42,17 @@ namespace rotconv::quaternion {
 /// to_rotation() of a quaternion that is far from unit or does not describe an attitude.
 [[nodiscard]] Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) noexcept;
 
-inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {
+[[gnu::always_inline]] inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {
     const Rotation rotation = Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
     const double excess = std::fabs(rotation.squared_norm() - 1.0);
-    const auto bits = [](double component) { return std::bit_cast<std::uint64_t>(component); };
-    // Below 2 this bit is 0. It is 1 in nan and infinity, with -ffast-math too.
-    const bool is_small = ((bits(q.w()) | bits(q.x()) | bits(q.y()) | bits(q.z())) >> 62U & 1U) == 0;
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ // then the comparison is no check for nan
+    const bool is_finite =
+        has_finite_bits(q.w()) && has_finite_bits(q.x()) && has_finite_bits(q.y()) && has_finite_bits(q.z());
+#else
+    constexpr bool is_finite = true; // a number that is not fails the comparison
+#endif
     // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1)
-    if (is_small && excess <= reported_defect && excess <= tolerance) [[likely]] {
+    if (is_finite && excess <= reported_defect && excess <= tolerance) [[likely]] {
         return {rotation, excess};
     }
     return to_rotation_of_any_size(q, tolerance);
