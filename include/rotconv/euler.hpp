@@ -93,7 +93,7 @@ inline constexpr EulerSequence roll_pitch_yaw = "xyz";
 
 /// Three angles in the order of their sequence; any finite size on input. Sequence and unit are always given.
 struct EulerAngles {
-    EulerAngles(const Eigen::Vector3d& values, EulerSequence order, AngleUnit angle_unit) noexcept
+    EulerAngles(const Eigen::Vector3d& values, EulerSequence order, AngleUnit angle_unit) noexcept // NOLINT(*-by-value)
         : angles(values), sequence(order), unit(angle_unit) {}
 
     Eigen::Vector3d angles;
