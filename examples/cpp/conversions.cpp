@@ -18,8 +18,8 @@ int main() {
     const Eigen::Matrix3d B = dcm::from_rotation(*rotation_vector::to_rotation({r}));
     const Rotation R_ref_body = *dcm::to_rotation(A) * rotation_vector::to_rotation({r})->inverse();
     const Eigen::Vector3d v_ref = R_ref_body * Eigen::Vector3d(1, 0, 0);
-    const Reading none = dcm::to_rotation(-R);               // a reflection
-    const Reading scaled = dcm::to_rotation(1.01 * R, 1e-3); // refused: scaled.defect() is 0.01
+    const Reading none = dcm::to_rotation(-R);         // a reflection
+    const Reading scaled = dcm::to_rotation(1.01 * R); // refused: scaled.defect() is 0.01
     std::printf("%g %g %g %g\n", p.w(), p.x(), p.y(), p.z());
     std::printf("%g %g %g\n", angles[0], angles[1], angles[2]);
     std::printf("%9.6f %9.6f %9.6f\n", v_ref.x(), v_ref.y(), v_ref.z());

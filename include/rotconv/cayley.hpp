@@ -10,7 +10,7 @@ namespace rotconv::cayley {
 
 /// q ~ (1, c): nothing is rounded. Error: not_finite.
 [[nodiscard]] inline Reading to_rotation(const Eigen::Vector3d& c) noexcept {
-    if (!c.allFinite()) [[unlikely]] {
+    if (!(has_finite_bits(c.x()) && has_finite_bits(c.y()) && has_finite_bits(c.z()))) [[unlikely]] {
         return Error::not_finite;
     }
     return Rotation::from_components(1.0, c.x(), c.y(), c.z());

@@ -23,7 +23,7 @@ public:
     /// Conversion::run(). The very first row is left as it is. So is a row that has an error or a number that is not
     /// finite; the next row is not compared with it.
     /// @param rest with it, the numbers chosen are rounded once; may be empty
-    void run(std::span<double> numbers, std::span<const RowReport> reports, std::span<const double> rest = {}) noexcept;
+    void run(std::span<double> numbers, std::span<const RowReport> reports, std::span<const double> rest = {});
 
 private:
     Spec spec_;

@@ -17,7 +17,7 @@ struct FixedRotation {
         : rotation(rounded), rest(more) {}
     /// The attitude of one row of numbers.
     /// @pre read_attitude() finds a rotation in the row
-    [[nodiscard]] static FixedRotation of_numbers(const Spec& spec, std::span<const double> numbers) noexcept;
+    [[nodiscard]] static FixedRotation of_numbers(const Spec& spec, std::span<const double> numbers);
 
     [[nodiscard]] FixedRotation inverse() const noexcept {
         return {rotation.inverse(), {rest[0], -rest[1], -rest[2], -rest[3]}};
@@ -31,27 +31,34 @@ struct FixedRotation {
 
 /// What a conversion accepts and reports, and the rotations by which it multiplies.
 struct ConversionSettings {
-    double tolerance = 1e-3; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
+    double tolerance = default_tolerance; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool sensitivity = false;                        ///< report margin, condition and exact defect of each row
     std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes...
     std::optional<FixedRotation> right{};            ///< ...or R right: other body axes
     bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
-    /// Report rows with a condition above `few_digits_condition` that may have few digits, for a caller who knows.
-    bool few_digits = false;
+    bool decimal = false;                            ///< the numbers were read from text: see last_place()
 };
 
 /// The attitude of one row of numbers in the conventions of the spec.
-/// @pre numbers.size() >= spec.size()
-[[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept;
+/// @throw std::invalid_argument if there are fewer than spec.size() numbers
+[[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers);
 
 /// By how much (radians, to first order) the attitude of a row is off if its numbers are off by `error`.
-/// @pre numbers.size() >= spec.size()
-[[nodiscard]] double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept;
+/// @throw std::invalid_argument if there are fewer than spec.size() numbers
+[[nodiscard]] double attitude_error(const Spec& spec, std::span<const double> numbers, double error);
+
+/// The unit of the last place of numbers read from text: the finest decimal place, as they are printed with the fewest
+/// digits, among those that are at least half as large as the largest one; 0, which means exact, if one of these is an
+/// integer. Rounding to it explains a defect of up to two units, and DiagnosticKind::few_digits is about half a unit.
+[[nodiscard]] double last_place(std::span<const double> numbers) noexcept;
 
 /// What is unusual about a row of finite numbers.
-/// @pre numbers.size() >= spec.size()
-[[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers) noexcept;
+/// @param defect that of a quaternion or matrix, reported above `reported_defect` and, if the numbers are `decimal`,
+/// above two units of the last place
+/// @throw std::invalid_argument if there are fewer than spec.size() numbers
+[[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect = 0.0,
+                                             bool decimal = false);
 
 struct Codec;
 struct ConversionBatch;
@@ -61,6 +68,7 @@ class InputBatch;
 /// Thread-safe: run() changes nothing in it.
 class Conversion {
 public:
+    /// @throw std::invalid_argument if a Spec has a modifier that has no meaning for its representation
     Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings = {});
 
     [[nodiscard]] const Spec& from() const noexcept { return from_; }
@@ -74,7 +82,11 @@ public:
     /// ConversionSettings::sensitivity, of all rows), in row order. Most rows have none. A vector that is reused is not
     /// allocated again
     /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run()
-    /// @pre out.size() >= rows * to().size(), and rest.size() likewise
+    /// @throw std::invalid_argument if `in` is not whole rows, or `out` or `rest` has no room for the results
+    ///
+    /// Eigen stores matrices by columns and quaternions as x y z w. data() of an Eigen::Matrix<double, 9,
+    /// Eigen::Dynamic> whose columns are matrices, or of a vector of Eigen::Matrix3d, is of the Spec `eigen_matrix`:
+    ///     Conversion(eigen_matrix, to).run({m.data(), static_cast<std::size_t>(m.size())}, out, reports);
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
              std::span<double> rest = {}) const;
 
@@ -84,18 +96,14 @@ private:
                    double* rest, std::vector<RowReport>& reports) const;
     void report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
                 double* out, std::vector<RowReport>& reports) const;
+    /// See RowReport::openness; 0 if the condition is not above `few_digits_condition`.
+    [[nodiscard]] double openness(const InputBatch& input, std::size_t row) const noexcept;
 
     Spec from_;
     Spec to_;
     ConversionSettings settings_;
     const Codec* out_codec_;
-    /// Within the inner limits of these numbers of the result its condition is at most few_digits_condition, within the
-    /// outer ones at most 1e5.
-    struct Limits {
-        std::size_t first, count;
-        double low, high, lowest, highest;
-    };
-    Limits limits_{};
+    bool looks_at_digits_; ///< rows may have DiagnosticKind::few_digits
 };
 
 } // namespace rotconv

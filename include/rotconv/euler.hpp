@@ -24,7 +24,13 @@ public:
     /// A literal, such as "ZYX", which the compiler checks.
     template <std::size_t size>
     consteval EulerSequence(const char (&letters)[size]) // NOLINT(*-avoid-c-arrays, google-explicit-constructor)
-        : EulerSequence(*parse({letters, size - 1})) {}
+    {
+        const auto parsed = parse({letters, size - 1});
+        if (!parsed) {
+            an_euler_sequence_has_three_letters_of_XYZ_or_xyz_and_no_two_equal_neighbours();
+        }
+        *this = *parsed;
+    }
 
     /// The sequence of three letters, or nothing if they do not name one.
     [[nodiscard]] static constexpr std::optional<EulerSequence> parse(std::string_view letters) noexcept {
@@ -75,6 +81,8 @@ public:
     friend constexpr bool operator==(const EulerSequence&, const EulerSequence&) noexcept = default;
 
 private:
+    static void an_euler_sequence_has_three_letters_of_XYZ_or_xyz_and_no_two_equal_neighbours(); // the compiler says it
+
     std::array<std::int8_t, 3> axes_{0, 1, 2};
     std::array<std::int8_t, 3> signs_{1, 1, 1};
     bool intrinsic_ = true;
@@ -83,11 +91,14 @@ private:
 /// Roll, pitch and yaw: turns about the fixed x, y and z axes (Stuelpnagel's phi, theta, psi).
 inline constexpr EulerSequence roll_pitch_yaw = "xyz";
 
-/// Three angles in the order of their sequence; any finite size on input.
+/// Three angles in the order of their sequence; any finite size on input. Sequence and unit are always given.
 struct EulerAngles {
-    Eigen::Vector3d angles = Eigen::Vector3d::Zero();
-    EulerSequence sequence = roll_pitch_yaw;
-    AngleUnit unit = AngleUnit::radians;
+    EulerAngles(const Eigen::Vector3d& values, EulerSequence order, AngleUnit angle_unit) noexcept // NOLINT(*-by-value)
+        : angles(values), sequence(order), unit(angle_unit) {}
+
+    Eigen::Vector3d angles;
+    EulerSequence sequence;
+    AngleUnit unit;
 };
 
 /// Euler angles of every sequence (Stuelpnagel 1964, section 6, for roll-pitch-yaw). Singular at gimbal lock, where the

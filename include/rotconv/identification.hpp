@@ -57,8 +57,8 @@ struct Verdict {
 };
 
 struct IdentificationSettings {
-    double within = 1e-3;    ///< largest angle of a candidate that fits, radians, from 0
-    double tolerance = 1e-3; ///< of the known attitude and the unknown numbers; see ConversionSettings
+    double within = 1e-3;                 ///< largest angle of a candidate that fits, radians, from 0
+    double tolerance = default_tolerance; ///< of the known attitude and the unknown numbers; see ConversionSettings
 };
 
 /// Finds the convention of numbers that come with the same attitude in a known one.

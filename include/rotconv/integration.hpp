@@ -60,9 +60,11 @@ public:
     /// The times, as parts of a step, at which step() needs the angular velocity.
     [[nodiscard]] std::span<const double> nodes() const noexcept;
 
-    /// Integrates over `h` seconds. Errors: singular; coarse_step; not_finite if a number overflows.
+    /// Integrates over `h` seconds. Errors: singular; coarse_step; not_finite if a number overflows; ended before
+    /// start().
     /// @param rates the body's angular velocity in body axes, rad/s, at the nodes
-    Error step(double h, std::span<const Eigen::Vector3d> rates) noexcept;
+    /// @throw std::invalid_argument if there are not as many rates as nodes
+    Error step(double h, std::span<const Eigen::Vector3d> rates);
 
     /// The largest angle in radians by which the body may have turned in the last step, divided by the distance to a
     /// singularity if that is less than one radian.
@@ -86,7 +88,7 @@ private:
     bool renormalised_;
     Numbers numbers_ = Numbers::Zero();
     double stretch_ = 0.0;
-    Error error_ = Error::none;
+    Error error_ = Error::ended; ///< before start()
 };
 
 /// A function of the time that returns an Eigen::Vector3d. A lambda that returns an Eigen expression needs the return

@@ -15,7 +15,7 @@ namespace rotconv {
 /// Conversion. Thread-safe: run() changes nothing in it.
 class Composition {
 public:
-    /// @param settings `left` and `right` turn only A, before it is multiplied; `fast` and `few_digits` are not used
+    /// @param settings `left` and `right` turn only A, before it is multiplied; `fast` is not used
     Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings = {});
 
     [[nodiscard]] const Spec& first() const noexcept { return first_; }
@@ -35,8 +35,8 @@ private:
     ConversionSettings settings_;
 };
 
-/// The vectors v_ref = R v_body of rows of an attitude R, in any representation, and a vector. With a `passive` Spec the
-/// result is v_body of v_ref.
+/// The vectors v_ref = R v_body of rows of an attitude R, in any representation, and a vector. With a `passive` Spec
+/// the result is v_body of v_ref.
 ///
 /// Attitudes are read to 106 bits, and each number of the result is rounded once, to the double nearest to the exact
 /// function of the numbers read where it is not tiny beside the vector's largest number (below 1e-12 of it).

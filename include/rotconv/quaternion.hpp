@@ -14,7 +14,7 @@ namespace rotconv::quaternion {
 
 /// The attitude q/|q|. Exact: nothing is rounded. The defect is | |q| - 1 |; up to `reported_defect` it may be an upper
 /// bound. Errors: not_finite, zero_quaternion, defect above the tolerance.
-[[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q, double tolerance = any_defect) noexcept;
+[[nodiscard]] Reading to_rotation(const Eigen::Quaterniond& q, double tolerance = default_tolerance) noexcept;
 
 /// | |q| - 1 |.
 /// @pre to_rotation(q) has a rotation
@@ -42,11 +42,17 @@ namespace rotconv::quaternion {
 /// to_rotation() of a quaternion that is far from unit or does not describe an attitude.
 [[nodiscard]] Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) noexcept;
 
-inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {
+[[gnu::always_inline]] inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {
     const Rotation rotation = Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
     const double excess = std::fabs(rotation.squared_norm() - 1.0);
-    // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1); a number that is not finite fails the comparison
-    if (excess <= reported_defect && excess <= tolerance) [[likely]] {
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ // then the comparison is no check for nan
+    const bool is_finite =
+        has_finite_bits(q.w()) && has_finite_bits(q.x()) && has_finite_bits(q.y()) && has_finite_bits(q.z());
+#else
+    constexpr bool is_finite = true; // a number that is not fails the comparison
+#endif
+    // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1)
+    if (is_finite && excess <= reported_defect && excess <= tolerance) [[likely]] {
         return {rotation, excess};
     }
     return to_rotation_of_any_size(q, tolerance);

@@ -19,11 +19,12 @@ inline constexpr double singular_margin = 1e-15;
 
 /// What the rows hold.
 struct RateSettings {
-    bool inverse = false;      ///< convert the rates of the numbers to the angular velocity
-    bool degrees = false;      ///< the angular velocity in degrees a second
-    Frame frame = Frame::body; ///< axes of the angular velocity
-    double tolerance = 1e-3;   ///< largest defect that is accepted; see Reading::defect
-    bool sensitivity = false;  ///< report each row
+    bool inverse = false;                 ///< convert the rates of the numbers to the angular velocity
+    bool degrees = false;                 ///< the angular velocity in degrees a second
+    Frame frame = Frame::body;            ///< axes of the angular velocity
+    double tolerance = default_tolerance; ///< largest defect that is accepted; see Reading::defect
+    bool sensitivity = false;             ///< report each row
+    bool decimal = false;                 ///< see ConversionSettings
 };
 
 /// The kinematic equation of a representation on rows of numbers in the conventions of its Spec. Angles have rates in
@@ -33,7 +34,7 @@ struct RateSettings {
 /// 5.25 eps (4.46) times the condition. Thread-safe: run() changes nothing in it.
 class Rates {
 public:
-    /// @throw std::invalid_argument if not has_rates(spec.name)
+    /// @throw std::invalid_argument if not has_rates(spec.name), or if a modifier of the spec has no meaning
     explicit Rates(const Spec& spec, const RateSettings& settings = {});
 
     /// n numbers and wx, wy, wz; with inverse, n numbers and their n rates.
@@ -46,7 +47,7 @@ public:
     /// @param reports is replaced by the reports of the rows that have an error (singular; overflow of the result;
     /// those of a Reading) or a diagnostic (normalized; near_gimbal_lock of Euler angles), in row order. Their
     /// sensitivity is that of the numbers, which past a half-turn is not that of the attitude for a rotation vector
-    /// @pre out.size() >= rows * out_size()
+    /// @throw std::invalid_argument if `in` is not whole rows, or `out` has no room for the results
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const;
 
 private:

@@ -11,8 +11,7 @@
 
 namespace rotconv {
 
-/// Why numbers do not describe a rotation, or cannot be carried on. Errors are data only; the text of a message is left
-/// to the program that prints it.
+/// Why numbers do not describe a rotation, or cannot be carried on. See message().
 enum class Error : std::uint8_t {
     none,
     not_finite,      ///< a number is nan or infinite
@@ -29,6 +28,11 @@ enum class Error : std::uint8_t {
     ended,           ///< an earlier row of the propagation has failed
 };
 
+/// The error in words, without the numbers and without a full stop.
+[[nodiscard]] std::string_view message(Error error) noexcept;
+
+/// The largest defect that is accepted by default, here and by the program.
+inline constexpr double default_tolerance = 1e-3;
 /// The tolerance that accepts every defect.
 inline constexpr double any_defect = std::numeric_limits<double>::infinity();
 
@@ -37,7 +41,12 @@ inline constexpr double any_defect = std::numeric_limits<double>::infinity();
 class Reading {
 public:
     Reading(const Rotation& rotation, double defect = 0.0) noexcept : rotation_(rotation), defect_(defect) {}
-    Reading(Error error, double defect = 0.0) noexcept : defect_(defect), error_(error) {}
+    /// @throw std::logic_error if the error is Error::none
+    Reading(Error error, double defect = 0.0) : defect_(defect), error_(error) {
+        if (error == Error::none) [[unlikely]] {
+            throw_no_rotation();
+        }
+    }
 
     [[nodiscard]] explicit operator bool() const noexcept { return error_ == Error::none; }
     /// The rotation; of a temporary by value, which a reference may outlive.
@@ -137,8 +146,8 @@ inline constexpr double reported_velocity = 35.0;
 
 /// What is unusual about the numbers of an attitude; 0 where nothing is.
 struct UnusualNumbers {
-    double axis = 0.0;  ///< of an axis that is reported, | length - 1 |
-    double angle = 0.0; ///< the largest angle or angular velocity that is reported
+    double defect = 0.0; ///< a defect that is reported, or | length - 1 | of an axis
+    double angle = 0.0;  ///< the largest angle or angular velocity that is reported
 };
 
 /// The report on one row.
@@ -156,9 +165,9 @@ struct RowReport {
     UnusualNumbers unusual{};      ///< of the first attitude...
     UnusualNumbers reference_unusual{}; ///< ...and of the second
 
-    /// Adds the diagnostics of the defect and of the unusual numbers of the first attitude.
+    /// Adds the diagnostics of the unusual numbers of the first attitude.
     void report_numbers() noexcept {
-        diagnostics |= {DiagnosticKind::normalized, defect > reported_defect || unusual.axis > 0.0};
+        diagnostics |= {DiagnosticKind::normalized, unusual.defect > 0.0};
         diagnostics |= {DiagnosticKind::large_angle, unusual.angle > 0.0};
     }
 };

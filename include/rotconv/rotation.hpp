@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
+#include <optional>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -12,6 +14,11 @@
 #include <rotconv/version.hpp>
 
 namespace rotconv {
+
+/// Whether a number is neither nan nor infinite, by its bits: a check that -ffast-math does not remove.
+[[nodiscard]] inline bool has_finite_bits(double number) noexcept {
+    return (std::bit_cast<std::uint64_t>(number) >> 52U & 0x7ffU) != 0x7ffU;
+}
 
 /// The one internal form of a rotation: a nonzero quaternion (w, x, y, z), Hamilton product, active, body to reference
 /// (`v_ref = R_ref_body * v_body`).
@@ -42,6 +49,8 @@ public:
     [[nodiscard]] double x() const noexcept { return q_[1]; }
     [[nodiscard]] double y() const noexcept { return q_[2]; }
     [[nodiscard]] double z() const noexcept { return q_[3]; }
+    /// w, x, y, z.
+    [[nodiscard]] const std::array<double, 4>& components() const noexcept { return q_; }
     /// Component of the vector part along `axis` 0, 1, 2.
     [[nodiscard]] double along(int axis) const noexcept { return q_[static_cast<std::size_t>(axis) + 1]; }
 
@@ -99,6 +108,19 @@ private:
 
     std::array<double, 4> q_{1.0, 0.0, 0.0, 0.0};
 };
+
+/// The components w, x, y, z, between blanks, with the canonical sign and not normalised.
+std::ostream& operator<<(std::ostream& out, const Rotation& rotation);
+
+/// The angle in [0, pi], in radians, of the rotation from `b` to `a`. Max error: 4 eps of the angle, and the rounding
+/// of the product a b^-1.
+[[nodiscard]] double angle_between(const Rotation& a, const Rotation& b) noexcept;
+
+/// The attitude a (a^-1 b)^fraction, on the shortest rotation from `a` to `b`: with the digits of `a` if both have the
+/// same, otherwise a unit quaternion to rounding. Max error: 4 eps. The same bits on every machine. Nothing if the two
+/// are, to rounding, half a turn apart: no rotation between them is then the shortest.
+/// @pre fraction is in [0, 1]
+[[nodiscard]] std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept;
 
 /// The axes in which an angular velocity is given: w_ref = R w_body. The angular velocity is always that of the body
 /// relative to the reference, in radians a second: Rdot = R [w_body]_x = [w_ref]_x R (Stuelpnagel 1964, section 1: Xdot

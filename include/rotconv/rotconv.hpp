@@ -2,6 +2,21 @@
 
 /// Everything of rotconv::core: the class Rotation, through which each conversion goes, a header for each
 /// representation, and conversion of rows by SPEC.
+///
+/// | SPEC            | header              | namespace       | type                |
+/// | --------------- | ------------------- | --------------- | ------------------- |
+/// | dcm             | dcm.hpp             | dcm             | Dcm                 |
+/// | 6d              | two_column.hpp      | two_column      | TwoColumns          |
+/// | 5d              | two_column.hpp      | five_d          | five_d::Vector5     |
+/// | quat            | quaternion.hpp      | quaternion      | Eigen::Quaterniond  |
+/// | axis-angle      | axis_angle.hpp      | axis_angle      | AxisAngle           |
+/// | rotvec          | rotation_vector.hpp | rotation_vector | RotationVector      |
+/// | euler:SEQ, rpy  | euler.hpp           | euler           | EulerAngles         |
+/// | cayley          | cayley.hpp          | cayley          | Eigen::Vector3d     |
+/// | mrp             | mrp.hpp             | mrp             | Eigen::Vector3d     |
+///
+/// Rows of numbers: parse_spec() of spec.hpp, Conversion of conversion.hpp. Two attitudes: angle_between() and
+/// interpolate() of rotation.hpp.
 
 #include <rotconv/alignment.hpp>
 #include <rotconv/axes.hpp>

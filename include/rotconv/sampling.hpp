@@ -40,7 +40,7 @@ public:
     Sampler(const Spec& spec, SampleSettings settings);
 
     /// Makes the rows of these indices, whole numbers from 0 to 2^53.
-    /// @pre out.size() >= rows.size() * spec.size()
+    /// @throw std::invalid_argument if out.size() < rows.size() * spec.size()
     void run(std::span<const double> rows, std::span<double> out);
 
 private:

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
@@ -86,6 +87,13 @@ struct Spec {
     /// The same with angles, if the representation has any, in degrees.
     [[nodiscard]] Spec in_degrees() const noexcept;
 };
+
+/// The text().
+std::ostream& operator<<(std::ostream& out, const Spec& spec);
+
+/// The order in which Eigen stores the entries of a matrix, and the components of a quaternion: those of data().
+inline constexpr Spec eigen_matrix{.name = RepresentationId::dcm, .column_major = true};
+inline constexpr Spec eigen_quaternion{.name = RepresentationId::quat, .scalar_last = true};
 
 /// Why a text is not a SPEC.
 struct SpecError {

@@ -17,7 +17,7 @@ namespace two_column {
 /// Gram-Schmidt that keeps the first column's direction: e1 = c1/|c1|, e2 along c2 - (e1.c2) e1, e3 = e1 x e2.
 /// The columns may have any length. The defect is exact only above `reported_defect`; below, it is an upper bound. See
 /// defect(). Errors: not_finite, rank_deficient, defect above the tolerance.
-[[nodiscard]] Reading to_rotation(const TwoColumns& m, double tolerance = any_defect) noexcept;
+[[nodiscard]] Reading to_rotation(const TwoColumns& m, double tolerance = default_tolerance) noexcept;
 
 /// Largest singular value of M - (polar factor of M).
 /// @pre to_rotation(m) has a rotation
@@ -51,7 +51,7 @@ namespace five_d {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 /// r11 = sqrt 2 (y'y - 1)/(y'y + 1), the other five 2 sqrt 2 y/(y'y + 1), then as two_column::to_rotation().
-[[nodiscard]] Reading to_rotation(const Vector5& y, double tolerance = any_defect) noexcept;
+[[nodiscard]] Reading to_rotation(const Vector5& y, double tolerance = default_tolerance) noexcept;
 
 /// The defect of the two columns.
 /// @pre to_rotation(y) has a rotation

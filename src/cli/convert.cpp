@@ -65,7 +65,6 @@ Command convert(const Given& given) {
     const std::string& method = given.text("--method");
     ConversionSettings conversion = attitude_settings_of(given);
     conversion.fast = method == fast_method;
-    conversion.few_digits = !given.values.empty() || given.text("--input-format") != "f64";
     if (to.size() > 1 && !method.empty() && method != default_method && method != fast_method) {
         throw Usage("--method {} is for one SPEC after -t", method);
     }

@@ -100,29 +100,20 @@ std::string why(const stream::RowError& error, const Subject& subject) {
     case stream::RowError::What::attitude: break;
     }
     switch (error.error) {
-    case Error::none: break;
-    case Error::not_finite: return "not finite";
-    case Error::overflow: return "the result is too large for a double";
-    case Error::zero_quaternion: return "a zero quaternion has no attitude";
-    case Error::zero_axis: return "a zero axis with an angle that is not 0";
-    case Error::not_proper: return "no rotation is nearest to a matrix with det <= 0";
     case Error::rank_deficient:
         return subject.representation == RepresentationId::dcm ? "the matrix is nearly of rank one"
                                                                : "the two columns do not span a plane";
     case Error::singular:
         return fmt::format("{} has no rates at {}{}", entry.text, entry.singular_attitude,
                            subject.has_steps ? ", and a step came too near to it (--substeps)" : "");
-    case Error::past_half_turn: return "the body may have turned by half a turn or more since the row before (a gap?)";
-    case Error::ended: return "no attitude, because an earlier row failed";
     case Error::coarse_step:
         return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit)",
                            entry.text);
-    case Error::time_order: return "time does not increase";
     case Error::defect:
         return fmt::format("defect {} is above the tolerance {} (--tolerance){}", error.defect, subject.tolerance,
                            error.norm > 0.0 ? fmt::format(", its norm is {:.12g}", error.norm) : "");
+    default: return std::string(message(error.error));
     }
-    return {};
 }
 
 /// What to do about it.

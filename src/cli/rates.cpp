@@ -35,14 +35,16 @@ Command rates(const Given& given) {
                                                 .degrees = degrees,
                                                 .frame = frame,
                                                 .tolerance = reading.tolerance,
-                                                .sensitivity = reading.sensitivity}));
+                                                .sensitivity = reading.sensitivity,
+                                                .decimal = reading.decimal}));
     }
     require_rates("--from", spec);
     const RateSettings settings{.inverse = is_inverse,
                                 .degrees = degrees,
                                 .frame = frame,
                                 .tolerance = reading.tolerance,
-                                .sensitivity = reading.sensitivity};
+                                .sensitivity = reading.sensitivity,
+                                .decimal = reading.decimal};
     return command(fmt::format("{} with {}", name, is_inverse ? "its rates" : "wx wy wz"),
                    operations::rates_numbers(spec, settings), operations::rates(spec, settings));
 }

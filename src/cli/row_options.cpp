@@ -327,7 +327,9 @@ stream::OnError on_error_of(const Given& given) {
 }
 
 ConversionSettings settings_of(const Given& given) {
-    return {.tolerance = tolerance_of(given), .sensitivity = shown_diagnostics_of(given) == ShowDiagnostics::columns};
+    return {.tolerance = tolerance_of(given),
+            .sensitivity = shown_diagnostics_of(given) == ShowDiagnostics::columns,
+            .decimal = !given.values.empty() || given.text("--input-format") != "f64"};
 }
 
 ConversionSettings attitude_settings_of(const Given& given) {

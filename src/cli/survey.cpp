@@ -58,13 +58,13 @@ private:
 Command survey(const Given& given) {
     refuse_values(given, "survey");
     const Spec from = spec_of(given, "--from");
-    const double tolerance = tolerance_of(given);
+    const ConversionSettings settings = settings_of(given);
     const auto conclusion = std::make_shared<SurveyConclusion>(
         amount_of(given, "--condition", 1e3, true),
         one_of<bool>(given, "--format", "format of survey", {{"pretty", false}, {"json", true}}));
-    RowsCommand command =
-        rows_command(given, {.list = given.text("--columns")}, operations::attitude_numbers(from),
-                     operations::survey(from, tolerance, conclusion->survey()), messages::subject_of(from, tolerance));
+    RowsCommand command = rows_command(given, {.list = given.text("--columns")}, operations::attitude_numbers(from),
+                                       operations::survey(from, settings, conclusion->survey()),
+                                       messages::subject_of(from, settings.tolerance));
     command.options.format = stream::Format::result;
     command.conclusion = conclusion;
     return command;

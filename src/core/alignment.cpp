@@ -26,8 +26,6 @@ using Products = Eigen::Map<const Eigen::Matrix<double, 16, 16>>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-Vector4d unit(const Rotation& q) noexcept { return Vector4d(q.w(), q.x(), q.y(), q.z()) / std::sqrt(q.squared_norm()); }
-
 Rotation rotation(const Vector4d& q) noexcept { return Rotation::from_components(q[0], q[1], q[2], q[3]); }
 
 /// The matrix of the product q r in the components of r.

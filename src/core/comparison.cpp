@@ -4,16 +4,17 @@
 #include <array>
 #include <limits>
 
+#include "checks.hpp"
 #include "input_batch.hpp"
 #include "kernels.hpp"
 
 namespace rotconv {
 Comparison::Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings)
-    : from_(from), reference_(reference), settings_(settings) {}
+    : from_(checked(from)), reference_(checked(reference)), settings_(settings) {}
 
 void Comparison::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
-    const std::size_t rows = in.size() / inputs();
+    const std::size_t rows = checked_rows(in.size(), inputs(), out.size(), outputs());
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run_batch(in.data() + first * inputs(), first, std::min(batch_rows, rows - first),
                   out.data() + first * outputs(), reports);
@@ -36,11 +37,8 @@ void Comparison::run_batch(const double* in, std::size_t first, std::size_t rows
     for (std::size_t i = 0; i < rows; ++i) {
         out[i * width] = settings_.per_radian * angles[i];
         if (settings_.attitudes) {
-            const Rotation own = input.attitudes.at(i);
-            const Rotation other = reference.attitudes.at(i);
-            std::ranges::copy(
-                std::array{own.w(), own.x(), own.y(), own.z(), other.w(), other.x(), other.y(), other.z()},
-                out + (i + 1) * width - 8);
+            std::ranges::copy(input.attitudes.at(i).components(), out + (i + 1) * width - 8);
+            std::ranges::copy(reference.attitudes.at(i).components(), out + (i + 1) * width - 4);
         }
     }
     for (std::size_t i = 0; i < rows; ++i) {

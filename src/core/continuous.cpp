@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "checks.hpp"
+#include "numerics/power_of_two.hpp"
 #include "representations/codec.hpp"
 
 namespace rotconv {
@@ -13,20 +15,21 @@ ContinuousNumbers::ContinuousNumbers(const Spec& spec) noexcept : spec_(spec), c
 bool ContinuousNumbers::have_choice() const noexcept { return codec_->nearest != nullptr; }
 
 void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport> reports,
-                            std::span<const double> rest) noexcept {
+                            std::span<const double> rest) {
     if (!have_choice()) {
         return;
     }
     static constexpr std::array<double, most_numbers> nothing{};
     const std::size_t size = spec_.size();
     auto report = reports.begin();
-    for (std::size_t row = 0; row < numbers.size() / size; ++row) {
+    const std::size_t rows = checked_rows(numbers.size(), size, rest.empty() ? numbers.size() : rest.size(), size);
+    for (std::size_t row = 0; row < rows; ++row) {
         const auto own = numbers.subspan(row * size, size);
         const bool is_reported = report != reports.end() && report->row == row;
         const Error error = is_reported ? report->error : Error::none;
         const DiagnosticSet diagnostics = is_reported ? report->diagnostics : DiagnosticSet();
         report += is_reported ? 1 : 0;
-        if (error != Error::none || !std::ranges::all_of(own, [](double number) { return std::isfinite(number); })) {
+        if (error != Error::none || !all_finite(own.data(), size)) {
             continue;
         }
         if (has_last_) {

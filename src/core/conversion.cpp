@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
+#include "checks.hpp"
 #include "input_batch.hpp"
 #include "kernels.hpp"
 #include "numerics/power_of_two.hpp"
@@ -45,17 +45,6 @@ bool passes_numbers(const Spec& from, const Spec& to) noexcept {
     return are_angles ? same(0) && same(2) : from.name == to.name;
 }
 
-/// False, without a look at a text, if a row whose condition is at most 1e5 has too many digits to leave it open: if
-/// its largest number does not end within 7 decimals.
-bool may_have_few_digits(std::span<const double> numbers) noexcept {
-    double largest = 0.0;
-    for (const double number : numbers) {
-        largest = std::max(largest, std::abs(number));
-    }
-    const double units = 1e7 * largest;
-    return std::abs(units - std::nearbyint(units)) <= 1e-3 + 0x1p-51 * units; // what is rounded
-}
-
 /// Whether numbers of the result are a convention, and another kind says so.
 bool is_convention(DiagnosticSet found) noexcept {
     return found.has(DiagnosticKind::gimbal_lock) || found.has(DiagnosticKind::infinite) ||
@@ -69,14 +58,16 @@ ExactQuaternion exact(const FixedRotation& turn) noexcept {
 
 } // namespace
 
-Reading read_attitude(const Spec& spec, std::span<const double> numbers) noexcept {
+Reading read_attitude(const Spec& spec, std::span<const double> numbers) {
+    check_size(numbers.size(), checked(spec).size());
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
     const Reading reading = read_row(spec, own.data());
     return reading && spec.passive ? Reading(reading->inverse(), reading.defect()) : reading;
 }
 
-FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
+FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double> numbers) {
+    check_size(numbers.size(), checked(spec).size());
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
     ExactQuaternion q{};
@@ -101,52 +92,10 @@ Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<Fix
     return {left.has_value(), right.has_value(), exact(left.value_or(none)), exact(right.value_or(none))};
 }
 
-double attitude_error(const Spec& spec, std::span<const double> numbers, double error) noexcept {
-    const auto turn_per_error = codec_of(spec.name).turn_per_error;
-    const double unit = spec.unit == AngleUnit::degrees ? radians_per_degree : 1.0;
-    return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
-}
-
-UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers) noexcept {
-    UnusualNumbers found;
-    if (!representation(spec.name).has_angles()) {
-        return found;
-    }
-    const bool has_axis = spec.name == RepresentationId::axis_angle;
-    const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
-    const auto scale = PowerOfTwo::to_unit(largest);
-    double square = 0.0;
-    for (const double number : numbers.first(3)) {
-        square += scale(number) * scale(number);
-    }
-    const double length = scale.undone(std::sqrt(square));
-    const double angle = has_axis ? std::abs(numbers[3]) : spec.name == RepresentationId::rotvec ? length : largest;
-    if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
-        found.axis = std::abs(length - 1.0);
-    }
-    if (spec.unit == AngleUnit::radians && angle > reported_angle) {
-        found.angle = angle;
-    }
-    return found;
-}
-
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
-    : from_(from), to_(to), settings_(settings), out_codec_(&codec_of(to.name)) {
-    if (!settings.few_digits || (!settings.left && !settings.right && passes_numbers(from, to))) {
-        return;
-    }
-    const double unit = to.unit == AngleUnit::degrees ? degrees_per_radian : 1.0;
-    if (representation(to.name).has_gimbal_lock) {
-        const double middle = to.sequence.proper() ? unit * std::numbers::pi / 2 : 0.0;
-        const double inner = unit * (std::numbers::pi / 2 - 0.142); // a little more than 2 asin(1/(10 sqrt 2))
-        const double outer = unit * (std::numbers::pi / 2 - 0.142e-4);
-        limits_ = {1, 1, middle - inner, middle + inner, middle - outer, middle + outer};
-    } else if (to.name == RepresentationId::axis_angle) {
-        limits_ = {3, 1, unit * 0.101, unit * 4.0, unit * 0.101e-4, unit * 4.0};
-    } else if (to.name == RepresentationId::cayley) {
-        limits_ = {0, 3, -2.5, 2.5, -250.0, 250.0}; // |c|^2 is less than 19 and 2e5
-    }
-}
+    : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)),
+      looks_at_digits_(settings.decimal && out_codec_->well_conditioned != nullptr &&
+                       (settings.left || settings.right || !passes_numbers(from, to))) {}
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
@@ -155,7 +104,8 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     const Turns turns = to_.passive ? turns_of(inverse_of(settings_.right), inverse_of(settings_.left))
                                     : turns_of(settings_.left, settings_.right);
     const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
-    const std::size_t rows = in.size() / from_.size();
+    const std::size_t rows = checked_rows(in.size(), from_.size(), out.size(), to_.size());
+    check_size(rest.empty() ? out.size() : rest.size(), rows * to_.size());
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run_batch(batch, in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
                   out.data() + first * to_.size(), rest.empty() ? nullptr : rest.data() + first * to_.size(), reports);
@@ -175,13 +125,13 @@ void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::
         convert(batch, input.own(), rows, input.attitudes, out, rest, diagnostics.data());
         std::for_each_n(out, rows * to_.size(), [](double& number) { number += 0.0; }); // -0 becomes 0
     }
-    for (std::size_t k = limits_.first; k < limits_.first + limits_.count; ++k) {
+    if (looks_at_digits_) {
+        const NumberRange range = out_codec_->well_conditioned(to_);
+        const auto is_outside = [&range](double number) { return number < range.least || number > range.greatest; };
         for (std::size_t i = 0; i < rows; ++i) {
-            const double number = out[i * to_.size() + k];
-            if (number < limits_.low || number > limits_.high) {
-                diagnostics[i] |=
-                    {DiagnosticKind::few_digits, number < limits_.lowest || number > limits_.highest ||
-                                                     may_have_few_digits({in + i * from_.size(), from_.size()})};
+            const std::span numbers(out + i * to_.size() + range.first, range.count);
+            if (std::ranges::any_of(numbers, is_outside) && !is_convention(diagnostics[i])) {
+                diagnostics[i] |= {DiagnosticKind::few_digits, openness(input, i) > reported_openness};
             }
         }
     }
@@ -207,8 +157,8 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
                 found.sensitivity = out_codec_->sensitivity(to_, attitudes.at(i));
             }
             found.diagnostics |= diagnostics[i];
-            if (found.sensitivity.condition <= few_digits_condition || is_convention(diagnostics[i])) {
-                found.diagnostics -= {DiagnosticKind::few_digits};
+            if (found.diagnostics.has(DiagnosticKind::few_digits)) {
+                found.openness = openness(input, i);
             }
             if (!settings_.sensitivity && found.diagnostics.empty()) {
                 continue;
@@ -217,6 +167,16 @@ void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostic
         found.row = first + i;
         reports.push_back(found);
     }
+}
+
+double Conversion::openness(const InputBatch& input, std::size_t row) const noexcept {
+    if (input.attitudes.error[row] != Error::none) {
+        return 0.0;
+    }
+    const std::span numbers(input.own() + row * from_.size(), from_.size());
+    const double condition = out_codec_->sensitivity(to_, input.attitudes.at(row)).condition;
+    return condition > few_digits_condition ? condition * attitude_error(from_, numbers, 0.5 * last_place(numbers))
+                                            : 0.0;
 }
 
 } // namespace rotconv

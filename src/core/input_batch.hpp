@@ -64,7 +64,7 @@ public:
         if (report.defect > settings.tolerance) {
             report.error = Error::defect;
         } else {
-            report.unusual = unusual_numbers(*spec_, {own_ + row * size_, size_});
+            report.unusual = unusual_numbers(*spec_, {own_ + row * size_, size_}, report.defect, settings.decimal);
             report.report_numbers();
         }
         return report;

@@ -1,22 +1,23 @@
-#include "interpolation.hpp"
+#include <rotconv/rotation.hpp>
 
 #include <cmath>
 #include <limits>
 
 #include "numerics/elementary.hpp"
+#include "representations/half_turn.hpp"
 
 namespace rotconv {
 namespace {
 
 using Eigen::Vector4d;
 
-Vector4d unit(const Rotation& q) noexcept { return Vector4d(q.w(), q.x(), q.y(), q.z()) / std::sqrt(q.squared_norm()); }
-
 double sine(double angle) noexcept { return sine_cosine<double>(DoubleDouble(angle), AngleUnit::radians).sine; }
 
 } // namespace
 
-std::optional<Rotation> interpolated(const Rotation& a, const Rotation& b, double fraction) noexcept {
+double angle_between(const Rotation& a, const Rotation& b) noexcept { return angle_of(a * b.inverse()); }
+
+std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept {
     const Vector4d p = unit(a);
     const Vector4d q = unit(b);
     const double cosine = p.dot(q); // of half the turn

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "checks.hpp"
 #include "input_batch.hpp"
 #include "kernels.hpp"
+#include "numerics/power_of_two.hpp"
 
 namespace rotconv {
 namespace {
@@ -16,7 +18,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Calls run(in, rows, out, first) for batches of rows of so many numbers.
 template <class Run> void for_each_batch(std::span<const double> in, std::size_t inputs, std::span<double> out,
                                          std::size_t outputs, const Run& run) {
-    const std::size_t rows = in.size() / inputs;
+    const std::size_t rows = checked_rows(in.size(), inputs, out.size(), outputs);
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         run(in.data() + first * inputs, std::min(batch_rows, rows - first), out.data() + first * outputs, first);
     }
@@ -42,12 +44,13 @@ RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std:
 }
 
 Composition::Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings)
-    : first_(first), second_(second), to_(to), settings_(settings) {}
+    : first_(checked(first)), second_(checked(second)), to_(checked(to)), settings_(settings) {}
 
 void Composition::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                       std::span<double> rest) const {
     reports.clear();
     const std::size_t width = first_.size() + second_.size();
+    check_size(rest.empty() ? out.size() : rest.size(), in.size() / width * to_.size());
     const Turns turns = turns_of(settings_.left, settings_.right);
     const ProductBatch batch{&first_, &turns, &second_, &to_, settings_.lock_margin};
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t begin) {
@@ -83,7 +86,7 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
 }
 
 VectorRotation::VectorRotation(const Spec& from, const ConversionSettings& settings)
-    : from_(from), settings_(settings) {}
+    : from_(checked(from)), settings_(settings) {}
 
 void VectorRotation::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
@@ -98,16 +101,14 @@ void VectorRotation::run(std::span<const double> in, std::span<double> out, std:
         for (std::size_t i = 0; i < rows; ++i) {
             const std::span vector(vectors.data() + 3 * i, 3);
             const std::span rotated(written + 3 * i, 3);
-            const auto are_finite = [](auto three) {
-                return std::ranges::all_of(three, [](double x) { return std::isfinite(x); });
-            };
             std::ranges::for_each(rotated, [](double& number) { number += 0.0; }); // -0 becomes 0
-            if (are_finite(rotated) && !input.is_remarkable(i, settings_)) {
+            const bool is_finite = all_finite(rotated.data(), 3);
+            if (is_finite && !input.is_remarkable(i, settings_)) {
                 continue;
             }
             RowReport found = input.report(i, settings_);
-            if (found.error == Error::none && !are_finite(rotated)) {
-                found = {.error = are_finite(vector) ? Error::overflow : Error::not_finite};
+            if (found.error == Error::none && !is_finite) {
+                found = {.error = all_finite(vector.data(), 3) ? Error::overflow : Error::not_finite};
             }
             if (found.error != Error::none) {
                 std::ranges::fill(rotated, nan);

@@ -1,5 +1,7 @@
 #include <rotconv/rotation.hpp>
 
+#include <ostream>
+
 #include "numerics/power_of_two.hpp"
 
 namespace rotconv {
@@ -7,6 +9,11 @@ namespace rotconv {
 Rotation Rotation::scaled(double w, double x, double y, double z) noexcept {
     const auto scale = PowerOfTwo::to_unit(largest_magnitude(w, x, y, z));
     return {scale(w), scale(x), scale(y), scale(z)};
+}
+
+std::ostream& operator<<(std::ostream& out, const Rotation& rotation) {
+    const auto q = rotation.canonical().components();
+    return out << q[0] << ' ' << q[1] << ' ' << q[2] << ' ' << q[3];
 }
 
 double Rotation::vector_length() const noexcept {

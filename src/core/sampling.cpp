@@ -5,8 +5,10 @@
 #include <numbers>
 #include <utility>
 
+#include "checks.hpp"
 #include "numerics/double_double.hpp"
 #include "numerics/philox.hpp"
+#include "representations/codec.hpp"
 
 // Bytes are the same on every machine: no function of the C library but the square root, which is rounded correctly.
 
@@ -160,7 +162,7 @@ std::vector<SampleKind> sample_kinds_of(RepresentationId name) {
     std::vector kinds{uniform, small, half_turn, lock, border, cube};
     if (name == RepresentationId::quat) {
         kinds.push_back(scaled);
-    } else if (name <= RepresentationId::five_d) { // dcm, 6d, 5d
+    } else if (codec_of(name).exact_defect != nullptr) { // dcm, 6d, 5d
         kinds.push_back(noise);
     } else if (representation(name).has_angles()) {
         kinds.push_back(many_turns);
@@ -173,6 +175,7 @@ Sampler::Sampler(const Spec& spec, SampleSettings settings)
       cube_(rotations_of_cube(spec.name != RepresentationId::cayley)) {}
 
 void Sampler::run(std::span<const double> rows, std::span<double> out) {
+    check_size(out.size(), rows.size() * conversion_.to().size());
     attitudes_.clear();
     for (const double row : rows) {
         const auto q = attitude_of(static_cast<std::uint64_t>(row));

@@ -1,6 +1,7 @@
 #include <rotconv/spec.hpp>
 
 #include <algorithm>
+#include <ostream>
 
 #include "representations/codec.hpp"
 
@@ -92,6 +93,8 @@ std::string Spec::text() const {
     }
     return text;
 }
+
+std::ostream& operator<<(std::ostream& out, const Spec& spec) { return out << spec.text(); }
 
 std::array<std::uint8_t, 9> Spec::order() const noexcept {
     if (column_major || scalar_last) {

@@ -32,7 +32,7 @@ void invert(RepresentationId name, double* numbers) noexcept {
 /// The sign of a quaternion that is printed.
 void make_sign_canonical(double* q) noexcept {
     const double* const leader = std::find_if(q, q + 4, [](double component) { return component != 0.0; });
-    if (leader != q + 4 && *leader < 0.0) {
+    if (leader != q + 4 && *leader < 0.0) { // not Rotation::sign(), which looks at the sign of a nan
         std::transform(q, q + 4, q, std::negate<>());
     }
 }

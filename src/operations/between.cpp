@@ -5,12 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "../core/interpolation.hpp"
-
 namespace rotconv::operations {
 namespace {
-
-std::array<double, 4> components_of(const Rotation& q) noexcept { return {q.w(), q.x(), q.y(), q.z()}; }
 
 /// Copies rows of `size` numbers to their places among rows of `width`.
 void scatter(std::span<const double> from, std::size_t size, std::span<const std::size_t> rows, std::span<double> to,
@@ -41,7 +37,8 @@ void SomeRows::run(std::span<double> to, std::size_t width, std::span<double> re
 Between::Between(PairFunction at, PairFunction between, std::size_t first, const Spec& reference,
                  const ConversionSettings& settings)
     : at_(std::move(at)), between_(std::move(between)), first_(first),
-      reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
+      reading_(reference, Spec{},
+               {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}) {}
 
 void Between::run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports,
                   std::span<double> rest) {
@@ -108,11 +105,11 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
     if (std::isnan(earlier.w()) || std::isnan(later.w())) {
         return {1.0}; // which is reported of them
     }
-    const auto found = interpolated(earlier, later, fraction);
+    const auto found = interpolate(earlier, later, fraction);
     if (!found) {
         reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
     }
-    return components_of(found.value_or(Rotation()));
+    return found.value_or(Rotation()).components();
 }
 
 } // namespace rotconv::operations

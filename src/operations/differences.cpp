@@ -25,7 +25,7 @@ Composition composition_of(const DifferenceSettings& settings) {
             {.name = RepresentationId::rotvec,
              .unit = settings.degrees ? AngleUnit::degrees : AngleUnit::radians,
              .passive = of_body},
-            {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}};
+            {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}};
 }
 
 /// Compares each row with the last one before it that was not refused.

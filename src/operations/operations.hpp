@@ -97,6 +97,7 @@ struct DifferenceSettings {
     Frame frame = Frame::body;
     double tolerance = 0.0;   ///< see ConversionSettings
     bool sensitivity = false; ///< a report of every row
+    bool decimal = false;     ///< see ConversionSettings
 };
 /// The angular velocity since the row before, from rows of a time and an attitude: the rotation vector from the earlier
 /// attitude to the later one over the time between them. The first row has the velocity of the second, nan if there is
@@ -121,7 +122,7 @@ struct PropagationRows {
 [[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings);
 
 /// Adds the attitudes to a survey, which must outlive the operation. The results of the rows are not used.
-[[nodiscard]] Operation survey(const Spec& from, double tolerance, Survey& survey);
+[[nodiscard]] Operation survey(const Spec& from, const ConversionSettings& settings, Survey& survey);
 
 /// Where the second attitude of a pair is.
 struct PairedRows {

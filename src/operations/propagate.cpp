@@ -70,7 +70,8 @@ private:
                            : report.defect > settings_.tolerance ? Error::defect
                                                                  : answer->attitude.error();
             ended_ = report.error != Error::none;
-            report.diagnostics = {DiagnosticKind::normalized, !ended_ && report.defect > reported_defect};
+            report.unusual.defect = !ended_ && report.defect > reported_defect ? report.defect : 0.0;
+            report.report_numbers();
             report.diagnostics |= {DiagnosticKind::coarse_step, !ended_ && answer->step_error > reported_step_error};
             add(ended_ ? Rotation() : *answer->attitude);
             report_refused(reports);

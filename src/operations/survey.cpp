@@ -5,8 +5,8 @@ namespace {
 
 class AddToSurvey final : public stream::RowOperation {
 public:
-    AddToSurvey(const Spec& from, double tolerance, Survey& survey)
-        : conversion_(from, Spec{}, {.tolerance = tolerance}), survey_(&survey) {
+    AddToSurvey(const Spec& from, const ConversionSettings& settings, Survey& survey)
+        : conversion_(from, Spec{}, settings), survey_(&survey) {
         names = names_of(Spec{});
         in_order = true;
     }
@@ -32,8 +32,8 @@ private:
 
 } // namespace
 
-Operation survey(const Spec& from, double tolerance, Survey& survey) {
-    return std::make_shared<AddToSurvey>(from, tolerance, survey);
+Operation survey(const Spec& from, const ConversionSettings& settings, Survey& survey) {
+    return std::make_shared<AddToSurvey>(from, settings, survey);
 }
 
 } // namespace rotconv::operations

@@ -267,31 +267,6 @@ NumberError read_number(std::string_view text, double& value) noexcept {
     return std::isinf(value) && !is_spelt_out ? NumberError::too_large : NumberError::none;
 }
 
-double unit_of_last_place(std::span<const std::string_view> texts, std::span<const double> numbers) noexcept {
-    const double largest = std::abs(std::ranges::max(numbers, {}, [](double number) { return std::abs(number); }));
-    int finest = 0; // a power of ten
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        if (std::abs(numbers[i]) < 0.5 * largest) {
-            continue;
-        }
-        const std::string_view mantissa = texts[i].substr(0, texts[i].find_first_of("eE"));
-        std::string_view digits = texts[i].substr(std::min(mantissa.size() + 1, texts[i].size()));
-        digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
-        int exponent = 0; // what is out of range is that of 0 alone
-        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-        const std::size_t point = std::min(mantissa.find('.'), mantissa.size() - 1);
-        const auto decimals = static_cast<int>(mantissa.size() - point - 1);
-        exponent = std::clamp(exponent, -100'000, 100'000);
-        if (decimals == 0 || exponent >= decimals) {
-            return 0.0;
-        }
-        finest = std::min(finest, exponent - decimals);
-    }
-    double unit = 0.0;
-    scan_whole(fmt::format("1e{}", finest), unit);
-    return unit;
-}
-
 bool is_number(std::string_view text) noexcept {
     double value = 0.0;
     return read_number(text, value) != NumberError::not_a_number;

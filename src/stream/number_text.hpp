@@ -18,11 +18,6 @@ enum class NumberError : std::uint8_t { none, not_a_number, too_large };
 /// Correctly rounded, independent of the locale. Too small for a double is 0.
 NumberError read_number(std::string_view text, double& value) noexcept;
 
-/// The unit of the last place of numbers that read_number() has read: of the finest decimal place among those that are
-/// at least half as large as the largest; 0, because they are exact, if one of these is written as an integer.
-[[nodiscard]] double unit_of_last_place(std::span<const std::string_view> texts,
-                                        std::span<const double> numbers) noexcept;
-
 /// True where read_number() would take the text, too large ones included.
 [[nodiscard]] bool is_number(std::string_view text) noexcept;
 

@@ -404,12 +404,12 @@ void RowTransformer::tell_diagnostics(const Row& row, const RowReport& report, s
             return;
         }
         for (const bool of_reference : {true, false}) { // of either, or of both
-            const auto& [axis, angle] = of_reference ? report.reference_unusual : report.unusual;
-            const double defect = of_reference ? report.reference_defect : report.defect;
-            if (is_angle ? angle > 0.0 : axis > 0.0 || is_reported(defect, row, of_reference)) {
+            const auto& [defect, angle] = of_reference ? report.reference_unusual : report.unusual;
+            const double figure = is_angle ? angle : defect;
+            if (figure > 0.0) {
                 output.events.emplace_back(Diagnostic{.line = of_reference ? row.reference_number : row.number,
                                                       .kind = diagnostic.kind,
-                                                      .figure = is_angle ? angle : std::max(axis, defect),
+                                                      .figure = figure,
                                                       .of_reference = of_reference});
             }
         }
@@ -421,54 +421,9 @@ std::span<const double> RowTransformer::numbers_of(const Row& row) const noexcep
     return std::span<const double>(parts_.numbers).subspan(row.index * size, size);
 }
 
-double RowTransformer::last_place_of(const Row& row, bool of_reference) {
-    const bool is_apart = of_reference && row.reference_number > 0; // otherwise both attitudes stand in the row
-    const InputOptions& input = is_apart ? options_->pairing->reference : options_->input;
-    const Layout& layout = is_apart ? *reference_layout_ : *layout_;
-    const bool is_second = of_reference && !is_apart;
-    const auto& spec = is_second ? input.numbers.second : input.numbers.attitude;
-    if (input.width > 0 || !spec) {
-        return 0.0;
-    }
-    const std::size_t count = spec->size();
-    const std::size_t first = is_second ? layout.count - count : input.numbers.kept;
-    texts_.clear();
-    static_cast<void>(layout.delimiter.split(is_apart ? row.reference : row.line.text, texts_));
-    for (std::size_t i = first; i < first + count; ++i) {
-        texts_.push_back(layout.delimiter.text_of(texts_[layout.positions.empty() ? i : layout.positions[i]]));
-    }
-    return unit_of_last_place(std::span(texts_).last(count),
-                              numbers_of(row).subspan((is_apart ? layout_->count : 0) + first, count));
-}
-
-bool RowTransformer::is_reported(double defect, const Row& row, bool of_reference) {
-    return defect > reported_defect && defect > 2.0 * last_place_of(row, of_reference);
-}
-
-void RowTransformer::hold_against_digits(const Row& row, RowReport& report) {
-    const bool is_off = report.diagnostics.has(DiagnosticKind::normalized);
-    if (is_off && report.unusual.axis + report.reference_unusual.axis == 0.0 &&
-        !is_reported(report.defect, row, false) && !is_reported(report.reference_defect, row, true)) {
-        report.diagnostics -= {DiagnosticKind::normalized};
-    }
-    if (report.diagnostics.has(DiagnosticKind::few_digits)) {
-        const RowNumbers& read = options_->input.numbers;
-        const double error = 0.5 * last_place_of(row, false);
-        report.openness =
-            report.sensitivity.condition * attitude_error(*read.attitude, numbers_of(row).subspan(read.kept), error);
-        if (!(report.openness > reported_openness)) {
-            report.diagnostics -= {DiagnosticKind::few_digits};
-        }
-    }
-}
-
-const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) {
+const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) noexcept {
     static constexpr RowReport nothing{};
-    if (!is_reported_before(row, answer + 1)) {
-        return nothing;
-    }
-    hold_against_digits(row, reports_[next_report_]);
-    return reports_[next_report_++];
+    return is_reported_before(row, answer + 1) ? reports_[next_report_++] : nothing;
 }
 
 } // namespace rotconv::stream

@@ -78,13 +78,7 @@ private:
         return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < answer;
     }
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
-    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer);
-    /// Removes from the report what the digits of the row's numbers do not bear out.
-    void hold_against_digits(const Row& row, RowReport& report);
-    /// Whether a defect of the row's attitude, or of the other one, is reported: rounding does not explain it.
-    [[nodiscard]] bool is_reported(double defect, const Row& row, bool of_reference);
-    /// The unit of the last place of that attitude's numbers; 0 if they are not text.
-    [[nodiscard]] double last_place_of(const Row& row, bool of_reference);
+    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer) noexcept;
     /// Of a row, and of its partner.
     [[nodiscard]] std::span<const double> numbers_of(const Row& row) const noexcept;
     /// `given`: the row as it was read.
@@ -108,7 +102,6 @@ private:
     // One batch, reused: nothing is allocated per row once they have grown.
     std::vector<Row> rows_;
     RowParts parts_;
-    std::vector<std::string_view> texts_; ///< of one row's fields and numbers
     std::vector<RowError> errors_;
     std::vector<std::size_t> lines_; ///< of the rows with numbers
     std::vector<std::size_t> reference_lines_;

@@ -83,8 +83,7 @@ private:
 /// What a diagnostic of the row says beside its kind.
 [[nodiscard]] inline double figure_of(const RowReport& report, DiagnosticKind kind) noexcept {
     switch (kind) {
-    case DiagnosticKind::normalized:
-        return std::max({report.defect, report.reference_defect, report.unusual.axis, report.reference_unusual.axis});
+    case DiagnosticKind::normalized: return std::max(report.unusual.defect, report.reference_unusual.defect);
     case DiagnosticKind::large_angle: return std::max(report.unusual.angle, report.reference_unusual.angle);
     case DiagnosticKind::near_gimbal_lock: return report.sensitivity.condition;
     case DiagnosticKind::method_error:

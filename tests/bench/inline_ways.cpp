@@ -93,14 +93,18 @@ namespace typed {
 
 namespace set = rotconv;
 
-constexpr auto from_dcm = [](const double* m, Sequence) { return *set::dcm::to_rotation(matrix(m)); };
+constexpr auto from_dcm = [](const double* m, Sequence) { return *set::dcm::to_rotation(matrix(m), set::any_defect); };
 constexpr auto from_6d = [](const double* m, Sequence) {
-    return *set::two_column::to_rotation(Eigen::Map<const set::TwoColumns>(m));
+    return *set::two_column::to_rotation(Eigen::Map<const set::TwoColumns>(m), set::any_defect);
 };
-constexpr auto from_quat = [](const double* q, Sequence) { return *set::quaternion::to_rotation(quaternion(q)); };
+constexpr auto from_quat = [](const double* q, Sequence) {
+    return *set::quaternion::to_rotation(quaternion(q), set::any_defect);
+};
 constexpr auto from_rotvec = [](const double* v, Sequence) { return *set::rotation_vector::to_rotation({vector(v)}); };
 constexpr auto from_cayley = [](const double* c, Sequence) { return *set::cayley::to_rotation(vector(c)); };
-constexpr auto from_euler = [](const double* e, Sequence s) { return *set::euler::to_rotation({vector(e), s}); };
+constexpr auto from_euler = [](const double* e, Sequence s) {
+    return *set::euler::to_rotation({vector(e), s, set::AngleUnit::radians});
+};
 constexpr auto to_quat = [](const Rotation& r, Sequence) { return set::quaternion::from_rotation(r); };
 constexpr auto to_dcm = [](const Rotation& r, Sequence) { return Matrix(set::dcm::from_rotation(r)); };
 constexpr auto to_rotvec = [](const Rotation& r, Sequence) { return set::rotation_vector::from_rotation(r).vector; };

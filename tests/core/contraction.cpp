@@ -132,7 +132,7 @@ void quaternions() {
     Source source;
     for (int i = 0; i < samples; ++i) {
         const Eigen::Quaterniond q = source.quaternion();
-        const Reading reading = quaternion::to_rotation(q);
+        const Reading reading = quaternion::to_rotation(q, any_defect);
         const Eigen::Quaterniond written = quaternion::from_rotation(*reading);
         const Exact of_q(q.w(), q.x(), q.y(), q.z());
         check(angle_between(of_q.normalized(), exact(*reading)) <= 0.01 * eps, "a quaternion is read exactly");

@@ -5,7 +5,8 @@
 #include <limits>
 #include <random>
 
-#include "../../src/core/interpolation.hpp"
+#include <rotconv/rotation.hpp>
+
 #include "catch.hpp"
 
 using namespace rotconv;
@@ -72,14 +73,14 @@ TEST_CASE("an attitude between two is that of the turn by its rotation vector") 
             b = a * Rotation::from_components(std::pow(10.0, -(i % 9)), b.x(), b.y(), b.z());
         }
         const double fraction = std::uniform_real_distribution<double>()(engine);
-        const auto found = interpolated(a, b, fraction);
+        const auto found = interpolate(a, b, fraction);
         REQUIRE(found);
         const long double allowed = i % 4 == 2 ? std::pow(10.0L, i % 9) : 1; // a turn not well defined by its ends
         const long double off = error(*found, between(a, b, fraction));
         worst = i % 4 == 2 ? worst : std::max(worst, off);
         CHECK(off <= 4 * allowed);
-        CHECK(error(*interpolated(a, b, 0.0), exact(a)) <= 4);
-        CHECK(error(*interpolated(a, b, 1.0), exact(b)) <= 4);
+        CHECK(error(*interpolate(a, b, 0.0), exact(a)) <= 4);
+        CHECK(error(*interpolate(a, b, 1.0), exact(b)) <= 4);
     }
     CHECK(worst > 0.1L);
     INFO("worst error: " << static_cast<double>(worst) << " eps");
@@ -91,8 +92,8 @@ TEST_CASE("between an attitude and itself is that attitude, to the last bit") {
     for (int i = 0; i < 1000; ++i) {
         const Rotation a = random_rotation(engine);
         const double sign = i % 2 == 0 ? 1.0 : -1.0;
-        const auto found = interpolated(a, Rotation::near_unit(sign * a.w(), sign * a.x(), sign * a.y(), sign * a.z()),
-                                        std::uniform_real_distribution<double>()(engine));
+        const auto found = interpolate(a, Rotation::near_unit(sign * a.w(), sign * a.x(), sign * a.y(), sign * a.z()),
+                                       std::uniform_real_distribution<double>()(engine));
         REQUIRE(found);
         CHECK((found->w() == a.w() && found->x() == a.x() && found->y() == a.y() && found->z() == a.z()));
     }
@@ -102,7 +103,7 @@ TEST_CASE("turns of any size are interpolated, except half turns") {
     // Catches squares that underflow, and an axis made of rounding.
     const Rotation none;
     for (const double size : {1e-20, 1e-150, 1e-170, 1e-300}) {
-        const auto found = interpolated(none, Rotation::from_components(1.0, size, 0.0, 0.0), 0.25);
+        const auto found = interpolate(none, Rotation::from_components(1.0, size, 0.0, 0.0), 0.25);
         REQUIRE(found);
         CHECK(std::abs(found->x() - 0.25 * size) <= 1e-15 * size);
     }
@@ -110,7 +111,7 @@ TEST_CASE("turns of any size are interpolated, except half turns") {
     for (int i = 0; i < 1000; ++i) {
         const Rotation a = random_rotation(engine);
         const Rotation turn = random_rotation(engine);
-        CHECK_FALSE(interpolated(a, a * Rotation::from_components(0.0, turn.x(), turn.y(), turn.z()), 0.5));
-        CHECK(interpolated(a, a * Rotation::from_components(1e-13, turn.x(), turn.y(), turn.z()), 0.5));
+        CHECK_FALSE(interpolate(a, a * Rotation::from_components(0.0, turn.x(), turn.y(), turn.z()), 0.5));
+        CHECK(interpolate(a, a * Rotation::from_components(1e-13, turn.x(), turn.y(), turn.z()), 0.5));
     }
 }

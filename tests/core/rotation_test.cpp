@@ -60,7 +60,7 @@ TEST_CASE("a reading without a rotation gives none") {
     CHECK_THROWS_AS(*reading, std::logic_error);
     CHECK_THROWS_AS(reading->w(), std::logic_error);
     CHECK_THROWS_AS(*dcm::to_rotation(-Eigen::Matrix3d::Identity()), std::logic_error);
-    CHECK_THROWS_AS(*euler::to_rotation({{nan, 0, 0}, "ZYX"}), std::logic_error);
+    CHECK_THROWS_AS(*euler::to_rotation({{nan, 0, 0}, "ZYX", AngleUnit::radians}), std::logic_error);
     CHECK(quaternion::to_rotation({1, 0, 0, 0}));
 }
 

@@ -526,7 +526,8 @@ struct ByDigits {
         return !from ? report.diagnostics.has(DiagnosticKind::normalized)
                      : is_off(report.defect, first, first + from->size()) ||
                            is_off(report.reference_defect, other, texts.size()) ||
-                           report.unusual.axis + report.reference_unusual.axis > 0.0;
+                           (report.defect == 0.0 && report.unusual.defect > 0.0) || // an axis has no defect
+                           (report.reference_defect == 0.0 && report.reference_unusual.defect > 0.0);
     }
     [[nodiscard]] bool has_few(const RowReport& report, const std::vector<double>& numbers,
                                const std::vector<std::string>& texts) const {

@@ -1220,13 +1220,13 @@ double last_place_of(const std::vector<std::string>& texts) {
         if (2 * sizes[i] < std::ranges::max(sizes)) {
             continue;
         }
-        const std::string number = lower(texts[i]);
+        const std::string number = fmt::format("{}", sizes[i]); // the fewest digits
         const std::string mantissa = number.substr(0, number.find('e'));
         const std::string fraction =
             mantissa.find('.') == std::string::npos ? "" : mantissa.substr(mantissa.find('.') + 1);
         const long power = mantissa == number ? 0 : std::strtol(number.c_str() + mantissa.size() + 1, nullptr, 10);
         const long place = power - static_cast<long>(fraction.size());
-        if (fraction.empty() || place >= 0) {
+        if (place >= 0) {
             return 0.0; // an integer
         }
         unit = std::min(unit, std::strtod(fmt::format("1e{}", place).c_str(), nullptr));

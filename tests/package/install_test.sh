@@ -124,6 +124,20 @@ no rotation
 no rotation, 0.01 off
 END
 "$work/project/build/conversions" | sed 's/-0\.000000/ 0.000000/g' | diff "$work/expected" -
+# Half a radian and a radian about z, and a matrix with an entry of 7, whose largest singular value is 1 + defect.
+cat > "$work/expected" <<'END'
+  0   0   0
+  0   0 0.5
+nan nan nan
+row 2: the defect is above the tolerance
+END
+"$work/project/build/batch" | sed 's/, [0-9.]*$//' | diff "$work/expected" -
+[ "$("$work/project/build/chosen" quat:xyzw rpy:deg 0 0 0.6 0.8)" = "rpy:deg: 0 0 73.7398" ]
+! "$work/project/build/chosen" quat:deg rpy 1 0 0 0 2> "$work/errors"
+grep -q "not a SPEC, because of 'deg'" "$work/errors"
+"$work/project/build/gyroscope" | grep -q 'yaw 36 degrees' # a tenth of a turn
+"$work/project/build/check" | grep -q 'below 1e-14 rad: yes'
+
 # What the README shows stands in a program that was built.
 sed -n '/^```cpp/,/^```/p' "$source/README.md" | grep -v '^```' | while read -r line; do
     cat "$source"/examples/cpp/*.cpp | grep -qF "$line" || {

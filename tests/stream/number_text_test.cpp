@@ -84,32 +84,6 @@ TEST_CASE("decimal numbers as in C are read") {
     CHECK(value_of("Infinity") == std::numeric_limits<double>::infinity());
 }
 
-// Would catch: a small number, an exponent, or a sign that has a part in the last place, an integer that has none.
-TEST_CASE("the last place of numbers is that of the large ones") {
-    const auto unit_of = [](const std::vector<std::string_view>& texts) {
-        std::vector<double> numbers;
-        for (const std::string_view text : texts) {
-            numbers.push_back(value_of(std::string(text)));
-        }
-        return unit_of_last_place(texts, numbers);
-    };
-    CHECK(unit_of({"0.7071", "0.0001234", "-0.70711", "0"}) == 1e-5);
-    CHECK(unit_of({"9.999999e-01", "9.043680e-12", "-2.3e-11"}) == 1e-7);
-    CHECK(unit_of({"-9.25", "4.6200"}) == 1e-2);
-    CHECK(unit_of({"-9.25", "4.625"}) == 1e-3);
-    CHECK(unit_of({"12.55E+1", "100.25"}) == 1e-2);
-    CHECK(unit_of({"+12.5e+0"}) == 0.1);
-    CHECK(unit_of({"1.50e-200", "0"}) == 1e-202);
-    CHECK(unit_of({".5", "0"}) == 0.1);
-    for (const std::string_view exact : {"1", "-1", "1.", "1.5e1", "1e-3", "1.25e2"}) {
-        INFO(exact);
-        CHECK(unit_of({exact, "0.001"}) == 0.0);
-    }
-    CHECK(unit_of({"1", "0.501"}) == 0.0);
-    CHECK(unit_of({"0", "0", "0.01"}) == 0.01);
-    CHECK(unit_of({"0", "0.0"}) == 0.0);
-}
-
 // Would catch: junk that passes for a number.
 TEST_CASE("what is not a decimal number is refused") {
     for (const std::string text :

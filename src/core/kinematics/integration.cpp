@@ -10,6 +10,7 @@
 #include <rotconv/quaternion.hpp>
 #include <rotconv/rates.hpp>
 
+#include "../checks.hpp"
 #include "../numerics/elementary.hpp"
 #include "../representations/codec.hpp"
 
@@ -121,7 +122,8 @@ std::span<const double> Stepper::nodes() const noexcept {
     return {entry.nodes.data(), entry.node_count};
 }
 
-Error Stepper::step(double h, std::span<const Vector3d> rates) noexcept {
+Error Stepper::step(double h, std::span<const Vector3d> rates) {
+    check_size(rates.size(), nodes().size());
     if (error_ != Error::none) {
         return error_;
     }
@@ -181,9 +183,10 @@ Reading Stepper::attitude() const noexcept {
         return error_;
     }
     const Codec& codec = codec_of(spec_.name);
-    const Reading reading = spec_.name == RepresentationId::quat // most often, and quicker
-                                ? quaternion::to_rotation({numbers_[0], numbers_[1], numbers_[2], numbers_[3]})
-                                : read_row(spec_, numbers_.data());
+    const Reading reading =
+        spec_.name == RepresentationId::quat // most often, and quicker
+            ? quaternion::to_rotation({numbers_[0], numbers_[1], numbers_[2], numbers_[3]}, any_defect)
+            : read_row(spec_, numbers_.data());
     if (!reading) {
         return reading;
     }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "../checks.hpp"
+#include "../numerics/power_of_two.hpp"
 #include "../representations/codec.hpp"
 
 namespace rotconv {
@@ -14,10 +16,6 @@ namespace {
 
 using Numbers = std::array<double, 9>;
 using Eigen::Vector3d;
-
-bool all_finite(const double* numbers, std::size_t count) noexcept {
-    return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
-}
 
 /// Where the equation itself is singular. A representation that switches its chart at a half-turn, where the range of
 /// its numbers ends, has an equation that goes on: the condition of a rotation vector is pi/2 there, that of an mrp
@@ -34,7 +32,7 @@ constexpr Frame inverse_of(Frame frame) noexcept { return frame == Frame::body ?
 
 bool has_rates(RepresentationId name) noexcept { return codec_of(name).rate != nullptr; }
 
-Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), settings_(settings) {
+Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(checked(spec)), settings_(settings) {
     if (!has_rates(spec.name)) {
         throw std::invalid_argument("rotconv: this representation has no rates");
     }
@@ -42,7 +40,7 @@ Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(spec), sett
 
 void Rates::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
-    const std::size_t rows = in.size() / in_size();
+    const std::size_t rows = checked_rows(in.size(), in_size(), out.size(), out_size());
     for (std::size_t row = 0; row < rows; ++row) {
         double* const to = out.data() + row * out_size();
         RowReport report = run_row(in.data() + row * in_size(), to);
@@ -88,7 +86,7 @@ RowReport Rates::run_row(const double* in, double* out) const noexcept {
     if (report.error != Error::none) {
         return report;
     }
-    report.unusual = unusual_numbers(spec_, numbers);
+    report.unusual = unusual_numbers(spec_, numbers, report.defect, settings_.decimal);
     const double speed = settings_.degrees || settings_.inverse ? 0.0 : Vector3d(given).norm();
     report.unusual.angle = std::max(report.unusual.angle, speed > reported_velocity ? speed : 0.0);
     report.report_numbers();

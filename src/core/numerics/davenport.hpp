@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
 
 #include "double_double.hpp"
@@ -58,6 +59,19 @@ template <class T> struct Davenport {
                            scaled((wz * q[0] + xz * q[1]) + (yz * q[2] + zz * q[3]), 0.25)};
         for (int k = 0; k < 4; ++k) {
             q[k] = next[k];
+        }
+    }
+
+    /// Both in one, for a single row of doubles: the pivot is found by places, for branches would be mispredicted.
+    ROTCONV_INLINE void take_first_power_step(double (&q)[4]) const noexcept {
+        const double columns[4][4] = {{ww, wx, wy, wz}, {wx, xx, xy, xz}, {wy, xy, yy, yz}, {wz, xz, yz, zz}};
+        const auto w_or_x = static_cast<std::size_t>(ww < xx);
+        const std::size_t y_or_z = 2 + static_cast<std::size_t>(yy < zz);
+        const bool later = columns[w_or_x][w_or_x] < columns[y_or_z][y_or_z];
+        const auto& pivot = columns[w_or_x + (y_or_z - w_or_x) * static_cast<std::size_t>(later)];
+        for (std::size_t i = 0; i < 4; ++i) {
+            q[i] = 0.25 * ((columns[0][i] * (0.25 * pivot[0]) + columns[1][i] * (0.25 * pivot[1])) +
+                           (columns[2][i] * (0.25 * pivot[2]) + columns[3][i] * (0.25 * pivot[3])));
         }
     }
 

@@ -80,6 +80,11 @@ constinit const Codec codecs::axis_angle{
                        .singular_attitude = "a half-turn",
                        .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"},
     .sensitivity = sensitivity_of<axis_angle::sensitivity>,
+    .well_conditioned =
+        [](const Spec& spec) noexcept {
+            const double unit = units_per_radian(spec.unit);
+            return NumberRange{3, 1, unit * 0.101, unit * 4.0};
+        },
     .nearest = nearest};
 
 } // namespace rotconv

@@ -63,6 +63,10 @@ constinit const Codec codecs::cayley{.representation = {.name = RepresentationId
                                                         .formula = "tan(theta/2) n; R = (I + [c])(I - [c])^-1"},
                                      .turn_per_error = turn_per_error,
                                      .sensitivity = sensitivity_of<cayley::sensitivity>,
+                                     .well_conditioned =
+                                         [](const Spec& /*spec*/) noexcept {
+                                             return NumberRange{0, 3, -2.5, 2.5}; // |c|^2 is less than 19
+                                         },
                                      .rate = rate_of<Vector3d, cayley::rate>,
                                      .angular_velocity = angular_velocity_of<Vector3d, cayley::angular_velocity>,
                                      .greatest_distance = std::numbers::pi,

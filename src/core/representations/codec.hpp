@@ -13,6 +13,14 @@
 
 namespace rotconv {
 
+/// A range of some of the numbers of a row.
+struct NumberRange {
+    std::size_t first; ///< of the numbers...
+    std::size_t count; ///< ...and how many there are
+    double least;
+    double greatest;
+};
+
 /// All that is known of a representation. Functions take numbers in the representation's own order and the attitude not
 /// yet inverted: of a Spec's conventions the sequence and the unit are left to them.
 struct Codec {
@@ -24,6 +32,9 @@ struct Codec {
     /// angles or entries of a matrix, of which it is the unit or 1.
     double (*turn_per_error)(const double* numbers) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
+
+    /// Numbers in this range have a condition of at most `few_digits_condition`; null where all have one.
+    NumberRange (*well_conditioned)(const Spec& spec) noexcept = nullptr;
 
     /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones, or
     /// leaves these if they are as near. All are as they are written: what has a choice has no order of its own that

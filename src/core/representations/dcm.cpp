@@ -148,18 +148,8 @@ Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
     // Most are clean, and need no table of kernels.
     if (squared_distance(numbers) <= clean_square && clean_defect <= tolerance) [[likely]] {
         const Davenport<double> k(numbers);
-        const double columns[4][4] = {
-            {k.ww, k.wx, k.wy, k.wz}, {k.wx, k.xx, k.xy, k.xz}, {k.wy, k.xy, k.yy, k.yz}, {k.wz, k.xz, k.yz, k.zz}};
-        // by places, for branches would be mispredicted
-        const auto w_or_x = static_cast<std::size_t>(k.ww < k.xx);
-        const std::size_t y_or_z = 2 + static_cast<std::size_t>(k.yy < k.zz);
-        const bool later = columns[w_or_x][w_or_x] < columns[y_or_z][y_or_z];
-        const auto& pivot = columns[w_or_x + (y_or_z - w_or_x) * static_cast<std::size_t>(later)];
         double q[4];
-        for (std::size_t i = 0; i < 4; ++i) { // a power step
-            q[i] = 0.25 * ((columns[0][i] * (0.25 * pivot[0]) + columns[1][i] * (0.25 * pivot[1])) +
-                           (columns[2][i] * (0.25 * pivot[2]) + columns[3][i] * (0.25 * pivot[3])));
-        }
+        k.take_first_power_step(q);
         return {Rotation::near_unit(q[0], q[1], q[2], q[3]), clean_defect};
     }
     return within(read_row({.name = RepresentationId::dcm}, numbers), tolerance,

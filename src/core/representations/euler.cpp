@@ -83,7 +83,7 @@ Reading to_rotation(const EulerAngles& value) noexcept {
 
 EulerAngles from_rotation(const Rotation& rotation, EulerSequence sequence, AngleUnit unit,
                           double lock_margin) noexcept {
-    EulerAngles result{.sequence = sequence, .unit = unit};
+    EulerAngles result(Eigen::Vector3d::Zero(), sequence, unit);
     write_row({.name = RepresentationId::euler, .sequence = sequence, .unit = unit}, rotation, result.angles.data(),
               lock_margin);
     return result;
@@ -188,6 +188,14 @@ double distance_to_lock(const Spec& spec, const double* v) noexcept {
     return spec.sequence.proper() ? std::min(v[1], pi - v[1]) : 0.5 * pi - std::fabs(v[1]);
 }
 
+NumberRange well_conditioned(const Spec& spec) noexcept {
+    constexpr double half_pi = 0.5 * std::numbers::pi;
+    const double unit = units_per_radian(spec.unit);
+    const double middle = spec.sequence.proper() ? unit * half_pi : 0.0;
+    const double most = unit * (half_pi - 0.142); // a little more than 2 asin(1/(10 sqrt 2))
+    return {1, 1, middle - most, middle + most};
+}
+
 /// The outer angles by whole turns.
 void wrap(double* v) noexcept {
     v[0] = without_turns(v[0]);
@@ -202,6 +210,7 @@ constexpr Codec codec_of_angles(const Representation& representation) noexcept {
         .representation = representation,
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
+        .well_conditioned = well_conditioned,
         .nearest = nearest,
         .rate = rate_of<Eigen::Vector3d, euler::rate, value_of>,
         .angular_velocity = angular_velocity_of<Eigen::Vector3d, euler::angular_velocity, value_of>,

@@ -13,7 +13,10 @@ inline double angle_of(const Rotation& rotation) noexcept {
     return 2.0 * angle_of(std::fabs(rotation.w()), rotation.vector_length(), AngleUnit::radians).hi;
 }
 
-inline double angle_between(const Rotation& a, const Rotation& b) noexcept { return angle_of(a * b.inverse()); }
+/// q/|q|.
+inline Eigen::Vector4d unit(const Rotation& rotation) noexcept {
+    return Eigen::Map<const Eigen::Vector4d>(rotation.components().data()) / std::sqrt(rotation.squared_norm());
+}
 
 /// pi - theta, without cancellation.
 inline double angle_to_half_turn(const Rotation& rotation) noexcept {

@@ -1,0 +1,36 @@
+#include "checks.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace rotconv {
+
+void check_size(std::size_t given, std::size_t needed) {
+    if (given < needed) {
+        throw std::invalid_argument("rotconv: a span has " + std::to_string(given) + " numbers, " +
+                                    std::to_string(needed) + " are needed");
+    }
+}
+
+std::size_t checked_rows(std::size_t numbers, std::size_t width, std::size_t room, std::size_t out_width) {
+    if (numbers % width != 0) {
+        throw std::invalid_argument("rotconv: " + std::to_string(numbers) + " numbers are not whole rows of " +
+                                    std::to_string(width));
+    }
+    check_size(room, numbers / width * out_width);
+    return numbers / width;
+}
+
+const Spec& checked(const Spec& spec) {
+    for (const auto& [modifier, is_set] :
+         {std::pair(Modifier::deg, spec.unit == AngleUnit::degrees), std::pair(Modifier::col, spec.column_major),
+          std::pair(Modifier::xyzw, spec.scalar_last), std::pair(Modifier::positive, spec.positive)}) {
+        if (is_set && !representation(spec.name).modifiers.has(modifier)) {
+            throw std::invalid_argument("rotconv: " + spec.text() + " has a modifier without a meaning");
+        }
+    }
+    return spec;
+}
+
+} // namespace rotconv

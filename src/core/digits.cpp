@@ -1,0 +1,78 @@
+#include <rotconv/conversion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "checks.hpp"
+#include "numerics/power_of_two.hpp"
+#include "representations/codec.hpp"
+
+namespace rotconv {
+
+double last_place(std::span<const double> numbers) noexcept {
+    double largest = 0.0;
+    for (const double number : numbers) {
+        largest = std::max(largest, std::abs(number));
+    }
+    int finest = 0; // a power of ten
+    for (const double number : numbers) {
+        if (std::abs(number) < 0.5 * largest) {
+            continue;
+        }
+        std::array<char, 32> text{}; // d.ddde-xx, with the fewest digits
+        const char* const begin = text.data();
+        const char* const end =
+            std::to_chars(text.data(), text.data() + text.size(), std::abs(number), std::chars_format::scientific).ptr;
+        const char* const mark = std::find(begin, end, 'e');
+        int exponent = 0;
+        std::from_chars(mark + (mark[1] == '+' ? 2 : 1), end, exponent);
+        const int place = exponent - static_cast<int>(mark - begin > 1 ? mark - begin - 2 : 0);
+        if (number == 0.0 || place >= 0) {
+            return 0.0;
+        }
+        finest = std::min(finest, place);
+    }
+    double power = 1.0; // exact to 1e22
+    for (; finest < 0; ++finest) {
+        power *= 10.0;
+    }
+    return 1.0 / power;
+}
+
+double attitude_error(const Spec& spec, std::span<const double> numbers, double error) {
+    check_size(numbers.size(), spec.size());
+    const auto turn_per_error = codec_of(spec.name).turn_per_error;
+    const double unit = spec.unit == AngleUnit::degrees ? radians_per_degree : 1.0;
+    return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
+}
+
+UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect, bool decimal) {
+    check_size(numbers.size(), spec.size());
+    UnusualNumbers found;
+    if (defect > reported_defect && !(decimal && defect <= 2.0 * last_place(numbers.first(spec.size())))) {
+        found.defect = defect;
+    }
+    if (!representation(spec.name).has_angles()) {
+        return found;
+    }
+    const bool has_axis = spec.name == RepresentationId::axis_angle;
+    const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
+    const auto scale = PowerOfTwo::to_unit(largest);
+    double square = 0.0;
+    for (const double number : numbers.first(3)) {
+        square += scale(number) * scale(number);
+    }
+    const double length = scale.undone(std::sqrt(square));
+    const double angle = has_axis ? std::abs(numbers[3]) : spec.name == RepresentationId::rotvec ? length : largest;
+    if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
+        found.defect = std::abs(length - 1.0);
+    }
+    if (spec.unit == AngleUnit::radians && angle > reported_angle) {
+        found.angle = angle;
+    }
+    return found;
+}
+
+} // namespace rotconv

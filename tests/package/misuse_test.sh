@@ -1,0 +1,39 @@
+#!/bin/sh
+# misuse_test.sh COMPILER BUILD SOURCE EIGEN: misuse.cpp with flags that take checks away, for other processors, without exceptions,
+# as C++23, and with clang against the library as it was built. Catches a check that a flag removes, a header that needs exceptions,
+# and a sequence that is wrong and is told in a wall of text.
+set -eu
+compiler=$1
+build=$2
+source=$3
+eigen=$4
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+newer=
+! grep -qw avx2 /proc/cpuinfo 2> /dev/null || newer=-mavx2
+try() { # COMPILER FLAG...
+    "$@" -Wall -Wextra -I "$source/include" -isystem "$eigen" "$source/tests/package/misuse.cpp" "$build/librotconv_core.a" \
+        -o "$work/misuse" > "$work/log" 2>&1 && "$work/misuse" > "$work/log" 2>&1 || {
+        echo "FAILED: $*"
+        head -n 20 "$work/log"
+        failed=1
+    }
+}
+# shellcheck disable=SC2086 # no flag on other processors
+try "$compiler" -std=c++20 -O3 -ffast-math $newer
+try "$compiler" -std=c++23 -O1 -fno-exceptions
+if command -v clang++ > /dev/null; then
+    try clang++ -std=c++20 -O2 -ffast-math
+    # shellcheck disable=SC2086
+    try clang++ -std=c++2b -O2 -fno-exceptions $newer
+fi
+
+printf '#include <rotconv/euler.hpp>\nconst rotconv::EulerSequence wrong = "ZZX";\n' > "$work/wrong.cpp"
+! "$compiler" -std=c++20 -fsyntax-only -I "$source/include" -isystem "$eigen" "$work/wrong.cpp" > "$work/log" 2>&1 &&
+    grep error: "$work/log" | grep -q 'an_euler_sequence_has_three_letters' || {
+    echo 'FAILED: "ZZX" compiles, or the error does not say what a sequence is'
+    head -n 20 "$work/log"
+    failed=1
+}
+exit "$failed"
