@@ -254,7 +254,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
             result.beyond += diagnostic->kind == DiagnosticKind::beyond ? 1 : 0;
         } else if (const auto* note = std::get_if<Note>(&event)) {
-            const char kind = "outapchl"[static_cast<std::size_t>(note->kind)];
+            const char kind = "outapchlx"[static_cast<std::size_t>(note->kind)];
             std::string& notes = note->of_reference ? notes_of_reference : result.notes;
             const bool is_known = notes.find(kind) != std::string::npos;
             const bool is_modelled = kind != 'u' && kind != 't'; // units are not
