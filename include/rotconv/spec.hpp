@@ -24,10 +24,24 @@ inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg,  Mod
 
 using ModifierSet = EnumSet<Modifier>;
 
-/// A named set of conventions, such as those of a library. Each representation lists what the presets mean for it.
-struct Preset {
-    std::string_view text;
-    std::string_view about; ///< its origin, in a few words
+/// A program, file format, robot or book, and what its numbers are. Those called presets are modifiers, too: each
+/// representation lists what they mean for it.
+struct Project {
+    std::string_view text;    ///< its name
+    std::string_view others;  ///< its other names, with blanks between
+    std::string_view specs;   ///< the SPEC of its numbers; a few words after it, or several with "; " between, are for
+                              ///< people; empty: there is none
+    std::string_view columns; ///< the names of its numbers, with blanks between, in the representation's own order;
+                              ///< empty: those of the representation
+    std::string_view reference; ///< its reference axes, as in parse_axes(); empty: none in particular
+    std::string_view body;      ///< its body axes
+    std::string_view source;    ///< the file, page or book that says so
+    std::string_view remark;
+
+    /// Its numbers are one SPEC, for which the name stands.
+    [[nodiscard]] constexpr bool is_spec() const noexcept {
+        return !specs.empty() && specs.find(' ') == std::string_view::npos;
+    }
 };
 
 /// What a preset stands for on one representation.
@@ -60,12 +74,16 @@ struct Representation {
 [[nodiscard]] const Representation& representation(RepresentationId name) noexcept;
 /// The representation with this text or alias, or null.
 [[nodiscard]] const Representation* find_representation(std::string_view text) noexcept;
-[[nodiscard]] std::span<const Preset> presets() noexcept;
+[[nodiscard]] std::span<const Project> projects() noexcept;
+/// The projects that are modifiers.
+[[nodiscard]] std::span<const Project> presets() noexcept;
+/// The project with this name or other name, or null.
+[[nodiscard]] const Project* find_project(std::string_view name) noexcept;
 /// Empty if the preset leaves the representation unchanged.
 [[nodiscard]] PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept;
 [[nodiscard]] std::string_view name_of(Modifier modifier) noexcept;
 
-/// A representation with its conventions resolved: the meaning of `NAME[:MODIFIER]...`.
+/// A representation with its conventions resolved: the meaning of `NAME[:MODIFIER]...`. NAME may be a project's.
 struct Spec {
     RepresentationId name = RepresentationId::quat;
     EulerSequence sequence = roll_pitch_yaw; ///< of euler and rpy
@@ -74,6 +92,8 @@ struct Spec {
     bool column_major = false;               ///< dcm listed column by column
     bool scalar_last = false;                ///< quat as x y z w
     bool positive = false;                   ///< outer Euler angles are written in [0, 2 pi)
+    const Project* project = nullptr;        ///< the one whose name, or preset, the SPEC has
+    bool has_own_columns = false;            ///< the numbers have the project's names
 
     [[nodiscard]] std::size_t size() const noexcept { return representation(name).size; }
     /// For each number as written, its place in the representation's own order; size() entries count.

@@ -34,9 +34,10 @@ std::string_view unit_of(std::string_view text) {
     return {};
 }
 
-/// The canonical names of quat, dcm, or roll, pitch and yaw, in the SPEC's order; none for other SPECs.
+/// The canonical names of a project's numbers, quat, dcm, or roll, pitch and yaw, in the SPEC's order; none for other
+/// SPECs.
 std::vector<std::string_view> name_order(const Spec& spec) {
-    if (spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
+    if (spec.has_own_columns || spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
         const auto columns = spec.columns();
         return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
     }
@@ -82,6 +83,13 @@ struct Spelling {
 };
 std::vector<Spelling> spellings(const Spec& spec) {
     const auto order = name_order(spec);
+    if (spec.has_own_columns) {
+        Spec usual = spec;
+        usual.has_own_columns = false;
+        auto made = name_order(usual).empty() ? std::vector<Spelling>() : spellings(usual);
+        made.insert(made.begin(), {mapped(order, lower)});
+        return made;
+    }
     if (spec.name == RepresentationId::dcm) {
         return {{mapped(order, [](auto name) { return std::string(name.substr(1)); })},
                 {mapped(order, [](auto name) { return fmt::format("{:c}{:c}", name[1] - 1, name[2] - 1); })}};

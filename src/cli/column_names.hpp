@@ -26,9 +26,9 @@ struct KnownNames {
     [[nodiscard]] bool are_in_order() const noexcept;
 };
 
-/// Looks among names for those of all numbers of quat, dcm, or roll, pitch and yaw, in any case. What counts is what is
-/// left of them without a prefix and a suffix that all of them share, and without units: w (or s, scalar) x y z; 11 to
-/// 33, or 00 to 22; roll pitch yaw; 0 1 2 3 for a quaternion.
+/// Looks among names for those of all numbers of a project, quat, dcm, or roll, pitch and yaw, in any case. What counts
+/// is what is left of them without a prefix and a suffix that all of them share, and without units: w (or s, scalar) x
+/// y z; 11 to 33, or 00 to 22; roll pitch yaw; 0 1 2 3 for a quaternion.
 [[nodiscard]] std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names);
 
 /// What is wrong with names that are those of the SPEC's numbers in another order, as the end of a sentence; otherwise

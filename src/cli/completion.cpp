@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <rotconv/sampling.hpp>
@@ -25,6 +26,13 @@ std::string modifiers() {
         text += fmt::format("    {}) modifiers={}{} ;;\n", fmt::join(messages::names_of(entry), " | "),
                             as_word(messages::words_of(entry.modifiers)),
                             entry.takes_sequence ? " sequences=" + as_word(messages::all_sequences()) : "");
+    }
+    for (const Project& project : projects()) {
+        if (project.is_spec()) {
+            const Spec spec = std::get<Spec>(parse_spec(project.text));
+            text += fmt::format("    {}) modifiers={} ;;\n", project.text,
+                                as_word(messages::words_of(representation(spec.name).modifiers)));
+        }
     }
     return text + "    esac\n";
 }
@@ -57,13 +65,17 @@ std::string completion_words() {
         }
         options += fmt::format(
             "    {})\n        options={}\n{}        ;;\n", in_shell(command.name), lines_of(command.options),
-            command.options.takes_names() ? "        operands=\"$names $presets methods presets\"\n" : "");
+            command.options.takes_names() ? "        operands=\"$names $presets $projects methods presets projects\"\n"
+                                          : "");
     }
+    const auto listed_only =
+        filtered(projects().subspan(presets().size()), [](const Project& project) { return !project.is_spec(); });
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
-        "    names={}\n    presets={}\n    methods={}\n    kinds={}\n    commands={}\n{}    esac\n{}}}\n",
-        as_word(messages::all_names()), as_word(messages::all_presets()), as_word(method_names),
-        as_word(sample_kind_names), in_shell(commands), options, modifiers());
+        "    names={}\n    presets={}\n    projects={}\n    methods={}\n    kinds={}\n    commands={}\n{}    "
+        "esac\n{}}}\n",
+        as_word(messages::all_names()), as_word(messages::all_presets()), as_word(mapped(listed_only, &Project::text)),
+        as_word(method_names), as_word(sample_kind_names), in_shell(commands), options, modifiers());
 }
 
 } // namespace rotconv::cli

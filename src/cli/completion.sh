@@ -11,7 +11,7 @@ _rotconv_candidates() {
     fi
     local word=$1 command= argument= operand= before prefix= newline='
 '
-    local commands names presets methods kinds operands options modifiers sequences
+    local commands names presets projects methods kinds operands options modifiers sequences
     shift
     _rotconv_words
     for before; do

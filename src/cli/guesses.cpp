@@ -63,43 +63,6 @@ constexpr auto other_options = std::to_array<Meaning>({
     {"-t SPEC:passive", " inverse inv invert conjugate transpose "},
 });
 
-/// Projects, and the options for their numbers.
-constexpr auto projects = std::to_array<Meaning>({
-    {"NED to ENU is --reference-axes ned:enu, FRD to FLU --body-axes frd:flu, an OpenCV camera to OpenGL --body-axes "
-     "rdf:rub: three letters say where x, y and z point",
-     " axes frame frames ned enu frd flu rdf rub fru ruf luf nwu esu aircraft camera "},
-    {"rvec is rotvec, of solvePnP (world to camera) rotvec:passive; to OpenGL's camera --body-axes rdf:rub",
-     " opencv cv cv2 rvec solvepnp "},
-    {"Quaternion is quat:xyzw, eulerAngles euler:YXZ:deg with --columns 2,1,3; to ROS's axes "
-     "--reference-axes ruf:flu --body-axes ruf:flu",
-     " unity unity3d "},
-    {"yaw, pitch, roll are euler:Z-Y-X:deg (FRotator holds pitch, yaw, roll: --columns 2,1,3), FQuat is "
-     "quat:xyzw; to ROS's axes --reference-axes fru:flu --body-axes fru:flu",
-     " unreal unrealengine ue ue4 ue5 frotator fquat "},
-    {"quat, FRD to NED; to ROS's axes --reference-axes ned:enu --body-axes frd:flu", " px4 mavlink ardupilot "},
-    {"its numbers are those of quat, rpy, rotvec and dcm", " euroc gtsam drake blender nuscenes "},
-    {"quat and rotvec; its matrices are by columns: dcm:col", " ceres xsens mti opengl gl glm "},
-    {"its rows of twelve are dcm --columns 1-3,5-7,9-11", " kitti "},
-    {"quat; letters of a sequence in the other case: its xyz is euler:XYZ:deg", " mujoco mjcf "},
-    {"quat:passive (world to camera); to NeRF's camera --body-axes rdf:rub", " colmap "},
-    {"rotvec:passive (world to camera)", " opensfm odm webodm "},
-    {"transform_matrix is dcm --columns 1-3,5-7,9-11; to COLMAP's camera --body-axes rub:rdf", " nerf nerfstudio ngp "},
-    {"quat:xyzw; a node's matrix is dcm:col --columns 1-3,5-7,9-11", " gltf "},
-    {"omega, phi, kappa are euler:XYZ:deg; Metashape's yaw, pitch, roll euler:-ZXY:deg",
-     " opk pix4d metashape agisoft "},
-    {"phi1, Phi, phi2 are euler:ZXZ:deg (.ang: euler:ZXZ); the matrix g is dcm:bunge, MTEX's dcm",
-     " bunge mtex ang ctf "},
-    {"rot, tilt, psi are euler:ZYZ:passive:deg; cryoSPARC's pose is rotvec:passive", " relion cryosparc "},
-    {"az, alt, phi are euler:ZXZ:passive:deg", " eman eman2 "},
-    {"the quaternion is quat:xyzw; GMAT's matrix is dcm:passive, its 321 euler:ZYX:deg", " stk gmat "},
-    {"m2eul(r, 3, 2, 1) is euler:zyx; C-matrices are dcm:spice", " m2eul eul2m "},
-    {"quat, rotvec (axis_angle), euler:XYZ; rotation_6d is 6d:passive", " pytorch3d rotation6d "},
-    {"TYPE_ROTATION_VECTOR is quat:xyzw, the rotation matrix dcm", " android "},
-    {"two meanings: tan(theta/2) n is cayley, theta n (as in OpenCV) is rotvec", " rodrigues rodriguesvector "},
-    {"axis-angle is nx ny nz angle: the angle comes last", " angleaxis "},
-    {"the last number of rpy, or the first of euler:ZYX (yaw, pitch, roll)", " heading "},
-});
-
 /// What rotconv does in another way, or not at all.
 constexpr auto verbs = std::to_array<Meaning>({
     {":passive on one side inverts, as in rotconv -f quat -t quat:passive", " inverse inv invert conjugate transpose "},
@@ -118,6 +81,9 @@ constexpr auto verbs = std::to_array<Meaning>({
     {"it has no name: rotconv -f SPEC -t SPEC", " convert conversion conv "},
     {"rotconv propagate", " integrate "},
     {"rotconv rates --differences", " derivative differentiate velocity "},
+    {"NED to ENU is --reference-axes ned:enu, FRD to FLU --body-axes frd:flu, an OpenCV camera to OpenGL --body-axes "
+     "rdf:rub: three letters say where x, y and z point",
+     " axes frame frames ned enu frd flu rdf rub fru ruf luf nwu esu "},
     {"--continuous, as in rotconv -f SPEC -t SPEC --continuous", " unwrap continuous "},
 });
 
@@ -162,6 +128,29 @@ std::optional<Guess> find(std::span<const Meaning> table, std::string_view text)
     return found == table.end() ? std::nullopt : std::optional(Guess{std::string(found->text)});
 }
 
+/// A project by one of its names, in any case and with other marks.
+const Project* project_called(std::string_view word) {
+    const auto plain = [](std::string_view text) { return lower(without_marks(text)); };
+    const auto found = std::ranges::find_if(projects(), [&](const Project& each) {
+        return std::ranges::count(words_in(fmt::format("{} {}", each.text, each.others)), plain(word), plain) != 0;
+    });
+    return word.empty() || found == projects().end() ? nullptr : &*found;
+}
+
+/// What the numbers of a project are, in the place of a word that cannot name them there.
+std::optional<Guess> guess_project(std::string_view word) {
+    const Project* const project = project_called(word);
+    if (project == nullptr) {
+        return std::nullopt;
+    }
+    if (project->is_spec()) {
+        return Guess{std::string(project->text),
+                     fmt::format(" {} is a SPEC itself, {}", project->text, project->specs)};
+    }
+    const std::string_view mark = project->specs.empty() || project->remark.empty() ? "" : "; ";
+    return Guess{{}, fmt::format(" {}: {}{}{}", project->text, project->specs, mark, project->remark)};
+}
+
 /// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating
 /// axes) and sxyz (static ones).
 std::optional<Guess> guess_sequence(std::string_view text) {
@@ -185,7 +174,7 @@ std::optional<Guess> guess_sequence(std::string_view text) {
     return EulerSequence::parse(letters) ? std::optional(Guess{"euler:" + letters}) : std::nullopt;
 }
 
-bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Preset::text) != 0; }
+bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
 
 bool is_modifier(std::string_view word) {
     return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
@@ -268,12 +257,14 @@ std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<
 /// `legal`: the words that could stand in the place of the one at fault.
 std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal) {
     using What = SpecError::What;
-    if (const auto project = find(projects, error.text)) {
-        return Guess{{}, " " + project->text};
+    const Project* const project = project_called(error.text);
+    if (project != nullptr && !is_preset(project->text)) {
+        return guess_project(error.text);
     }
-    const auto guess = error.what == What::unknown_name       ? guess_name(error.text, legal)
-                       : error.what == What::unknown_sequence ? guess_letters(error.text)
-                                                              : guess_modifier(error.text, *error.in);
+    auto guess = error.what == What::unknown_name       ? guess_name(error.text, legal)
+                 : error.what == What::unknown_sequence ? guess_letters(error.text)
+                                                        : guess_modifier(error.text, *error.in);
+    guess = guess ? guess : guess_project(error.text);
     return guess ? guess : guess_by_spelling(error.text, legal);
 }
 
@@ -422,15 +413,5 @@ std::string mend(const stream::RowError& error) {
 }
 
 std::string answer_to_verb(std::string_view word) { return find(verbs, word).value_or(Guess{}).text; }
-
-std::string about_project(std::string_view word) {
-    std::string text;
-    for (const Meaning& project : projects) {
-        if (word == "projects" || find({&project, 1}, word)) {
-            text += fmt::format("{}: {}\n", project.words.substr(1, project.words.find(' ', 1) - 1), project.text);
-        }
-    }
-    return text;
-}
 
 } // namespace rotconv::cli::messages

@@ -21,14 +21,14 @@ std::string aliases_of(const Representation& entry) {
 std::string columns_of(const Spec& spec) { return fmt::format("{}", fmt::join(operations::names_of(spec), " ")); }
 
 /// The modifiers, or the sequence, that a preset means for a representation.
-std::string effect_of(const Preset& preset, const Representation& entry) {
+std::string effect_of(const Project& preset, const Representation& entry) {
     const PresetMeaning meaning = meaning_of(preset.text, entry);
     return meaning.sequence ? meaning.sequence->text()
                             : fmt::format("{}", fmt::join(messages::words_of(meaning.modifiers), ", "));
 }
 
 /// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat", or "nothing".
-std::string effects_of(const Preset& preset) {
+std::string effects_of(const Project& preset) {
     std::vector<std::pair<std::string, std::string>> effects;
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
@@ -78,20 +78,80 @@ std::string list_one(const Representation& entry) {
         line("", "a minus sign before a letter negates that angle: Z-Y-X");
     }
     line("modifiers", fmt::format("{}", fmt::join(messages::words_of(entry.modifiers), " ")));
-    for (const Preset& preset : presets()) {
+    for (const Project& preset : presets()) {
         const std::string effect = effect_of(preset, entry);
         line(&preset == presets().data() ? "presets" : "",
-             fmt::format("{:<12} {:<14} {}", preset.text, effect.empty() ? "unchanged" : effect, preset.about));
+             fmt::format("{:<12} {:<14} {}", preset.text, effect.empty() ? "unchanged" : effect, preset.source));
     }
     return text;
 }
 
 std::string list_presets() {
     std::string text = fmt::format("{:<12}  {:<53}  {}\n", "PRESET", "of", "sets");
-    for (const Preset& preset : presets()) {
-        text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.about, effects_of(preset));
+    for (const Project& preset : presets()) {
+        text += fmt::format("{:<12}  {:<53}  {}\n", preset.text, preset.source, effects_of(preset));
     }
     return text + "\nA preset follows a name, as in quat:tum; it leaves all else unchanged.\n";
+}
+
+/// The SPECs of a project, each with the names of its numbers or the words that follow it.
+std::vector<std::pair<std::string, std::string>> specs_of(const Project& project) {
+    std::vector<std::pair<std::string, std::string>> specs;
+    for (std::string_view rest = project.specs; !rest.empty();) {
+        const std::string_view item = rest.substr(0, rest.find("; "));
+        rest.remove_prefix(std::min(item.size() + 2, rest.size()));
+        const std::string spec(item.substr(0, item.find(' ')));
+        specs.emplace_back(spec, item.substr(std::min(spec.size() + 1, item.size())));
+    }
+    if (project.is_spec() && !project.columns.empty()) {
+        specs[0].second = columns_of(std::get<Spec>(parse_spec(project.text)));
+    }
+    return specs;
+}
+
+std::string axes_of(const Project& project) {
+    const std::string reference = project.reference.empty() ? "" : fmt::format("reference {}", project.reference);
+    return fmt::format("{}{}{}", reference, reference.empty() || project.body.empty() ? "" : ", ",
+                       project.body.empty() ? "" : fmt::format("body {}", project.body));
+}
+
+std::string list_projects() {
+    std::string text;
+    const auto line = [&text](const auto&... cells) {
+        text += fmt::format("{:<16}  {:<20}  {:<54}  {:<23}  {}", cells...);
+        text.erase(text.find_last_not_of(' ') + 1);
+        text += '\n';
+    };
+    line("PROJECT", "SPEC", "numbers", "axes", "source");
+    for (const Project& project : projects()) {
+        auto specs = specs_of(project);
+        specs.resize(std::max<std::size_t>(specs.size(), 1), {"-", "rotconv list NAME says why"});
+        for (const auto& [spec, numbers] : specs) {
+            const bool is_first = &spec == &specs[0].first;
+            line(is_first ? project.text : "", spec, numbers, is_first ? axes_of(project) : "",
+                 is_first ? project.source : "");
+        }
+    }
+    return text + "\nA project with one SPEC and nothing behind it but names is a SPEC: -f kuka, -t ur.\n"
+                  "rotconv list NAME says more about one.\n";
+}
+
+std::string list_project(const Project& project) {
+    std::string text =
+        fmt::format("{}{}\n", project.text, project.others.empty() ? "" : fmt::format(" (also {})", project.others));
+    const auto line = [&text](std::string_view label, std::string_view what) {
+        text += what.empty() ? "" : fmt::format("  {:<10} {}\n", label, what);
+    };
+    for (const auto& [spec, numbers] : specs_of(project)) {
+        line("SPEC", fmt::format("{}{}{}", spec, numbers.empty() ? "" : "  ", numbers));
+    }
+    line("axes", axes_of(project));
+    if (std::ranges::count(presets(), project.text, &Project::text) != 0) {
+        line("preset", "sets " + effects_of(project));
+    }
+    line("source", project.source);
+    line("remark", project.remark);
+    return text;
 }
 
 /// The representation of a SPEC, such as one copied from a command line; euler may lack its sequence.
@@ -152,14 +212,11 @@ std::string list_of(const std::vector<std::string>& words) {
     if (first == "methods") {
         return list_methods({words.begin() + 1, words.end()});
     }
-    for (const Preset& preset : presets()) {
-        if (preset.text == first) {
-            return fmt::format("{}: {}\n  sets       {}\n  leaves     all else unchanged\n", preset.text, preset.about,
-                               effects_of(preset));
-        }
+    if (first == "projects") {
+        return list_projects();
     }
-    if (std::string about = messages::about_project(first); !about.empty()) {
-        return about;
+    if (const Project* const project = find_project(first)) {
+        return list_project(*project);
     }
     const Spec spec = named(first);
     const std::string about = list_one(representation(spec.name));
@@ -173,7 +230,7 @@ Command list(const Given& given) { return list_of(given.files); }
 
 CommandEntry list_command() {
     OptionSet set;
-    set.take_names("A representation, preset or project, presets, or methods [FROM [TO]]");
+    set.take_names("A representation or project, presets, projects, or methods [FROM [TO]]");
     return {"list", "List the representations, methods or presets, or explain one",
             "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", std::move(set), list};
 }
@@ -182,7 +239,7 @@ std::string help_footer() {
     const auto names = mapped(all_representations, [](RepresentationId id) { return name_of(representation(id)); });
     const auto modifiers = mapped(all_modifiers, [](Modifier modifier) { return rotconv::name_of(modifier); });
     // presets that set nothing would fill a line
-    const auto changing = filtered(presets(), [](const Preset& preset) { return effects_of(preset) != "nothing"; });
+    const auto changing = filtered(presets(), [](const Project& preset) { return effects_of(preset) != "nothing"; });
     return fmt::format(
         "A SPEC is a representation, followed by modifiers or a preset: quat, quat:xyzw, euler:ZYX:deg.\n"
         "\nRepresentations (rotconv list explains them):\n  {}\n"
@@ -195,7 +252,7 @@ std::string help_footer() {
         "\nExamples:\n"
         "  rotconv -f euler:ZYX:deg -t quat 30 20 10\n"
         "  rotconv compare -f quat:tum --columns 5-8 --within 0.01deg new.txt old.txt\n",
-        fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(mapped(changing, &Preset::text), " "));
+        fmt::join(names, " "), fmt::join(modifiers, " "), fmt::join(mapped(changing, &Project::text), " "));
 }
 
 } // namespace rotconv::cli

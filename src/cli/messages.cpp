@@ -152,10 +152,12 @@ std::vector<std::string_view> all_names() {
     for (const RepresentationId id : all_representations) {
         std::ranges::copy(names_of(representation(id)), std::back_inserter(names));
     }
+    std::ranges::copy(mapped(filtered(projects(), [](const Project& each) { return each.is_spec(); }), &Project::text),
+                      std::back_inserter(names));
     return names;
 }
 
-std::vector<std::string_view> all_presets() { return mapped(presets(), &Preset::text); }
+std::vector<std::string_view> all_presets() { return mapped(presets(), &Project::text); }
 
 std::vector<std::string> all_sequences() { return mapped(EulerSequence::all(), &EulerSequence::text); }
 

@@ -19,6 +19,7 @@ namespace rotconv::cli::messages {
 
 /// The name of a representation and its aliases.
 [[nodiscard]] std::vector<std::string_view> names_of(const Representation& entry);
+/// Those of all representations, and of the projects that are SPECs.
 [[nodiscard]] std::vector<std::string_view> all_names();
 [[nodiscard]] std::vector<std::string_view> all_presets();
 [[nodiscard]] std::vector<std::string> all_sequences();
@@ -100,8 +101,5 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 
 /// The command or option that does what the word names in other programs, or why there is none; empty for other words.
 [[nodiscard]] std::string answer_to_verb(std::string_view word);
-
-/// The options for the numbers of a project, as a line; of `projects` those of all; empty for other words.
-[[nodiscard]] std::string about_project(std::string_view word);
 
 } // namespace rotconv::cli::messages

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "../stream/number_text.hpp"
 #include "column_names.hpp"
@@ -153,6 +155,42 @@ private:
     std::vector<std::pair<std::size_t, Spec>> attitudes_; ///< each with the place of its first number
 };
 
+/// The first of the texts that is a change of axes, as an option; nothing where the axes stay as they are.
+std::string change_of_axes(std::string_view option,
+                           std::initializer_list<std::pair<std::string_view, std::string_view>> pairs) {
+    for (const auto& [from, to] : pairs) {
+        const std::string change = fmt::format("{}:{}", from, to);
+        if (std::holds_alternative<AxesChange>(parse_axes(change))) {
+            return from == to ? "" : fmt::format(" {} {}", option, change);
+        }
+    }
+    return "";
+}
+
+/// The options that change the axes of --from's project to those of --to's, if no option changes axes.
+std::string axes_options(const Given& given) {
+    for (const std::string_view option : {"--reference-axes", "--body-axes", "--left", "--right"}) {
+        if (given.has(option)) {
+            return "";
+        }
+    }
+    const auto project_of = [&given](std::string_view option) {
+        const auto spec = parse_spec(items_of(given.text(option)).front()); // all SPECs after -t have the same axes
+        return std::holds_alternative<Spec>(spec) ? std::get<Spec>(spec).project : nullptr;
+    };
+    const Project* const from = project_of("--from");
+    const Project* const to = project_of("--to");
+    if (from == nullptr || to == nullptr) {
+        return "";
+    }
+    // Reference axes that no option can take to others, such as right, up, forward to east, north, up, are those of a
+    // body.
+    return change_of_axes(
+               "--reference-axes",
+               {{from->reference, to->reference}, {from->reference, to->body}, {from->body, to->reference}}) +
+           change_of_axes("--body-axes", {{from->body, to->body}});
+}
+
 } // namespace
 
 void add_notes(const Given& given, const SelectedColumns& selected, bool refuses, stream::InputOptions& input) {
@@ -166,6 +204,10 @@ void add_notes(const Given& given, const SelectedColumns& selected, bool refuses
 
 std::vector<stream::Note> notes_on_options(const Given& given) {
     std::vector<stream::Note> notes;
+    if (const std::string options = axes_options(given); !options.empty()) {
+        notes.push_back(
+            {Kind::axes, fmt::format("--from and --to have different axes, which no SPEC changes:{}", options)});
+    }
     for (const std::string_view option : {"--left", "--right", "--initial"}) {
         if (given.has(option)) {
             const GivenNumbers read = numbers_of(given, option);

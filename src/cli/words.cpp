@@ -52,6 +52,18 @@ std::vector<std::string_view> items_of(std::string_view list) {
     return items;
 }
 
+std::vector<std::string> words_in(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        if (end > at) {
+            words.emplace_back(text.substr(at, end - at));
+        }
+        at = end + 1;
+    }
+    return words;
+}
+
 std::string lower(std::string_view text) {
     std::string result(text);
     std::ranges::transform(result, result.begin(),

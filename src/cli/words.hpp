@@ -48,6 +48,9 @@ template <class Range, class Condition> [[nodiscard]] auto filtered(const Range&
 /// What stands between the commas of a list.
 [[nodiscard]] std::vector<std::string_view> items_of(std::string_view list);
 
+/// The words of a text, which has blanks between them.
+[[nodiscard]] std::vector<std::string> words_in(std::string_view text);
+
 /// With the letters of ASCII in lower case.
 [[nodiscard]] std::string lower(std::string_view text);
 

@@ -8,30 +8,6 @@
 namespace rotconv {
 namespace {
 
-constexpr auto preset_table = std::to_array<Preset>({
-    {"scipy", "scipy.spatial.transform.Rotation"},
-    {"ros", "ROS geometry_msgs/Quaternion"},
-    {"tum", "TUM RGB-D trajectory files"},
-    {"matlab", "Aerospace Toolbox"},
-    {"basilisk", "Basilisk; Schaub and Junkins, [BN]"},
-    {"spice", "SPICE C-matrices, reference to body"},
-    {"bunge", "materials science, P = +1; R takes crystal to sample"},
-    {"baruh", "Baruh, Analytical Dynamics, 1999"},
-    {"trawny", "Trawny and Roumeliotis 2005, the JPL quaternion"},
-    {"jpl", "the JPL quaternion, as trawny"},
-    {"stuelpnagel", "Stuelpnagel, SIAM Review 6(4), 1964"},
-    {"px4", "PX4, msg/VehicleAttitude.msg: FRD body to NED"},
-    {"kitti", "KITTI odometry devkit, readme.txt: left camera poses"},
-    {"euroc", "EuRoC, header of the ground truth: q_RS"},
-    {"gtsam", "GTSAM, gtsam/geometry/Rot3.h"},
-    {"ceres", "Ceres, ceres/rotation.h"},
-    {"drake", "Drake, math/roll_pitch_yaw.h"},
-    {"blender", "Blender, mathutils"},
-    {"mujoco", "MuJoCo, doc/programming/simulation.rst"},
-    {"colmap", "COLMAP, doc/format.rst: world to camera"},
-    {"opk", "photogrammetry, omega phi kappa: image to ground"},
-});
-
 void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
     spec.passive = spec.passive || modifiers.has(Modifier::passive);
     spec.unit = modifiers.has(Modifier::deg) ? AngleUnit::degrees : spec.unit;
@@ -40,11 +16,11 @@ void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
     spec.positive = spec.positive || modifiers.has(Modifier::positive);
 }
 
-/// Cuts the text up to the next colon off `rest`.
-std::string_view next_part(std::string_view& rest) noexcept {
-    const auto colon = rest.find(':');
-    const auto part = rest.substr(0, colon);
-    rest = colon == std::string_view::npos ? std::string_view{} : rest.substr(colon + 1);
+/// Cuts the text up to the next mark off `rest`.
+std::string_view next_part(std::string_view& rest, char mark = ':') noexcept {
+    const auto end = rest.find(mark);
+    const auto part = rest.substr(0, end);
+    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
     return part;
 }
 
@@ -61,8 +37,6 @@ const Representation* find_representation(std::string_view text) noexcept {
     }
     return nullptr;
 }
-
-std::span<const Preset> presets() noexcept { return preset_table; }
 
 PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept {
     const auto found = std::ranges::find(entry.presets, preset, &PresetMeaning::preset);
@@ -104,9 +78,14 @@ std::array<std::uint8_t, 9> Spec::order() const noexcept {
 }
 
 std::array<std::string_view, 9> Spec::columns() const noexcept {
+    auto own = representation(name).columns;
+    if (has_own_columns) {
+        std::string_view rest = project->columns;
+        std::ranges::generate(own, [&rest] { return next_part(rest, ' '); });
+    }
     std::array<std::string_view, 9> names;
     const auto places = order();
-    std::ranges::transform(places, names.begin(), [this](auto place) { return representation(name).columns[place]; });
+    std::ranges::transform(places, names.begin(), [&own](auto place) { return own[place]; });
     return names;
 }
 
@@ -122,14 +101,20 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
     using What = SpecError::What;
     std::string_view rest = text;
     const std::string_view name = next_part(rest);
-    const Representation* const found = find_representation(name);
-    if (found == nullptr) {
+    const Representation* found = find_representation(name);
+    Spec spec;
+    if (const Project* const project = find_project(name); project != nullptr && project->is_spec()) {
+        spec = std::get<Spec>(parse_spec(project->specs));
+        spec.project = project;
+        spec.has_own_columns = !project->columns.empty();
+        found = &representation(spec.name);
+    } else if (found != nullptr) {
+        spec.name = found->name;
+    } else {
         return SpecError{What::unknown_name, std::string(name)};
     }
-    Spec spec;
-    spec.name = found->name;
     bool more = name.size() < text.size();
-    if (found->takes_sequence) {
+    if (found->takes_sequence && spec.project == nullptr) {
         if (!more) {
             return SpecError{What::no_sequence, std::string(text), found};
         }
@@ -140,6 +125,7 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
             return SpecError{What::unknown_sequence, std::string(letters), found};
         }
         spec.sequence = *sequence;
+        spec.has_own_columns = of_preset.has_value();
         if (!of_preset) { // else the word is read once more, as a preset
             more = rest.find(':') != std::string_view::npos;
             next_part(rest);
@@ -150,11 +136,12 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
     while (more) {
         more = rest.find(':') != std::string_view::npos;
         const std::string_view part = next_part(rest);
-        if (std::ranges::count(preset_table, part, &Preset::text) != 0) {
+        if (const auto preset = std::ranges::find(presets(), part, &Project::text); preset != presets().end()) {
             if (!used_preset.empty() && used_preset != part) {
                 return SpecError{What::second_preset, std::string(part), found};
             }
             used_preset = part;
+            spec.project = spec.project == nullptr ? &*preset : spec.project;
             apply(meaning_of(part, *found).modifiers, spec);
             continue;
         }

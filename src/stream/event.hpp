@@ -64,7 +64,7 @@ struct FirstBytes {
 
 /// What the input says of its numbers that is at odds with how they are read, in words. Each kind is told once.
 struct Note {
-    enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, limit };
+    enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, limit, axes };
     Kind kind = Kind::order;
     std::string text;
     bool ends_run = false;     ///< it is an error

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <rotconv/axes.hpp>
 #include <rotconv/spec.hpp>
 
 #include "catch.hpp"
@@ -112,6 +113,54 @@ TEST_CASE("the manual explains every modifier and preset, and the README names t
         INFO(name);
         CHECK(explained(items, {name}));
         CHECK(readme.contains(name));
+    }
+}
+
+// Catches a SPEC that is mistyped, names that are too many or too few, axes that no option knows, and a name that is
+// one of something else: it would never be found.
+TEST_CASE("the table of projects holds SPECs, names and axes, each name once") {
+    std::set<std::string> names;
+    for (const Project& project : projects()) {
+        INFO(project.text);
+        std::istringstream words(std::string(project.text) + ' ' + std::string(project.others));
+        for (std::string name; words >> name;) {
+            CHECK(names.insert(name).second);
+            CHECK(find_representation(name) == nullptr);
+            CHECK(find_project(name) == &project);
+        }
+        for (std::string_view rest = project.specs; !rest.empty();) {
+            const auto item = rest.substr(0, rest.find("; "));
+            rest.remove_prefix(std::min(item.size() + 2, rest.size()));
+            INFO(item);
+            CHECK(std::holds_alternative<Spec>(parse_spec(item.substr(0, item.find(' ')))));
+        }
+        std::istringstream columns{std::string(project.columns)};
+        const auto count = std::distance(std::istream_iterator<std::string>(columns), {});
+        if (count > 0) {
+            const auto spec = parse_spec(project.specs.substr(0, project.specs.find(' ')));
+            CHECK(static_cast<std::size_t>(count) == std::get<Spec>(spec).size());
+        }
+        for (const std::string_view axes : {project.reference, project.body}) {
+            const auto change = parse_axes(std::string(axes) + ':' + std::string(axes));
+            CHECK((axes.empty() || std::holds_alternative<AxesChange>(change)));
+        }
+        CHECK((!project.source.empty() || project.remark.starts_with("no source found")));
+        CHECK((!project.specs.empty() || !project.remark.empty()));
+    }
+}
+
+// Catches a project that was added, or changed, in the code alone.
+TEST_CASE("the manual explains every project with its SPECs, names and axes") {
+    const auto items = items_of_manual();
+    for (const Project& project : projects()) {
+        INFO(project.text);
+        std::set<std::string> words;
+        for (const auto text :
+             {project.specs, project.columns, project.reference, project.body, project.source, project.remark}) {
+            words.merge(words_of(std::string(text)));
+        }
+        const auto names = words_of(std::string(project.text) + ' ' + std::string(project.others));
+        CHECK(explained(items, {names.begin(), names.end()}, {words.begin(), words.end()}));
     }
 }
 

@@ -37,7 +37,7 @@ for command in $commands; do
 done
 
 # The worked example: all representations, each line written from the quaternion and read back.
-lines=$(sed -n '/^\.Ss A worked example/,/^\.Ss Conv/p' "$page" | grep -E '^[a-z0-9-]+(:[a-zA-Z]+)* +-?[0-9.]+ ')
+lines=$(sed -n '/^\.Ss A worked example/,/^\.Ss Proj/p' "$page" | grep -E '^[a-z0-9-]+(:[a-zA-Z]+)* +-?[0-9.]+ ')
 for name in $("$program" list | sed -n '2,/^$/s/^\([a-z0-9-]*\).*/\1/p'); do
     printf '%s\n' "$lines" | grep -qE "^${name}[: ]" || fail "the worked example has no $name"
 done
