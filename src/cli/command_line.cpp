@@ -120,7 +120,7 @@ Command read_command_line(int argc, const char* const* argv) {
     }
     const OptionSet& options = entry->options;
     const std::string verb = entry->name.empty() && !arguments.files.empty() ? arguments.files[0] : "";
-    if (!verb.empty() && verb.find_first_of("./") == std::string::npos &&
+    if (!verb.empty() && verb == words[0] && verb.find_first_of("./") == std::string::npos &&
         stream::File::why_unreadable(verb.c_str()) != 0) {
         if (const std::string answer = messages::answer_to_verb(verb); !answer.empty()) {
             throw Usage("{} is not a command: {}", quoted(verb), answer);

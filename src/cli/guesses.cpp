@@ -8,87 +8,26 @@
 #include <variant>
 
 #include "../methods/method.hpp"
+#include "meanings.hpp"
 #include "messages.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
 
-/// What a user may have meant by a word that rotconv does not know: its meaning elsewhere counts before its spelling.
+using Legal = std::vector<std::string_view>;
+
+/// What a user may have meant by a word that rotconv does not know.
 struct Guess {
     std::string text; ///< a legal text; empty: nothing needs to be written
     std::string said = fmt::format(" did you mean {}?", text);
 };
 
-/// What words of other programs are called here.
-struct Meaning {
-    std::string_view text;  ///< empty: it needs no modifier
-    std::string_view words; ///< each between blanks, in lower case, without marks
-};
-
-constexpr auto other_names = std::to_array<Meaning>({
-    {"axis-angle", " aa angleaxis "},
-    {"dcm", " rotmat rotationmatrix rotation rot mat r so3 "},
-    {"quat", " q ep eulerparameters "},
-    {"euler:ZYX", " ypr yawpitchroll taitbryan "},
-    {"euler:XYZ", " cardan "},
-    {"rpy", " rollpitchyaw "},
-    {"rotvec", " rotationvector rvec rv prv expmap "},
-    {"cayley", " crp "},
-    {"6d", " rot6d "},
-});
-
-constexpr auto other_modifiers = std::to_array<Meaning>({
-    {"xyzw", " scalarlast last "},
-    {"wxyz", " scalarfirst first hamilton "},
-    {"passive", " inverse inv transpose transposed t conjugate conj "},
-    {"col", " columnmajor colmajor columns "},
-    {"basilisk", " bn schaub "},
-    {"ros", " ros2 tf tf2 "},
-    {"spice", " naif "},
-    {"", " nb active rad radians rowmajor row numpy euroc kitti px4 gtsam "},
-});
-
-constexpr auto other_options = std::to_array<Meaning>({
-    {"--format json", " json "},
-    {"--format pretty", " pretty "},
-    {"--diagnostics off", " quiet q "},
-    {"--precision", " digits "},
-    {"--decimals", " round places "},
-    {"--delimiter", " sep separator "},
-    {"--header no", " noheader "},
-    {"--on-error skip", " skiperrors "},
-    {"--columns", " fields "},
-    {"rotconv list", " list l representations formats "},
-    {"no option (radians are what angles are in without :deg or -d)", " radians radian rad r "},
-    {"-t SPEC:passive", " inverse inv invert conjugate transpose "},
-});
-
-/// What rotconv does in another way, or not at all.
-constexpr auto verbs = std::to_array<Meaning>({
-    {":passive on one side inverts, as in rotconv -f quat -t quat:passive", " inverse inv invert conjugate transpose "},
-    {"--left and --right multiply by one attitude; two streams A and B are multiplied by rotconv compose -f SPEC -t "
-     "SPEC A B",
-     " mul multiply mult product concat concatenate combine chain "},
-    {"rotconv compare -f SPEC FILE REFERENCE prints angles; the attitudes between them: rotconv compose -f "
-     "SPEC:passive --by SPEC -t SPEC REFERENCE FILE",
-     " diff difference delta subtract sub relative angle distance check verify "},
-    {"not here: rotconv does not interpolate; SciPy's Slerp", " slerp squad interpolate interp lerp resample "},
-    {"not here: rotconv takes each row by itself; SciPy's Rotation.mean()", " average mean avg median filter smooth "},
-    {"every conversion does, with --tolerance inf", " normalize normalise norm unit orthogonalize orthonormalize "},
-    {"rotconv sample -t SPEC --kind uniform", " random rand generate samples "},
-    {"not here: rotconv writes numbers; --format pretty is for people", " plot draw show view visualize "},
-    {"rotconv rotate -f SPEC", " apply transform "},
-    {"it has no name: rotconv -f SPEC -t SPEC", " convert conversion conv "},
-    {"rotconv propagate", " integrate "},
-    {"rotconv rates --differences", " derivative differentiate velocity "},
-    {"NED to ENU is --reference-axes ned:enu, FRD to FLU --body-axes frd:flu, an OpenCV camera to OpenGL --body-axes "
-     "rdf:rub: three letters say where x, y and z point",
-     " axes frame frames ned enu frd flu rdf rub fru ruf luf nwu esu "},
-    {"--continuous, as in rotconv -f SPEC -t SPEC --continuous", " unwrap continuous "},
-});
-
 /// What to write for words of numbers that have nothing else but one of these, or it several times.
-constexpr auto marks = std::to_array<Meaning>({
+struct Mark {
+    std::string_view text;
+    std::string_view words; ///< each between blanks
+};
+constexpr auto marks = std::to_array<Mark>({
     {"write the minus sign as -, the one of the keyboard", " − – — － "},
     {"write the number alone, and :deg after the name of the SPEC or -d", " ° º deg degree degrees "},
     {"write the number alone: angles are in radians, unless the SPEC has :deg", " rad radian radians "},
@@ -113,28 +52,54 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-/// Only the letters and digits.
-std::string without_marks(std::string_view text) {
-    std::string result(text);
-    std::erase_if(result, [](char c) { return !is_alphanumeric(c); });
-    return result;
+/// The word is the same but for marks and capitals.
+bool is_alike(std::string_view one, std::string_view other) {
+    return without_marks(lower(one)) == without_marks(lower(other));
 }
 
-/// The meaning that a table has for a word.
-std::optional<Guess> find(std::span<const Meaning> table, std::string_view text) {
-    const std::string word = fmt::format(" {} ", lower(without_marks(text)));
-    const auto found = std::ranges::find_if(
-        table, [&word](const Meaning& meaning) { return meaning.words.find(word) != std::string_view::npos; });
-    return found == table.end() ? std::nullopt : std::optional(Guess{std::string(found->text)});
+/// The legal word that is written alike, or at most two letters away (one, below five letters).
+std::optional<Guess> guess_by_spelling(std::string_view text, const Legal& legal) {
+    std::optional<Guess> best;
+    std::size_t least = without_marks(text).size() < 5 ? 2 : 3;
+    for (const std::string_view word : legal) {
+        const std::size_t distance = is_alike(word, text) ? 0 : edit_distance(lower(text), lower(word));
+        if (distance < least) {
+            least = distance;
+            best = Guess{std::string(word)};
+        }
+    }
+    return best;
+}
+
+bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
+
+bool is_modifier(std::string_view word) {
+    return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
+}
+
+bool has_modifier(const Representation& entry, std::string_view word) {
+    return std::ranges::count(words_of(entry.modifiers), word) != 0;
+}
+
+/// What the table of words says.
+std::optional<Guess> guess_meaning(std::string_view word) {
+    const Meaning* const meaning = find_meaning(word);
+    if (meaning == nullptr) {
+        return std::nullopt;
+    }
+    Guess guess{std::string(meaning->instead)};
+    guess.said = fmt::format("{}{}{}", meaning->instead.empty() ? "" : guess.said, meaning->about.empty() ? "" : " ",
+                             meaning->about);
+    return guess;
 }
 
 /// A project by one of its names, in any case and with other marks.
 const Project* project_called(std::string_view word) {
-    const auto plain = [](std::string_view text) { return lower(without_marks(text)); };
-    const auto found = std::ranges::find_if(projects(), [&](const Project& each) {
-        return std::ranges::count(words_in(fmt::format("{} {}", each.text, each.others)), plain(word), plain) != 0;
+    const auto found = std::ranges::find_if(projects(), [word](const Project& each) {
+        return std::ranges::any_of(words_in(fmt::format("{} {}", each.text, each.others)),
+                                   [word](const std::string& name) { return is_alike(name, word); });
     });
-    return word.empty() || found == projects().end() ? nullptr : &*found;
+    return found == projects().end() ? nullptr : &*found;
 }
 
 /// What the numbers of a project are, in the place of a word that cannot name them there.
@@ -147,6 +112,9 @@ std::optional<Guess> guess_project(std::string_view word) {
         return Guess{std::string(project->text),
                      fmt::format(" {} is a SPEC itself, {}", project->text, project->specs)};
     }
+    if (is_preset(project->text) && project->text != word) {
+        return Guess{std::string(project->text)};
+    }
     const std::string_view mark = project->specs.empty() || project->remark.empty() ? "" : "; ";
     return Guess{{}, fmt::format(" {}: {}{}{}", project->text, project->specs, mark, project->remark)};
 }
@@ -155,6 +123,7 @@ std::optional<Guess> guess_project(std::string_view word) {
 /// axes) and sxyz (static ones).
 std::optional<Guess> guess_sequence(std::string_view text) {
     std::string letters = without_marks(text);
+    bool is_clear = false;                                 // which axes are meant
     const auto exchange = [&letters](char from, char to) { // three letters or digits from these on
         for (char& c : letters) {
             c = c >= from && c <= from + 2 ? static_cast<char>(to + (c - from)) : c;
@@ -162,6 +131,7 @@ std::optional<Guess> guess_sequence(std::string_view text) {
     };
     if (text.find('\'') != std::string_view::npos) {
         exchange('x', 'X');
+        is_clear = true;
     }
     if (lower(letters).starts_with("euler")) {
         letters.erase(0, 5);
@@ -169,19 +139,19 @@ std::optional<Guess> guess_sequence(std::string_view text) {
     if (letters.size() == 4 && (letters[0] == 'r' || letters[0] == 's')) {
         exchange('x', letters[0] == 'r' ? 'X' : 'x');
         letters.erase(0, 1);
+        is_clear = true;
     }
     exchange('1', 'X');
-    return EulerSequence::parse(letters) ? std::optional(Guess{"euler:" + letters}) : std::nullopt;
-}
-
-bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
-
-bool is_modifier(std::string_view word) {
-    return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
-}
-
-bool has_modifier(const Representation& entry, std::string_view word) {
-    return std::ranges::count(words_of(entry.modifiers), word) != 0;
+    const auto sequence = EulerSequence::parse(letters);
+    if (!sequence) {
+        return std::nullopt;
+    }
+    Guess guess{"euler:" + letters};
+    if (!is_clear && letters == lower(letters)) {
+        exchange('x', 'X');
+        guess.said += fmt::format(" (about the fixed axes; about the body's own axes: euler:{})", letters);
+    }
+    return guess;
 }
 
 /// The SPEC of the first representation that has the word as a preset that changes it, a modifier or a column.
@@ -202,112 +172,92 @@ std::optional<Guess> guess_owner(std::string_view word) {
     return Guess{spec, fmt::format(" {} is a {} of {}: did you mean {}?", word, kind, fmt::join(owners, ", "), spec)};
 }
 
-std::optional<Guess> guess_name(std::string_view word, const std::vector<std::string_view>& legal) {
-    if (auto guess = guess_owner(word)) {
+/// The rule for every word: what the word means elsewhere, another way of writing what is known, and then a legal word
+/// that is spelled nearly so. Never the nearest that is not near.
+std::optional<Guess> guess_word(std::string_view word, const Legal& legal) {
+    if (auto guess = guess_meaning(word)) {
         return guess;
     }
-    for (const std::string_view name : legal) {
-        if (without_marks(lower(name)) == without_marks(lower(word))) {
-            return Guess{std::string(name)};
+    if (auto guess = guess_project(word)) {
+        return guess;
+    }
+    if (auto guess = guess_sequence(word)) {
+        return guess;
+    }
+    std::string spec(word); // such as quat_xyzw
+    std::ranges::replace_if(
+        spec, [](char c) { return c == '_' || c == '-'; }, ':');
+    return std::holds_alternative<Spec>(parse_spec(spec)) ? Guess{spec} : guess_by_spelling(word, legal);
+}
+
+/// A word in the place of the name in a SPEC.
+std::optional<Guess> guess_name(std::string_view word) {
+    const Project* const project = project_called(word);
+    const auto guess = guess_owner(project != nullptr && is_preset(project->text) ? project->text : word);
+    return guess ? guess : guess_word(word, all_names());
+}
+
+/// A word in the place of the letters of an Euler sequence, or of a modifier.
+std::optional<Guess> guess_in_spec(const SpecError& error, const Legal& legal) {
+    const std::string& word = error.text;
+    if (error.what == SpecError::What::unknown_sequence) {
+        if (is_preset(word) || is_modifier(word)) {
+            return Guess{fmt::format("euler:ZYX:{}", word)};
+        }
+        for (const std::string_view name : all_names()) {
+            if (is_alike(name, word) && find_representation(name) != nullptr) {
+                return Guess{std::string(name)};
+            }
         }
     }
-    const auto meaning = find(other_names, word);
-    return meaning ? meaning : guess_sequence(word);
-}
-
-std::optional<Guess> guess_modifier(std::string_view word, const Representation& entry) {
-    auto meaning = find(other_modifiers, word);
-    if (meaning && meaning->text.empty()) {
-        return Guess{{}, fmt::format(" {} needs no modifier: leave it out", quoted(word))};
-    }
-    if (meaning && (is_preset(meaning->text) || has_modifier(entry, meaning->text))) {
-        return meaning;
-    }
-    return entry.has_gimbal_lock ? guess_sequence(word) : std::nullopt;
-}
-
-/// A word in the place of the letters of an Euler sequence.
-std::optional<Guess> guess_letters(std::string_view word) {
-    if (is_preset(word) || is_modifier(word)) {
-        return Guess{fmt::format("euler:ZYX:{}", word)};
-    }
-    if (word == representation(RepresentationId::rpy).text) {
-        return Guess{std::string(word)};
-    }
-    const auto meaning = find(other_names, word);
-    return meaning && meaning->text.starts_with("euler:") ? meaning : guess_sequence(word);
-}
-
-/// The legal word that begins with the text; otherwise the nearest.
-std::optional<Guess> guess_by_spelling(std::string_view text, const std::vector<std::string_view>& legal) {
-    constexpr std::size_t shortest_beginning = 4; // such as --pr
-    std::optional<Guess> best;
-    std::size_t least = std::max<std::size_t>(2, text.size() / 2) + 1;
-    for (const std::string_view word : legal) {
-        const bool is_begun = text.size() >= shortest_beginning && word.starts_with(text);
-        const std::size_t distance = is_begun ? 0 : edit_distance(lower(text), lower(word));
-        if (distance < least) {
-            least = distance;
-            best = Guess{std::string(word)};
-        }
-    }
-    return best;
-}
-
-/// `legal`: the words that could stand in the place of the one at fault.
-std::optional<Guess> guess_spec(const SpecError& error, const std::vector<std::string_view>& legal) {
-    using What = SpecError::What;
-    const Project* const project = project_called(error.text);
-    if (project != nullptr && !is_preset(project->text)) {
-        return guess_project(error.text);
-    }
-    auto guess = error.what == What::unknown_name       ? guess_name(error.text, legal)
-                 : error.what == What::unknown_sequence ? guess_letters(error.text)
-                                                        : guess_modifier(error.text, *error.in);
-    guess = guess ? guess : guess_project(error.text);
-    return guess ? guess : guess_by_spelling(error.text, legal);
+    const auto guess = guess_word(word, legal);
+    return guess && is_modifier(guess->text) && !has_modifier(*error.in, guess->text) ? std::nullopt : guess;
 }
 
 /// A word that is neither an option nor a number nor a FILE; `commands`: the words that could stand in its place.
-std::optional<Guess> guess_operand(std::string_view word, const std::vector<std::string_view>& commands) {
+std::optional<Guess> guess_operand(std::string_view word, const Legal& commands) {
     if (std::holds_alternative<Spec>(parse_spec(word))) {
         return Guess{fmt::format("-f {} or -t {}", word, word)};
     }
     if (const auto at = word.find('2'); at != std::string_view::npos) { // such as rpy2quat
-        const auto from = guess_name(word.substr(0, at), all_names());
-        const auto to = guess_name(word.substr(at + 1), all_names());
+        const auto from = guess_name(word.substr(0, at));
+        const auto to = guess_name(word.substr(at + 1));
         if (from && to && !from->text.empty() && !to->text.empty()) {
             return Guess{fmt::format("-f {} -t {}", from->text, to->text)};
         }
     }
-    return guess_by_spelling(word, commands);
+    return guess_word(word, commands);
 }
 
-std::optional<Guess> guess_option(std::string_view text, const std::vector<std::string_view>& legal) {
+std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
     const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
-    if (word.size() > 2 && std::ranges::any_of(legal, [text](auto name) { return name.starts_with(text); })) {
-        return guess_by_spelling(text, legal);
+    const auto begun = std::ranges::find_if(legal, [text](std::string_view name) { return name.starts_with(text); });
+    if (const auto guess = guess_meaning(word); guess && !is_modifier(guess->text)) {
+        return guess;
     }
-    if (is_preset(word) || is_modifier(word)) {
-        return Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)};
+    if (word.size() > 2 && begun != legal.end()) { // such as --prec
+        return Guess{std::string(*begun)};
     }
-    const auto meaning = find(other_options, text);
-    return meaning ? meaning : guess_by_spelling(text, legal);
+    return is_preset(word) || is_modifier(word) ? Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)}
+                                                : guess_word(text, legal);
 }
 
 std::string suggestion(const std::optional<Guess>& guess) { return guess ? ";" + guess->said : ""; }
 
-/// A word that is not one of the legal ones.
-std::string unknown(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal,
-                    const std::optional<Guess>& guess) {
-    return fmt::format("{} is not a known {} (legal: {}){}", quoted(text), what, fmt::join(legal, " "),
-                       suggestion(guess));
+/// A word that is not one of the legal ones: these, if they are few, and the guess, or where they are listed.
+std::string unknown(std::string_view what, std::string_view text, const Legal& legal, const std::optional<Guess>& guess,
+                    std::string_view where = "see rotconv --help") {
+    constexpr std::size_t few = 8;
+    const std::string list = legal.size() > few ? "" : fmt::format(" (legal: {})", fmt::join(legal, " "));
+    return fmt::format("{} is not a known {}{}{}", quoted(text), what, list,
+                       guess || legal.size() <= few ? suggestion(guess) : fmt::format("; {}", where));
 }
 
 } // namespace
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
-    return unknown(what, text, legal, guess_by_spelling(text, legal));
+    const auto guess = guess_by_spelling(text, legal);
+    return unknown(what, text, legal, guess ? guess : guess_meaning(text));
 }
 
 std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
@@ -343,24 +293,28 @@ std::string no_operand(std::string_view word, int error, const std::vector<std::
 
 std::string explain(const SpecError& error) {
     using What = SpecError::What;
-    const auto not_known = [&error](std::string_view what, const std::vector<std::string_view>& legal) {
-        return unknown(what, error.text, legal, guess_spec(error, legal));
-    };
-    const auto sequences = all_sequences();
+    const auto legal = error.in == nullptr ? Legal() : words_of(error.in->modifiers);
+    const std::string list = fmt::format("legal: {} and the presets of rotconv list presets", fmt::join(legal, " "));
     switch (error.what) {
-    case What::unknown_name: return not_known("representation", all_names());
+    case What::unknown_name:
+        return unknown("representation", error.text, all_names(), guess_name(error.text),
+                       "rotconv list has them, rotconv list projects those of programs");
     case What::no_sequence:
-        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(sequences, " "));
-    case What::unknown_sequence: return not_known("Euler sequence", {sequences.begin(), sequences.end()});
+        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
+    case What::unknown_sequence: {
+        const auto sequences = all_sequences();
+        const Legal letters{sequences.begin(), sequences.end()};
+        return unknown("Euler sequence", error.text, letters, guess_in_spec(error, letters),
+                       "it has three letters, neighbours different; rotconv list euler explains them");
+    }
     case What::unknown_modifier: {
-        auto legal = words_of(error.in->modifiers);
-        std::ranges::copy(all_presets(), std::back_inserter(legal));
-        return not_known(fmt::format("modifier of {}", error.in->text), legal);
+        auto words = legal;
+        std::ranges::copy(all_presets(), std::back_inserter(words));
+        return unknown(fmt::format("modifier of {}", error.in->text), error.text, words, guess_in_spec(error, words),
+                       list);
     }
     case What::meaningless_modifier:
-        return fmt::format("{} has no meaning for {} (legal: {} and one of the presets {})", quoted(error.text),
-                           error.in->text, fmt::join(words_of(error.in->modifiers), " "),
-                           fmt::join(all_presets(), " "));
+        return fmt::format("{} has no meaning for {} ({})", quoted(error.text), error.in->text, list);
     case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
     case What::two_orders: return fmt::format("{} has the scalar first and last", quoted(error.text));
     }
@@ -372,7 +326,7 @@ std::string mend(std::string_view text) {
     std::erase_if(rest, [](char c) {
         return std::string_view("0123456789+-.*/,; \t\r\n[](){}").find(c) != std::string_view::npos;
     });
-    for (const Meaning& mark : marks) {
+    for (const Mark& mark : marks) {
         for (std::string_view words = mark.words.substr(1); !words.empty(); words.remove_prefix(words.find(' ') + 1)) {
             std::string repeated;
             while (repeated.size() < rest.size()) {
@@ -412,6 +366,9 @@ std::string mend(const stream::RowError& error) {
     return mended.empty() && is_count && may_be_decimal ? "; decimal commas must be points" : mended;
 }
 
-std::string answer_to_verb(std::string_view word) { return find(verbs, word).value_or(Guess{}).text; }
+std::string answer_to_verb(std::string_view word) {
+    const auto guess = guess_meaning(word);
+    return guess ? guess->said.substr(1) : "";
+}
 
 } // namespace rotconv::cli::messages

@@ -75,6 +75,12 @@ bool is_alphanumeric(char c) noexcept {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
+std::string without_marks(std::string_view text) {
+    std::string result(text);
+    std::erase_if(result, [](char c) { return !is_alphanumeric(c); });
+    return result;
+}
+
 std::string in_shell(std::string_view word) {
     const bool is_plain = !word.empty() && std::ranges::all_of(word, [](char c) {
         return is_alphanumeric(c) || std::string_view("-_./:,=+@").find(c) != std::string_view::npos;

@@ -54,6 +54,9 @@ template <class Range, class Condition> [[nodiscard]] auto filtered(const Range&
 /// With the letters of ASCII in lower case.
 [[nodiscard]] std::string lower(std::string_view text);
 
+/// Only the letters and digits.
+[[nodiscard]] std::string without_marks(std::string_view text);
+
 /// A letter or a digit of ASCII.
 [[nodiscard]] bool is_alphanumeric(char c) noexcept;
 

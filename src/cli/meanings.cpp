@@ -1,0 +1,92 @@
+#include "meanings.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "words.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+// clang-format off
+constexpr auto meanings = std::to_array<Meaning>({
+    // representations
+    {"rotmat rotationmatrix rotation rot mat r so3", "dcm", ""},
+    {"q ep eulerparameters versor", "quat", ""},
+    {"aa angleaxis", "axis-angle", "(nx ny nz angle: the angle comes last)"},
+    {"rotationvector rv prv expmap log", "rotvec", ""},
+    {"ypr yawpitchroll taitbryan", "euler:ZYX", ""},
+    {"cardan", "euler:XYZ", ""},
+    {"rollpitchyaw", "rpy", ""},
+    {"crp", "cayley", ""},
+    {"rot6d rotation6d", "6d", ""},
+    {"rodrigues rodriguesvector", "", "two meanings: tan(theta/2) n is cayley, theta n (as in OpenCV) is rotvec"},
+    {"m2eul eul2m", "", "m2eul(r, 3, 2, 1) is euler:zyx; C-matrices are dcm:spice"},
+    {"heading", "", "the last number of rpy, or the first of euler:ZYX (yaw, pitch, roll)"},
+    {"homochoric cubochoric ho cu", "", "not here; the homochoric vector of axis n and angle t is (3 (t - sin t) / 4)^(1/3) n"},
+    {"dualquaternion dq se3 homogeneous matrix4 4x4", "", "not here: rotconv converts rotations; that of a 4x4, row by row, is dcm --columns 1-3,5-7,9-11"},
+    {"x y z", "", "a sequence has three letters; a turn about one axis is axis-angle, such as 0 0 1 ANGLE about z"},
+    // modifiers
+    {"scalarlast last", "xyzw", ""},
+    {"scalarfirst first hamilton", "wxyz", ""},
+    {"inv transpose transposed t conj", "passive", "(the inverse)"},
+    {"columnmajor colmajor columns", "col", ""},
+    {"degrees", "deg", "(after the name, as in rpy:deg)"},
+    {"radians radian rad", "", "radians are what angles are in without :deg or -d: leave it out"},
+    {"nb active rowmajor row numpy", "", "that is what numbers are without a modifier: leave it out"},
+    {"shadow", "", "an mrp has norm at most 1; --continuous passes to the shadow where that is nearer"},
+    {"intrinsic extrinsic rotating static moving fixed", "", "letters in upper case turn about the body's own axes (intrinsic), in lower case about the fixed axes (extrinsic): euler:ZYX, euler:zyx"},
+    {"gon grad grads gradian gradians", "", "not here: angles are in radians or, with :deg, in degrees; 1 gon is 0.9 degrees"},
+    {"unit units", "", "angles are in degrees with :deg after the name of a SPEC or with -d, otherwise in radians; times have --time-unit"},
+    // axes
+    {"axes frame frames fromframe toframe ned enu frd flu rdf rub fru ruf luf nwu esu", "", "NED to ENU is --reference-axes ned:enu, FRD to FLU --body-axes frd:flu, an OpenCV camera to OpenGL --body-axes rdf:rub: three letters say where x, y and z point"},
+    // options
+    {"json", "--format json", ""},
+    {"pretty", "--format pretty", ""},
+    {"quiet silent nowarnings", "--diagnostics off", ""},
+    {"showfailures failures verbose", "--diagnostics rows", "(compare: --worst N, or --format csv with every pair)"},
+    {"digits", "--precision", ""},
+    {"round places", "--decimals", ""},
+    {"sep separator", "--delimiter", ""},
+    {"noheader", "--header no", ""},
+    {"skip skiperrors ignoreerrors ignorenan dropna", "--on-error skip", ""},
+    {"fields cols usecols", "--columns", ""},
+    {"maxerror maxangle threshold limit", "--within", "(rotconv compare)"},
+    {"pair sync match join timestamp time", "--key", "(rotconv compare: FILE and REFERENCE by the key, or time, in that column)"},
+    {"reference ref", "", "REFERENCE is the second FILE: rotconv compare -f SPEC FILE REFERENCE"},
+    {"unwrap continuous", "--continuous", "(rotconv -f SPEC -t SPEC --continuous)"},
+    {"list l representations formats", "rotconv list", ""},
+    {"rms statistics stats", "", "rotconv compare -f SPEC FILE REFERENCE prints it with its other figures"},
+    {"junit", "", "not here: the exit status of rotconv compare --within says whether a check holds, --format json the figures"},
+    {"dt step timestep rate frequency", "", "not here: times are a column of the rows, in seconds or in the unit of --time-unit"},
+    {"inertia torque dynamics", "", "not here: rotconv integrates angular velocities, which its rows give, and knows no torques"},
+    {"dtype f32 float32 float single double", "", "binary rows are doubles, f64; those of floats: NumPy's astype('<f8')"},
+    // verbs
+    {"inverse invert conjugate", "", ":passive on one side inverts, as in rotconv -f quat -t quat:passive"},
+    {"mul multiply mult product concat concatenate combine chain", "", "--left and --right multiply by one attitude; two streams A and B are multiplied by rotconv compose -f SPEC -t SPEC A B"},
+    {"diff difference delta subtract sub relative angle distance geodesic", "", "rotconv compare -f SPEC FILE REFERENCE prints angles; the attitudes between them: rotconv compose -f SPEC:passive --by SPEC -t SPEC REFERENCE FILE"},
+    {"check validate verify test", "", "rotconv compare -f SPEC --within ANGLE FILE REFERENCE; whether numbers are attitudes: rotconv -f SPEC -t SPEC --strict FILE"},
+    {"align register", "", "rotconv compare -f SPEC --align SIDE FILE REFERENCE"},
+    {"misorientation disorientation symmetry", "", "rotconv compare -f SPEC FILE REFERENCE prints the angle between attitudes; the symmetry of crystals is not here"},
+    {"slerp squad interpolate interp lerp resample", "", "not here: SciPy's Slerp; rotconv compare takes a REFERENCE between its rows, with --key COLUMN --interpolate"},
+    {"average mean avg median filter smooth", "", "not here: rotconv takes each row by itself; SciPy's Rotation.mean()"},
+    {"normalize normalise norm orthogonalize orthonormalize", "", "every conversion does, with --tolerance inf"},
+    {"random rand generate samples", "", "rotconv sample -t SPEC --kind uniform"},
+    {"plot draw show view visualize", "", "not here: rotconv writes numbers; --format pretty is for people"},
+    {"apply transform", "", "rotconv rotate -f SPEC"},
+    {"convert conversion conv", "", "it has no name: rotconv -f SPEC -t SPEC"},
+    {"integrate", "", "rotconv propagate"},
+    {"derivative differentiate velocity", "", "rotconv rates --differences"},
+});
+// clang-format on
+
+} // namespace
+
+const Meaning* find_meaning(std::string_view word) {
+    const std::string plain = without_marks(lower(word));
+    const auto found = std::ranges::find_if(
+        meanings, [&plain](const Meaning& meaning) { return std::ranges::count(words_in(meaning.words), plain) != 0; });
+    return found == meanings.end() ? nullptr : &*found;
+}
+
+} // namespace rotconv::cli

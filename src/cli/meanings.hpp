@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Words of other programs.
+namespace rotconv::cli {
+
+/// What a word means here, or why there is no such thing.
+struct Meaning {
+    std::string_view words;   ///< without marks, in lower case, with blanks between
+    std::string_view instead; ///< what to write; empty: `about` says it
+    std::string_view about;
+};
+
+/// Null for other words. Marks and capitals do not count: "--max-error", "scalar_last".
+[[nodiscard]] const Meaning* find_meaning(std::string_view word);
+
+} // namespace rotconv::cli
