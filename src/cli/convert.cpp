@@ -104,10 +104,7 @@ CommandEntry convert_command() {
             "Usage: rotconv -f FROM -t TO [OPTION]... [VALUE]...\n"
             "       rotconv -f FROM [OPTION]... VALUE...\n"
             "       rotconv -f FROM -t TO [OPTION]... [FILE]\n"
-            "       rotconv list [NAME]\n"
-            "       rotconv rates|propagate|survey [OPTION]... [FILE]\n"
-            "       rotconv compare|identify [OPTION]... [FILE [REFERENCE]]\n"
-            "       rotconv sample -t SPEC [OPTION]...\n",
+            "       rotconv COMMAND [OPTION]...              (rotconv COMMAND --help)\n",
             std::move(set), convert};
 }
 

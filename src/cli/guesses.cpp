@@ -200,15 +200,8 @@ std::optional<Guess> guess_name(std::string_view word) {
 /// A word in the place of the letters of an Euler sequence, or of a modifier.
 std::optional<Guess> guess_in_spec(const SpecError& error, const Legal& legal) {
     const std::string& word = error.text;
-    if (error.what == SpecError::What::unknown_sequence) {
-        if (is_preset(word) || is_modifier(word)) {
-            return Guess{fmt::format("euler:ZYX:{}", word)};
-        }
-        for (const std::string_view name : all_names()) {
-            if (is_alike(name, word) && find_representation(name) != nullptr) {
-                return Guess{std::string(name)};
-            }
-        }
+    if (error.what == SpecError::What::unknown_sequence && (is_preset(word) || is_modifier(word))) {
+        return Guess{fmt::format("euler:ZYX:{}", word)};
     }
     const auto guess = guess_word(word, legal);
     return guess && is_modifier(guess->text) && !has_modifier(*error.in, guess->text) ? std::nullopt : guess;
@@ -303,7 +296,8 @@ std::string explain(const SpecError& error) {
         return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
     case What::unknown_sequence: {
         const auto sequences = all_sequences();
-        const Legal letters{sequences.begin(), sequences.end()};
+        Legal letters{sequences.begin(), sequences.end()};
+        letters.push_back(representation(RepresentationId::rpy).text);
         return unknown("Euler sequence", error.text, letters, guess_in_spec(error, letters),
                        "it has three letters, neighbours different; rotconv list euler explains them");
     }

@@ -231,7 +231,7 @@ Command list(const Given& given) { return list_of(given.files); }
 CommandEntry list_command() {
     OptionSet set;
     set.take_names("A representation or project, presets, projects, or methods [FROM [TO]]");
-    return {"list", "List the representations, methods or presets, or explain one",
+    return {"list", "List the representations, projects, presets or methods, or explain one",
             "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", std::move(set), list};
 }
 
@@ -242,9 +242,10 @@ std::string help_footer() {
     const auto changing = filtered(presets(), [](const Project& preset) { return effects_of(preset) != "nothing"; });
     return fmt::format(
         "A SPEC is a representation, followed by modifiers or a preset: quat, quat:xyzw, euler:ZYX:deg.\n"
-        "\nRepresentations (rotconv list explains them):\n  {}\n"
-        "\nModifiers (rotconv list NAME gives those of one representation):\n  {}\n"
-        "\nPresets set the modifiers of a project (rotconv list presets explains them):\n  {}\n"
+        "Representations (rotconv list): {}\n"
+        "Modifiers (rotconv list NAME): {}\n"
+        "Presets set the modifiers of a project (rotconv list presets explains them):\n  {}\n"
+        "Names of other projects, such as kuka, are SPECs or answered with them: rotconv list projects.\n"
         "\nExit status:\n"
         "  0  finished\n"
         "  1  finished, but rows failed, --strict met a diagnostic, or a check did not hold\n"

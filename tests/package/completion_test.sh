@@ -84,7 +84,7 @@ presets=$("$program" list quat | sed -n '/^  presets/,$p' | sed 's/^  presets/ /
 # shellcheck disable=SC2086 # likewise
 for shell in $shells; do
     for command in '' $commands; do
-        options=$("$program" $command --help | grep -oE '^ +(-[a-z],)?--[a-z0-9-]+' | grep -oE -- '--?[a-z0-9-]+')
+        options=$("$program" $command --help | grep -oE '^ +(-[a-z],)?--[a-z0-9-]+|^  shared:.*' | grep -oE -- '--?[a-z0-9-]+')
         check "$shell" "rotconv ${command:+$command }-" $options
     done
     check "$shell" "rotconv " $commands rows.csv

@@ -29,7 +29,7 @@ commands=$("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'
 [ "$(printf '%s\n' "$commands" | wc -l)" -ge 5 ] || fail "not all commands were seen: $commands"
 for command in $commands; do
     printf '%s\n' "$text" | sed -n '/^COMMANDS/,/^INPUT/p' | grep -qE "^ {5}$command\\b" || fail "the page does not explain $command"
-    of_command=$("$program" "$command" --help | grep -oE '^ +(-[a-z],)?--[a-z0-9-]+' | grep -oE -- '--[a-z0-9-]+' | sort -u)
+    of_command=$("$program" "$command" --help | grep -oE '^ +(-[a-z],)?--[a-z0-9-]+|^  shared:.*' | grep -oE -- '--[a-z0-9-]+' | sort -u)
     [ -n "$of_command" ] || fail "no options in $command --help"
     for option in $of_command; do
         printf '%s\n' "$text" | grep -qE "^ {5}.*$option\\b" || fail "the page does not explain $option of $command"

@@ -268,3 +268,17 @@ TEST_CASE("list knows every representation") {
     check_usage_error("list quaternoin", {"quaternoin", "quaternion"});
     check_usage_error("lst", {"lst", "list"});
 }
+
+TEST_CASE("a help fits on a screen or two, and an option that all commands share is explained once") {
+    // Catches a help that nobody reads to its end, and an option that is explained nowhere.
+    CHECK(count_rows(run("--help").out) <= 75);
+    for (const char* command :
+         {"list", "rates", "propagate", "survey", "compare", "compose", "rotate", "identify", "sample"}) {
+        INFO(command);
+        CHECK(count_rows(run(command + std::string(" --help")).out) <= 45);
+    }
+    const auto shared = run("compare --help").out;
+    CHECK(missing(shared, {"shared: --columns --header", "--worst N ", "rotconv --help explains"}) == "");
+    CHECK(shared.find("What comments begin with") == std::string::npos);
+    CHECK(missing(run("--help").out, {"--comment PREFIX ", "What comments begin with"}) == "");
+}
