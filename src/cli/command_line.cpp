@@ -131,6 +131,9 @@ Command read_command_line(int argc, const char* const* argv) {
     };
     words = translated(std::move(words), is_command);
     const auto has_meaning = [](std::string_view word) {
+        if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
+            return false; // the label of a number
+        }
         return !messages::answer_to_verb(word).empty() || std::holds_alternative<Spec>(parse_spec(word)) ||
                (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)); // rpy2quat
     };
