@@ -184,7 +184,9 @@ RowWriter::OuterAngles RowWriter::outer_angles(const Spec& spec, std::size_t fir
             .closed_end_text = text_of(spec.positive ? 0.0 : half_turn)};
 }
 
-RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&options), layout_(&layout) {
+RowWriter::RowWriter(const Options& options, const Layout& layout)
+    : options_(&options), layout_(&layout),
+      is_plain_(options.format == Format::csv && !options.diagnostic_columns && !options.pairing) {
     std::size_t first = 0;
     for (const Spec& spec : options.operation->attitudes) {
         if (representation(spec.name).has_gimbal_lock && !options.digits.shortest() &&
@@ -193,8 +195,6 @@ RowWriter::RowWriter(const Options& options, const Layout& layout) : options_(&o
         }
         first += spec.size();
     }
-    writes_results_alone_ =
-        options.format == Format::csv && !options.diagnostic_columns && !options.pairing && outer_angles_.empty();
     for (const std::string_view name : result_columns(options, layout)) {
         json_keys_.push_back(json_string(layout.delimiter.unquoted(name)) + ": ");
     }

@@ -46,7 +46,7 @@ public:
     /// at its end; each answer to them. `results` are those of all rows at hand.
     void write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const;
     /// Whether such rows are all that is written where there is no failure.
-    [[nodiscard]] bool writes_results_alone() const noexcept { return writes_results_alone_; }
+    [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_ && outer_angles_.empty(); }
 
 private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
@@ -77,7 +77,7 @@ private:
     void write_attitudes(Buffer& to, const ConvertedRow& row) const;
 
     std::vector<OuterAngles> outer_angles_; ///< where numbers are rounded and have such a range
-    bool writes_results_alone_;
+    bool is_plain_;                         ///< text, and nothing but the result is added to it
 };
 
 /// What a diagnostic of the row says beside its kind.
