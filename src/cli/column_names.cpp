@@ -81,15 +81,8 @@ struct Spelling {
     std::vector<std::string> names; ///< in the order of the SPEC
     bool is_numbered = false;
 };
-std::vector<Spelling> spellings(const Spec& spec) {
+std::vector<Spelling> usual_spellings(const Spec& spec) {
     const auto order = name_order(spec);
-    if (spec.has_own_columns) {
-        Spec usual = spec;
-        usual.has_own_columns = false;
-        auto made = name_order(usual).empty() ? std::vector<Spelling>() : spellings(usual);
-        made.insert(made.begin(), {mapped(order, lower)});
-        return made;
-    }
     if (spec.name == RepresentationId::dcm) {
         return {{mapped(order, [](auto name) { return std::string(name.substr(1)); })},
                 {mapped(order, [](auto name) { return fmt::format("{:c}{:c}", name[1] - 1, name[2] - 1); })}};
@@ -107,6 +100,17 @@ std::vector<Spelling> spellings(const Spec& spec) {
                                                         : std::string(name.substr(1));
                                }),
                         is_numbered});
+    }
+    return made;
+}
+
+/// The names of the project come first.
+std::vector<Spelling> spellings(const Spec& spec) {
+    Spec usual = spec;
+    usual.has_own_columns = false;
+    auto made = name_order(usual).empty() ? std::vector<Spelling>() : usual_spellings(usual);
+    if (spec.has_own_columns) {
+        made.insert(made.begin(), {mapped(name_order(spec), lower)});
     }
     return made;
 }
@@ -162,7 +166,7 @@ bool KnownNames::are_in_order() const noexcept {
 std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names) {
     const auto texts = mapped(names, [](const std::string& name) { return lower(name); });
     const auto without_units = mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
-    for (const Spelling& spelling : name_order(spec).empty() ? std::vector<Spelling>() : spellings(spec)) {
+    for (const Spelling& spelling : spellings(spec)) {
         for (const auto* each : {&texts, &without_units}) {
             if (auto places = places_of(spelling.names, *each); !places.empty()) {
                 return KnownNames{std::move(places), spelling.is_numbered};

@@ -193,7 +193,7 @@ std::optional<Guess> guess_word(std::string_view word, const Legal& legal) {
 /// A word in the place of the name in a SPEC.
 std::optional<Guess> guess_name(std::string_view word) {
     const Project* const project = project_called(word);
-    const auto guess = guess_owner(project != nullptr && is_preset(project->text) ? project->text : word);
+    auto guess = guess_owner(project != nullptr && is_preset(project->text) ? project->text : word);
     return guess ? guess : guess_word(word, all_names());
 }
 
@@ -203,7 +203,7 @@ std::optional<Guess> guess_in_spec(const SpecError& error, const Legal& legal) {
     if (error.what == SpecError::What::unknown_sequence && (is_preset(word) || is_modifier(word))) {
         return Guess{fmt::format("euler:ZYX:{}", word)};
     }
-    const auto guess = guess_word(word, legal);
+    auto guess = guess_word(word, legal);
     return guess && is_modifier(guess->text) && !has_modifier(*error.in, guess->text) ? std::nullopt : guess;
 }
 
@@ -225,7 +225,7 @@ std::optional<Guess> guess_operand(std::string_view word, const Legal& commands)
 std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
     const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
     const auto begun = std::ranges::find_if(legal, [text](std::string_view name) { return name.starts_with(text); });
-    if (const auto guess = guess_meaning(word); guess && !is_modifier(guess->text)) {
+    if (auto guess = guess_meaning(word); guess && !is_modifier(guess->text)) {
         return guess;
     }
     if (word.size() > 2 && begun != legal.end()) { // such as --prec
@@ -361,8 +361,8 @@ std::string mend(const stream::RowError& error) {
 }
 
 std::string answer_to_verb(std::string_view word) {
-    const auto guess = guess_meaning(word);
-    return guess ? guess->said.substr(1) : "";
+    const Meaning* const meaning = find_meaning(word);
+    return meaning != nullptr && meaning->is_verb ? guess_meaning(word)->said.substr(1) : "";
 }
 
 } // namespace rotconv::cli::messages

@@ -54,7 +54,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"maxerror maxangle threshold limit", "--within", "(rotconv compare)"},
     {"pair sync match join timestamp time", "--key", "(rotconv compare: FILE and REFERENCE by the key, or time, in that column)"},
     {"reference ref", "", "REFERENCE is the second FILE: rotconv compare -f SPEC FILE REFERENCE"},
-    {"unwrap continuous", "--continuous", "(rotconv -f SPEC -t SPEC --continuous)"},
+    {"unwrap continuous", "--continuous", "(rotconv -f SPEC -t SPEC --continuous)", true},
     {"list l representations formats", "rotconv list", ""},
     {"rms statistics stats", "", "rotconv compare -f SPEC FILE REFERENCE prints it with its other figures"},
     {"junit", "", "not here: the exit status of rotconv compare --within says whether a check holds, --format json the figures"},
@@ -62,21 +62,21 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"inertia torque dynamics", "", "not here: rotconv integrates angular velocities, which its rows give, and knows no torques"},
     {"dtype f32 float32 float single double", "", "binary rows are doubles, f64; those of floats: NumPy's astype('<f8')"},
     // verbs
-    {"inverse invert conjugate", "", ":passive on one side inverts, as in rotconv -f quat -t quat:passive"},
-    {"mul multiply mult product concat concatenate combine chain", "", "--left and --right multiply by one attitude; two streams A and B are multiplied by rotconv compose -f SPEC -t SPEC A B"},
-    {"diff difference delta subtract sub relative angle distance geodesic", "", "rotconv compare -f SPEC FILE REFERENCE prints angles; the attitudes between them: rotconv compose -f SPEC:passive --by SPEC -t SPEC REFERENCE FILE"},
-    {"check validate verify test", "", "rotconv compare -f SPEC --within ANGLE FILE REFERENCE; whether numbers are attitudes: rotconv -f SPEC -t SPEC --strict FILE"},
-    {"align register", "", "rotconv compare -f SPEC --align SIDE FILE REFERENCE"},
-    {"misorientation disorientation symmetry", "", "rotconv compare -f SPEC FILE REFERENCE prints the angle between attitudes; the symmetry of crystals is not here"},
-    {"slerp squad interpolate interp lerp resample", "", "not here: SciPy's Slerp; rotconv compare takes a REFERENCE between its rows, with --key COLUMN --interpolate"},
-    {"average mean avg median filter smooth", "", "not here: rotconv takes each row by itself; SciPy's Rotation.mean()"},
-    {"normalize normalise norm orthogonalize orthonormalize", "", "every conversion does, with --tolerance inf"},
-    {"random rand generate samples", "", "rotconv sample -t SPEC --kind uniform"},
-    {"plot draw show view visualize", "", "not here: rotconv writes numbers; --format pretty is for people"},
-    {"apply transform", "", "rotconv rotate -f SPEC"},
-    {"convert conversion conv", "", "it has no name: rotconv -f SPEC -t SPEC"},
-    {"integrate", "", "rotconv propagate"},
-    {"derivative differentiate velocity", "", "rotconv rates --differences"},
+    {"inverse invert conjugate", "", ":passive on one side inverts, as in rotconv -f quat -t quat:passive", true},
+    {"mul multiply mult product concat concatenate combine chain", "", "--left and --right multiply by one attitude; two streams A and B are multiplied by rotconv compose -f SPEC -t SPEC A B", true},
+    {"diff difference delta subtract sub relative angle distance geodesic", "", "rotconv compare -f SPEC FILE REFERENCE prints angles; the attitudes between them: rotconv compose -f SPEC:passive --by SPEC -t SPEC REFERENCE FILE", true},
+    {"check validate verify test", "", "rotconv compare -f SPEC --within ANGLE FILE REFERENCE; whether numbers are attitudes: rotconv -f SPEC -t SPEC --strict FILE", true},
+    {"align register", "", "rotconv compare -f SPEC --align SIDE FILE REFERENCE", true},
+    {"misorientation disorientation symmetry", "", "rotconv compare -f SPEC FILE REFERENCE prints the angle between attitudes; the symmetry of crystals is not here", true},
+    {"slerp squad interpolate interp lerp resample", "", "not here: SciPy's Slerp; rotconv compare takes a REFERENCE between its rows, with --key COLUMN --interpolate", true},
+    {"average mean avg median filter smooth", "", "not here: rotconv takes each row by itself; SciPy's Rotation.mean()", true},
+    {"normalize normalise norm orthogonalize orthonormalize", "", "every conversion does, with --tolerance inf", true},
+    {"random rand generate samples", "", "rotconv sample -t SPEC --kind uniform", true},
+    {"plot draw show view visualize", "", "not here: rotconv writes numbers; --format pretty is for people", true},
+    {"apply transform", "", "rotconv rotate -f SPEC", true},
+    {"convert conversion conv", "", "it has no name: rotconv -f SPEC -t SPEC", true},
+    {"integrate", "", "rotconv propagate", true},
+    {"derivative differentiate velocity", "", "rotconv rates --differences", true},
 });
 // clang-format on
 
@@ -84,7 +84,7 @@ constexpr auto meanings = std::to_array<Meaning>({
 
 const Meaning* find_meaning(std::string_view word) {
     const std::string plain = without_marks(lower(word));
-    const auto found = std::ranges::find_if(
+    const auto* const found = std::ranges::find_if(
         meanings, [&plain](const Meaning& meaning) { return std::ranges::count(words_in(meaning.words), plain) != 0; });
     return found == meanings.end() ? nullptr : &*found;
 }

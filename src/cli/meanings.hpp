@@ -11,6 +11,7 @@ struct Meaning {
     std::string_view words;   ///< without marks, in lower case, with blanks between
     std::string_view instead; ///< what to write; empty: `about` says it
     std::string_view about;
+    bool is_verb = false; ///< people write it in the place of a command
 };
 
 /// Null for other words. Marks and capitals do not count: "--max-error", "scalar_last".

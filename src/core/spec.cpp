@@ -97,24 +97,21 @@ Spec Spec::in_degrees() const noexcept {
     return spec;
 }
 
-std::variant<Spec, SpecError> parse_spec(std::string_view text) {
+namespace {
+
+/// Reads a SPEC whose name is that of a representation.
+std::variant<Spec, SpecError> parse_plain(std::string_view text) {
     using What = SpecError::What;
     std::string_view rest = text;
     const std::string_view name = next_part(rest);
-    const Representation* found = find_representation(name);
-    Spec spec;
-    if (const Project* const project = find_project(name); project != nullptr && project->is_spec()) {
-        spec = std::get<Spec>(parse_spec(project->specs));
-        spec.project = project;
-        spec.has_own_columns = !project->columns.empty();
-        found = &representation(spec.name);
-    } else if (found != nullptr) {
-        spec.name = found->name;
-    } else {
+    const Representation* const found = find_representation(name);
+    if (found == nullptr) {
         return SpecError{What::unknown_name, std::string(name)};
     }
+    Spec spec;
+    spec.name = found->name;
     bool more = name.size() < text.size();
-    if (found->takes_sequence && spec.project == nullptr) {
+    if (found->takes_sequence) {
         if (!more) {
             return SpecError{What::no_sequence, std::string(text), found};
         }
@@ -141,7 +138,7 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
                 return SpecError{What::second_preset, std::string(part), found};
             }
             used_preset = part;
-            spec.project = spec.project == nullptr ? &*preset : spec.project;
+            spec.project = &*preset;
             apply(meaning_of(part, *found).modifiers, spec);
             continue;
         }
@@ -159,6 +156,22 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
         return SpecError{What::two_orders, std::string(text), found};
     }
     return spec;
+}
+
+} // namespace
+
+std::variant<Spec, SpecError> parse_spec(std::string_view text) {
+    const auto name = text.substr(0, text.find(':'));
+    const Project* const project = find_project(name);
+    if (project == nullptr || !project->is_spec()) {
+        return parse_plain(text);
+    }
+    auto parsed = parse_plain(std::string(project->specs).append(text.substr(name.size())));
+    if (auto* const spec = std::get_if<Spec>(&parsed)) {
+        spec->project = project;
+        spec->has_own_columns = !project->columns.empty();
+    }
+    return parsed;
 }
 
 } // namespace rotconv
