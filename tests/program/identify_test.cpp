@@ -167,8 +167,7 @@ TEST_CASE("identify reads doubles") {
     CHECK(bytes.out.size() == 3 * 7 * sizeof(double));
     CHECK(answer("-t rpy:deg --input-format f64 --width 7", bytes.out) == "-f quat --columns 1-4");
     CHECK(answer("-t rpy:deg -f quat --input-format f64", bytes.out) == "-f quat --columns 1-4");
-    CHECK(answer("-t quat --columns 5-7,1-4 --width 7 --input-format f64", bytes.out) ==
-          "-f rpy:deg --columns 5-7");
+    CHECK(answer("-t quat --columns 5-7,1-4 --width 7 --input-format f64", bytes.out) == "-f rpy:deg --columns 5-7");
     CHECK(run("identify -t rpy:deg --input-format f64", bytes.out) == stopped(any_output, {"f64", "--width"}));
 }
 
