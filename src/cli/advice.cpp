@@ -13,6 +13,7 @@
 #include "../stream/preamble.hpp"
 #include "../stream/run.hpp"
 #include "messages.hpp"
+#include "values.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
@@ -87,6 +88,20 @@ std::string advice_on_width(std::string_view text, const std::vector<stream::Lin
     return told + (reads(text, with_header) ? ": add --header yes"
                    : selects                ? ": add --header yes --columns LIST"
                                             : "");
+}
+
+/// Advice on numbers as programs print them for people; otherwise empty.
+std::string advice_on_print(std::string_view text, const std::vector<stream::Line>& lines,
+                            const stream::InputOptions& input) {
+    if (std::ranges::count(lines, "---", &stream::Line::text) > 0) {
+        return "messages that are parted by --- are printed as rows by ros2 topic echo --csv";
+    }
+    const Values values = values_of({std::string(text)}, std::nullopt);
+    Fields fields;
+    static_cast<void>(values.delimiter.split(values.row, fields));
+    return fields.size() == input.numbers.names.size() && std::ranges::all_of(fields, stream::is_number)
+               ? "numbers as programs print them can be given as one VALUE, in quotes"
+               : "";
 }
 
 /// A key as jq names it.
@@ -171,10 +186,6 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
         with_blanks.delimiter = stream::Delimiter::blanks();
         offer(beginning, with_blanks, "tabs and blanks part the numbers: add --delimiter blank");
     }
-    if (const auto inside = text.find_first_not_of("[ \t");
-        text.starts_with('[') && inside != std::string_view::npos && stream::is_number(text.substr(inside, 1))) {
-        return "a matrix printed over several lines can be given as one VALUE, in quotes";
-    }
     for (const std::string_view mark : {"//", "%", "COMMENT"}) {
         if (text.starts_with(mark)) {
             stream::InputOptions with_comment = input;
@@ -221,7 +232,7 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
             found = fmt::format("the first row of numbers is line {0}: tail -n +{0}{1} | rotconv ...", row + 1, name);
         }
     }
-    return found;
+    return found.empty() ? advice_on_print(beginning, lines, input) : found;
 }
 
 std::string json_advice(std::string_view beginning, const stream::InputOptions& input) {

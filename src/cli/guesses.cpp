@@ -331,18 +331,6 @@ std::string mend(std::string_view text) {
             }
         }
     }
-    const std::size_t bracket = text.find_first_of("[](){}");
-    if (rest.ends_with('=') || rest.ends_with("\":") || rest == "dtype=float") {
-        return "; write only the numbers, in the order of the SPEC (rotconv list shows it)";
-    }
-    const std::size_t inside = text.find_first_not_of("[](){} \t\r\n+-.", bracket);
-    if (!rest.empty() && text.starts_with(rest[0]) && inside != std::string_view::npos &&
-        is_alphanumeric(text[inside]) && text.find_first_of("0123456789", bracket) == inside) {
-        return fmt::format("; numbers in brackets are read, but without {}", quoted(text.substr(0, bracket)));
-    }
-    if (rest.empty() && bracket == 0 && text.find_first_of("0123456789") == std::string_view::npos) {
-        return "; put brackets and numbers in one pair of quotes";
-    }
     bool parts_both = false; // commas, and blanks that do not follow one
     for (std::size_t i = 1; i < text.size(); ++i) {
         parts_both = parts_both || ((text[i] == ' ' || text[i] == '\t') && text[i - 1] != ',' && text[i - 1] != ' ');
