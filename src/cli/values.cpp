@@ -99,7 +99,9 @@ Values row_of_words(const std::string& text, stream::Delimiter delimiter, bool b
             continue; // Quaternion(...)
         } else if (by_blank && before_number && may_be_label(token.text) && token.next != ',' && token.next != ';') {
             label = token.text;
-        } else if (std::ranges::any_of(token.text, [](char c) { return is_alphanumeric(c) || c < 0; })) {
+        } else if (std::ranges::any_of(token.text, [](char c) {
+                       return is_alphanumeric(c) || (static_cast<unsigned char>(c) & 0x80U) != 0;
+                   })) {
             fields.push_back(token.text); // which is not a number
             values.labels.emplace_back();
         }

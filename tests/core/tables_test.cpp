@@ -40,7 +40,7 @@ struct Item {
 /// The items of the manual's lists.
 std::vector<Item> items_of_manual() {
     std::vector<Item> items;
-    std::string text = text_of(ROTCONV_MANUAL);
+    std::string text = text_of(ROTCONV_MANUAL "/rotconv-conventions.7") + text_of(ROTCONV_MANUAL "/rotconv.1");
     const std::string begin = "\n.It Cm ";
     for (auto at = text.find(begin); at != std::string::npos;) {
         const auto line_end = text.find('\n', at + 1);
