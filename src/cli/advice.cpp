@@ -40,6 +40,20 @@ std::vector<stream::Line> lines_of(std::string_view text) {
     return lines;
 }
 
+/// The first of the last rows that have one number of fields.
+std::size_t last_block(const std::vector<stream::Line>& lines, const stream::InputOptions& input) {
+    std::size_t first = lines.size();
+    for (std::size_t width = 0; first > 0; --first) {
+        const std::string_view text = lines[first - 1].text;
+        const Fields fields = split(text, input);
+        if (input.is_row(text) && (!is_row(fields) || (width != 0 && fields.size() != width))) {
+            break;
+        }
+        width = input.is_row(text) ? fields.size() : width;
+    }
+    return first;
+}
+
 /// Makes nothing of the rows' numbers.
 class Nothing final : public stream::RowOperation {
 public:
@@ -225,11 +239,11 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
     if (found.empty() && row <= at + 1 && row < lines.size() && !input.columns.has_names()) {
         found = advice_on_width(beginning, lines, row, input);
     }
-    if (found.empty() && row > at && row < lines.size()) {
-        const std::string_view rows =
-            beginning.substr(static_cast<std::size_t>(lines[row].text.data() - beginning.data()));
-        if (converts(rows, options)) {
-            found = fmt::format("the first row of numbers is line {0}: tail -n +{0}{1} | rotconv ...", row + 1, name);
+    for (const std::size_t first : {row, last_block(lines, input)}) { // numbers may also be described by rows
+        if (found.empty() && first > at && first < lines.size() &&
+            converts(beginning.substr(static_cast<std::size_t>(lines[first].text.data() - beginning.data())),
+                     options)) {
+            found = fmt::format("the first row of numbers is line {0}: tail -n +{0}{1} | rotconv ...", first + 1, name);
         }
     }
     return found.empty() ? advice_on_print(beginning, lines, input) : found;
