@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 #include <rotconv/rotation.hpp>
 
@@ -160,10 +161,12 @@ struct RowReport {
     double defect = 0.0; ///< below `reported_defect` and without ConversionSettings::sensitivity only an upper bound
     Sensitivity sensitivity{};     ///< of a row with diagnostics of its result, or with ConversionSettings::sensitivity
     double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
-    double deviation = 0.0;        ///< radians: the angle that method_error, coarse_step and beyond are about
-    double openness = 0.0;         ///< how far the result is open by the digits given, which few_digits is about
-    UnusualNumbers unusual{};      ///< of the first attitude...
+    double deviation =
+        0.0; ///< radians, or a comparison's unit: the angle that method_error, coarse_step and beyond are about
+    double openness = 0.0;              ///< how far the result is open by the digits given, which few_digits is about
+    UnusualNumbers unusual{};           ///< of the first attitude...
     UnusualNumbers reference_unusual{}; ///< ...and of the second
+    std::vector<RowReport> parts{};     ///< of a result in several representations: the reports on each
 
     /// Adds the diagnostics of the unusual numbers of the first attitude.
     void report_numbers() noexcept {

@@ -50,7 +50,8 @@ void write_block(const Given& given, RowsCommand& command) {
         options.digits.significant = most_digits;
         options.block = fmt::format("At most {} digits: -t SPEC or --format json gives all of them\n", most_digits);
     }
-    if (options.format == stream::Format::pretty && command.diagnostics == ShowDiagnostics::summary) {
+    if (options.format == stream::Format::pretty &&
+        (command.diagnostics == ShowDiagnostics::summary || command.diagnostics == ShowDiagnostics::rows)) {
         command.diagnostics = ShowDiagnostics::off; // which are in the block
     }
 }

@@ -156,7 +156,7 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
     }
     for (stream::Note& note : in.notes_of({.names = labels, .header = labels})) {
         if (note.text.starts_with("the header")) {
-            note.text.replace(4, 6, "order of the labels");
+            note.text.replace(4, 6, note.kind == stream::Note::Kind::order ? "order of the labels" : "label");
         }
         if (note.ends_run) {
             throw Usage(note.text);

@@ -47,6 +47,7 @@ struct Token {
     bool is_number = false;
     char next = '\0';       ///< the character after it, and after blanks if it is : or =
     bool is_joined = false; ///< the next character is not a blank
+    bool is_first = false;  ///< of its line
 };
 
 /// Parts a text into words and numbers.
@@ -60,6 +61,8 @@ std::vector<Token> tokens_of(std::string_view text) {
         const std::size_t after = std::min(text.find_first_not_of(" \t", end), text.size());
         token.next = after < text.size() ? text[after] : '\0';
         token.is_joined = after == end;
+        const std::size_t before = text.substr(0, at).find_last_not_of(" \t");
+        token.is_first = before == std::string_view::npos ? text.find('\n') != before : text[before] == '\n';
         at = text.find_first_not_of(ends, end);
     }
     return tokens;
@@ -74,21 +77,50 @@ bool may_be_label(std::string_view word) {
            std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '_' || c == '.'; });
 }
 
+/// A letter, a digit, a byte beyond ASCII, or the sign of a number, which no list has before each.
+bool means_something(const Token& token) {
+    return (token.text.size() == 1 && std::string_view("+-*/").find(token.text[0]) != std::string_view::npos &&
+            !token.is_first) ||
+           std::ranges::any_of(
+               token.text, [](char c) { return is_alphanumeric(c) || (static_cast<unsigned char>(c) & 0x80U) != 0; });
+}
+
+/// A quote right after a number that stands in none: minutes and seconds of arc.
+bool has_mark_of_arc(std::string_view text) {
+    char open = '\0';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == open) {
+            open = '\0';
+        } else if (open == '\0' && (text[i] == '"' || text[i] == '\'')) {
+            if (i > 0 && (is_alphanumeric(text[i - 1]) || text[i - 1] == '.')) {
+                return true;
+            }
+            open = text[i];
+        }
+    }
+    return false;
+}
+
 /// Numbers among words. `by_blank`: a word before a blank and a number is its label.
 Values row_of_words(const std::string& text, stream::Delimiter delimiter, bool by_blank = true) {
     Values values{.delimiter = delimiter};
     std::vector<std::string_view> fields;
     std::string_view label;
     bool is_value_of_key = false;
+    std::string_view value_of_key; // which is no number
     const std::vector<Token> tokens = tokens_of(text);
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
         const bool is_key = token.next == ':' || token.next == '=';
         const bool before_number = i + 1 < tokens.size() && tokens[i + 1].is_number;
         if (std::exchange(is_value_of_key, false) && !token.is_number) {
+            value_of_key = token.text;
             continue; // dtype=float64
         }
-        if (is_key && before_number) {
+        if (is_key && token.is_number) {
+            fields.emplace_back(token.text.data(), token.text.size() + 1); // 10:30
+            values.labels.emplace_back();
+        } else if (is_key && before_number) {
             label = token.text;
         } else if (is_key) {
             is_value_of_key = token.next == '=';
@@ -99,15 +131,17 @@ Values row_of_words(const std::string& text, stream::Delimiter delimiter, bool b
             continue; // Quaternion(...)
         } else if (by_blank && before_number && may_be_label(token.text) && token.next != ',' && token.next != ';') {
             label = token.text;
-        } else if (std::ranges::any_of(token.text, [](char c) {
-                       return is_alphanumeric(c) || (static_cast<unsigned char>(c) & 0x80U) != 0;
-                   })) {
+        } else if (means_something(token)) {
             fields.push_back(token.text); // which is not a number
             values.labels.emplace_back();
         }
     }
     const auto labelled = values.labels.size() - static_cast<std::size_t>(std::ranges::count(values.labels, ""));
     const bool is_first_alone = labelled == 1 && !values.labels.front().empty();
+    if (labelled > 0 && labelled < values.labels.size() && !is_first_alone && !value_of_key.empty()) {
+        fields.push_back(value_of_key); // another number must not take its place
+        values.labels.emplace_back();
+    }
     if (by_blank && labelled < values.labels.size() && !is_first_alone) {
         return row_of_words(text, delimiter, false); // 1 0 zero 0
     }
@@ -137,7 +171,8 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
     }
     const bool has_words = text.find_first_of(":=\"'") != std::string::npos ||
                            std::ranges::any_of(tokens_of(text), [](const Token& token) { return !token.is_number; });
-    return has_words && holds_number(text) ? row_of_words(text, *given) : row_of_numbers(std::move(text), *given);
+    return has_words && holds_number(text) && !has_mark_of_arc(text) ? row_of_words(text, *given)
+                                                                     : row_of_numbers(std::move(text), *given);
 }
 
 void take_rotation_of_pose(Values& values) {

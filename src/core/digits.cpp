@@ -14,6 +14,9 @@ namespace rotconv {
 double last_place(std::span<const double> numbers) noexcept {
     double largest = 0.0;
     for (const double number : numbers) {
+        if (!std::isfinite(number)) {
+            return 0.0;
+        }
         largest = std::max(largest, std::abs(number));
     }
     int finest = 0; // a power of ten

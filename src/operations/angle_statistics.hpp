@@ -56,7 +56,7 @@ public:
             return 0.0;
         }
         // The product may be rounded up from a whole number.
-        const double rank = std::ceil(percent / 100.0 * static_cast<double>(count_) * (1.0 - 0x1p-50));
+        const double rank = std::max(1.0, std::ceil(percent / 100.0 * static_cast<double>(count_) * (1.0 - 0x1p-50)));
         if (count_ <= most_kept) {
             std::vector<double> angles = first_;
             const auto found = angles.begin() + static_cast<std::ptrdiff_t>(rank) - 1;

@@ -44,7 +44,7 @@ public:
             part.out.resize(rows.lines.size() * width);
             answered = part.operation->run_ahead(rows, flush, part.out, part.reports);
             copy_columns(part.out, 0, width, out, first, names.size(), width);
-            merge(part.reports, reports);
+            merge(part.reports, static_cast<std::size_t>(&part - parts_.data()), reports);
             first += width;
         }
         first_step = parts_.front().operation->first_step;
@@ -71,7 +71,7 @@ private:
     };
 
     /// Both are in the order of rows.
-    static void merge(const std::vector<RowReport>& more, std::vector<RowReport>& reports) {
+    void merge(const std::vector<RowReport>& more, std::size_t part, std::vector<RowReport>& reports) const {
         std::vector<RowReport> merged;
         auto other = reports.begin();
         for (const RowReport& report : more) {
@@ -82,6 +82,7 @@ private:
             if (other != reports.end() && other->row == report.row) {
                 const RowReport& before = *other++;
                 both = before.error != Error::none ? before : report;
+                both.parts = before.parts;
                 both.diagnostics |= before.diagnostics;
                 both.diagnostics |= report.diagnostics;
                 both.sensitivity = {std::min(before.sensitivity.margin, report.sensitivity.margin),
@@ -89,6 +90,8 @@ private:
                 both.deviation = std::max(before.deviation, report.deviation);
                 both.openness = std::max(before.openness, report.openness);
             }
+            both.parts.resize(parts_.size());
+            both.parts[part] = report;
         }
         merged.insert(merged.end(), other, reports.end());
         reports = std::move(merged);

@@ -215,8 +215,10 @@ void PairReader::drop_alone(Job& job, Side& side) {
         const Waiting& first = side.waiting.front();
         Row& row = job.pairs.rows.emplace_back(first.line, first.number);
         row.error = job.pairs.errors.size();
-        job.pairs.errors.push_back(
-            {.line = first.number, .what = RowError::What::no_partner, .text = std::string(first.line.text)});
+        job.pairs.errors.push_back({.line = first.number,
+                                    .what = RowError::What::no_partner,
+                                    .text = side.options->width == 0 ? std::string(first.line.text)
+                                                                     : side.reader.selected_text(first.line.text)});
         job.pairs.bytes += first.line.text.size() + 1;
         side.hold(1, job.pairs);
     }

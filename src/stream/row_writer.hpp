@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -103,8 +102,12 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
     for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
         const auto kind = static_cast<DiagnosticKind>(i);
         if (report.diagnostics.has(kind)) {
-            visit(Diagnostic{line, kind, figure_of(report, kind),
-                             attitudes.empty() ? RepresentationId::quat : attitudes.front().name});
+            const auto part = std::ranges::find_if(
+                report.parts, [kind](const RowReport& each) { return each.diagnostics.has(kind); });
+            const bool is_of_part = part != report.parts.end();
+            const auto index = is_of_part ? static_cast<std::size_t>(part - report.parts.begin()) : 0;
+            visit(Diagnostic{line, kind, figure_of(is_of_part ? *part : report, kind),
+                             index < attitudes.size() ? attitudes[index].name : RepresentationId::quat});
         }
     }
 }

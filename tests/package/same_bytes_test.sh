@@ -91,7 +91,7 @@ cases() {
     echo "compare compare -f rpy -t quat $work/both"
     echo "compare compare -f rpy -t quat --format csv $work/both"
     echo "compose compose -f rpy --by quat:passive -t rpy:deg --diagnostics columns $work/both"
-    echo "rotate rotate -f quat --columns 1-4,1-3 --diagnostics off $(rows quat)"
+    echo "rotate rotate -f quat --diagnostics off $(rows quat)-velocity"
     echo "identify identify -t quat $work/known"
     for to in quat dcm 5d:passive rotvec:deg euler:ZYX:deg euler:xyx cayley mrp; do
         echo "sample sample -t $to --rows 6000"
