@@ -40,10 +40,11 @@ std::vector<stream::Line> lines_of(std::string_view text) {
     return lines;
 }
 
-/// The first of the last rows that have one number of fields.
+/// The first of the last rows that have one number of fields; none where rows before them have it too.
 std::size_t last_block(const std::vector<stream::Line>& lines, const stream::InputOptions& input) {
     std::size_t first = lines.size();
-    for (std::size_t width = 0; first > 0; --first) {
+    std::size_t width = 0;
+    for (; first > 0; --first) {
         const std::string_view text = lines[first - 1].text;
         const Fields fields = split(text, input);
         if (input.is_row(text) && (!is_row(fields) || (width != 0 && fields.size() != width))) {
@@ -51,7 +52,9 @@ std::size_t last_block(const std::vector<stream::Line>& lines, const stream::Inp
         }
         width = input.is_row(text) ? fields.size() : width;
     }
-    return first;
+    const auto is_alike = [&](const stream::Line& each) { return split(each.text, input).size() == width; };
+    return std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(first), is_alike) ? lines.size()
+                                                                                                    : first;
 }
 
 /// Makes nothing of the rows' numbers.

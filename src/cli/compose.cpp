@@ -15,13 +15,11 @@ Command compose(const Given& given) {
     const operations::PairedRows rows = paired_rows_of(given);
     messages::Subject subject = rows.paired ? messages::subject_of(first, settings.tolerance)
                                             : messages::subject_of_two(first, second, settings.tolerance);
-    std::vector<operations::Operation> products;
-    for (const Spec& each : to) {
-        products.push_back(
-            operations::compose(Composition(first, second, each, settings), rows, given.has("--continuous")));
-    }
+    const auto product_as = [&](const Spec& spec) {
+        return operations::compose(Composition(first, second, spec, settings), rows, given.has("--continuous"));
+    };
     RowsCommand command = rows_command(given, columns_of_file(given), operations::pair_numbers(first, second, rows),
-                                       operations::several(std::move(products)), std::move(subject));
+                                       operations::several(mapped(to, product_as)), std::move(subject));
     if (given.has("--allow-unpaired")) {
         static_cast<void>(
             one_of<bool>("kind of rows for --allow-unpaired", given.text("--allow-unpaired"), {{"reference", true}}));

@@ -69,11 +69,9 @@ Command convert(const Given& given) {
     if (to.size() > 1 && !method.empty() && method != default_method && method != fast_method) {
         throw Usage("--method {} is for one SPEC after -t", method);
     }
-    std::vector<operations::Operation> parts;
-    for (const Spec& each : to) {
-        parts.push_back(by_method(method, Conversion(from, each, conversion), given.has("--continuous")));
-    }
-    operations::Operation operation = operations::several(std::move(parts));
+    operations::Operation operation = operations::several(mapped(to, [&](const Spec& each) {
+        return by_method(method, Conversion(from, each, conversion), given.has("--continuous"));
+    }));
     if (operation->is_continuous && !operation->answers.empty()) {
         throw Usage("--continuous cannot be combined with --method all, which writes several answers to a row");
     }

@@ -225,14 +225,15 @@ std::optional<Guess> guess_operand(std::string_view word, const Legal& commands)
 std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
     const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
     const auto begun = std::ranges::find_if(legal, [text](std::string_view name) { return name.starts_with(text); });
-    if (auto guess = guess_meaning(word)) {
-        return is_modifier(guess->text) ? std::nullopt : guess;
+    if (auto guess = guess_meaning(word); guess && !is_modifier(guess->text)) {
+        return guess;
     }
     if (word.size() > 2 && begun != legal.end()) { // such as --prec
         return Guess{std::string(*begun)};
     }
-    return is_preset(word) || is_modifier(word) ? Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)}
-                                                : guess_word(text, legal);
+    auto guess = is_preset(word) || is_modifier(word) ? Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)}
+                                                      : guess_word(text, legal);
+    return guess && is_modifier(guess->text) ? std::nullopt : guess;
 }
 
 std::string suggestion(const std::optional<Guess>& guess) { return guess ? ";" + guess->said : ""; }

@@ -44,13 +44,13 @@ Command propagate(const Given& given) {
     }
     auto numbers = operations::propagation_numbers();
     numbers.has_unit = !time_unit.empty();
-    std::vector<operations::Operation> parts;
-    for (const Spec& to : specs_of(given, "--to")) {
-        rows.to = to;
-        parts.push_back(operations::propagate(rows));
-    }
+    const auto propagated_as = [&rows](const Spec& spec) {
+        rows.to = spec;
+        return operations::propagate(rows);
+    };
     return rows_command(
-        given, {.list = given.text("--columns")}, numbers, operations::several(std::move(parts)),
+        given, {.list = given.text("--columns")}, numbers,
+        operations::several(mapped(specs_of(given, "--to"), propagated_as)),
         {"t wx wy wz", numbers.names.size(), settings.representation.name, rows.conversion.tolerance, true});
 }
 

@@ -101,8 +101,9 @@ bool has_mark_of_arc(std::string_view text) {
     return false;
 }
 
-/// Numbers among words. `by_blank`: a word before a blank and a number is its label.
-Values row_of_words(const std::string& text, stream::Delimiter delimiter, bool by_blank = true) {
+/// Numbers among words. `by_blank`: a word before a blank and a number is its label; nothing where then only some
+/// numbers have one.
+std::optional<Values> row_of_words(const std::string& text, stream::Delimiter delimiter, bool by_blank) {
     Values values{.delimiter = delimiter};
     std::vector<std::string_view> fields;
     std::string_view label;
@@ -143,7 +144,7 @@ Values row_of_words(const std::string& text, stream::Delimiter delimiter, bool b
         values.labels.emplace_back();
     }
     if (by_blank && labelled < values.labels.size() && !is_first_alone) {
-        return row_of_words(text, delimiter, false); // 1 0 zero 0
+        return std::nullopt; // 1 0 zero 0
     }
     if (labelled == 0 || (is_first_alone && values.labels.size() > 1)) {
         values.labels.clear();
@@ -171,8 +172,11 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
     }
     const bool has_words = text.find_first_of(":=\"'") != std::string::npos ||
                            std::ranges::any_of(tokens_of(text), [](const Token& token) { return !token.is_number; });
-    return has_words && holds_number(text) && !has_mark_of_arc(text) ? row_of_words(text, *given)
-                                                                     : row_of_numbers(std::move(text), *given);
+    if (!has_words || !holds_number(text) || has_mark_of_arc(text)) {
+        return row_of_numbers(std::move(text), *given);
+    }
+    auto values = row_of_words(text, *given, true);
+    return values ? *values : row_of_words(text, *given, false).value_or(Values());
 }
 
 void take_rotation_of_pose(Values& values) {
