@@ -151,6 +151,13 @@ struct UnusualNumbers {
     double angle = 0.0;  ///< the largest angle or angular velocity that is reported
 };
 
+/// What a report says about one of several representations of its result.
+struct PartReport {
+    DiagnosticSet diagnostics{};
+    Sensitivity sensitivity{};
+    double openness = 0.0;
+};
+
 /// The report on one row.
 struct RowReport {
     std::size_t row = 0; ///< its index among the rows of the run
@@ -166,7 +173,7 @@ struct RowReport {
     double openness = 0.0;              ///< how far the result is open by the digits given, which few_digits is about
     UnusualNumbers unusual{};           ///< of the first attitude...
     UnusualNumbers reference_unusual{}; ///< ...and of the second
-    std::vector<RowReport> parts{};     ///< of a result in several representations: the reports on each
+    std::vector<PartReport> parts{};    ///< of a result in several representations: on each
 
     /// Adds the diagnostics of the unusual numbers of the first attitude.
     void report_numbers() noexcept {

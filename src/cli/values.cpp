@@ -118,22 +118,21 @@ std::optional<Values> row_of_words(const std::string& text, stream::Delimiter de
             value_of_key = token.text;
             continue; // dtype=float64
         }
+        const bool is_call =
+            token.is_joined && token.next != '\0' && opening.find(token.next) != std::string_view::npos;
+        const bool may_be_by_blank = by_blank && !is_call && token.next != ',' && token.next != ';';
         if (is_key && token.is_number) {
             fields.emplace_back(token.text.data(), token.text.size() + 1); // 10:30
             values.labels.emplace_back();
-        } else if (is_key && before_number) {
+        } else if (before_number && !token.is_number && (is_key || (may_be_by_blank && may_be_label(token.text)))) {
             label = token.text;
         } else if (is_key) {
             is_value_of_key = token.next == '=';
         } else if (token.is_number) {
             fields.push_back(token.text);
             values.labels.emplace_back(std::exchange(label, {}));
-        } else if (token.is_joined && opening.find(token.next) != std::string_view::npos && token.next != '\0') {
-            continue; // Quaternion(...)
-        } else if (by_blank && before_number && may_be_label(token.text) && token.next != ',' && token.next != ';') {
-            label = token.text;
-        } else if (means_something(token)) {
-            fields.push_back(token.text); // which is not a number
+        } else if (!is_call && means_something(token)) { // Quaternion(...) is a call
+            fields.push_back(token.text);                // which is not a number
             values.labels.emplace_back();
         }
     }

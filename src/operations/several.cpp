@@ -91,7 +91,7 @@ private:
                 both.openness = std::max(before.openness, report.openness);
             }
             both.parts.resize(parts_.size());
-            both.parts[part] = report;
+            both.parts[part] = {report.diagnostics, report.sensitivity, report.openness};
         }
         merged.insert(merged.end(), other, reports.end());
         reports = std::move(merged);

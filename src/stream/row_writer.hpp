@@ -79,17 +79,17 @@ private:
     bool is_plain_;                         ///< text, and nothing but the result is added to it
 };
 
-/// What a diagnostic of the row says beside its kind.
-[[nodiscard]] inline double figure_of(const RowReport& report, DiagnosticKind kind) noexcept {
+/// What a diagnostic of the row, and of a part of its result, says beside its kind.
+[[nodiscard]] inline double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind kind) noexcept {
     switch (kind) {
     case DiagnosticKind::normalized: return std::max(report.unusual.defect, report.reference_unusual.defect);
     case DiagnosticKind::large_angle: return std::max(report.unusual.angle, report.reference_unusual.angle);
-    case DiagnosticKind::near_gimbal_lock: return report.sensitivity.condition;
+    case DiagnosticKind::near_gimbal_lock: return part.sensitivity.condition;
     case DiagnosticKind::method_error:
     case DiagnosticKind::coarse_step:
     case DiagnosticKind::beyond: return report.deviation;
-    case DiagnosticKind::few_digits: return report.openness;
-    default: return report.sensitivity.margin;
+    case DiagnosticKind::few_digits: return part.openness;
+    default: return part.sensitivity.margin;
     }
 }
 
@@ -103,10 +103,12 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
         const auto kind = static_cast<DiagnosticKind>(i);
         if (report.diagnostics.has(kind)) {
             const auto part = std::ranges::find_if(
-                report.parts, [kind](const RowReport& each) { return each.diagnostics.has(kind); });
+                report.parts, [kind](const PartReport& each) { return each.diagnostics.has(kind); });
             const bool is_of_part = part != report.parts.end();
             const auto index = is_of_part ? static_cast<std::size_t>(part - report.parts.begin()) : 0;
-            visit(Diagnostic{line, kind, figure_of(is_of_part ? *part : report, kind),
+            const PartReport of =
+                is_of_part ? *part : PartReport{report.diagnostics, report.sensitivity, report.openness};
+            visit(Diagnostic{line, kind, figure_of(report, of, kind),
                              index < attitudes.size() ? attitudes[index].name : RepresentationId::quat});
         }
     }
