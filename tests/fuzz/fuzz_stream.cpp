@@ -282,6 +282,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     }
     result.threads = source.threads();
     if ((own.has_text_alone() || own.reports) && result.to_the_end && result.answered > 0) {
+        static_cast<void>(own.command.conclusion->look_again()); // which decides; as of a pipe, no row is read again
         const auto answer = own.command.conclusion->answer({ending, cli::ExitCode::done, result.failed.size()});
         result.conclusion = answer.text;
         result.holds = answer.holds;
