@@ -22,6 +22,9 @@ std::vector<CheckLimit> limits_of(const Given& given) {
     std::vector<CheckLimit> limits;
     for (const std::string& text : given.texts("--within")) {
         const std::size_t at = text.find('@');
+        if (at == 0) {
+            throw Usage("--within {} has a percentage, and no angle before it", quoted(text));
+        }
         CheckLimit limit{.angle = given_angle(given, "--within", text.substr(0, at))};
         if (at != std::string::npos) {
             limit.percent_text = text.substr(at + 1);

@@ -225,8 +225,8 @@ std::optional<Guess> guess_operand(std::string_view word, const Legal& commands)
 std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
     const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
     const auto begun = std::ranges::find_if(legal, [text](std::string_view name) { return name.starts_with(text); });
-    if (auto guess = guess_meaning(word); guess && !is_modifier(guess->text)) {
-        return guess;
+    if (auto guess = guess_meaning(word); guess && !is_modifier(guess->text)) { // an option may be another command's
+        return guess->text == text ? Guess{{}, fmt::format(" {}", find_meaning(word)->about)} : guess;
     }
     if (word.size() > 2 && begun != legal.end()) { // such as --prec
         return Guess{std::string(*begun)};

@@ -230,12 +230,13 @@ std::string few_keys_met(const stream::KeysMet& keys) {
     std::string text = keys.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
                                          : fmt::format("{} within {} of {} of REFERENCE", few, within,
                                                        keys.any_pair ? "those" : "one");
+    std::string mend;
     if (keys.nearest && *keys.nearest > keys.within) {
-        text += fmt::format("; the nearest {}are {} apart: --key-within", keys.any_pair ? "others " : "",
-                            keys.nearest->text());
+        text += fmt::format("; the nearest {}are {} apart", keys.any_pair ? "others " : "", keys.nearest->text());
+        mend = ": --key-within";
     }
     if (!keys.ranges[0] || !keys.ranges[1]) {
-        return text;
+        return text + mend;
     }
     const auto& [own, reference] = std::pair(*keys.ranges[0], *keys.ranges[1]);
     const auto size_of = [](const stream::KeysMet::Range& range) {
@@ -246,6 +247,7 @@ std::string few_keys_met(const stream::KeysMet& keys) {
     if (std::max(size, other) >= 900.0 * std::min(size, other)) { // nearly a thousandfold: other units
         return text + fmt::format("; FILE's go to {}, REFERENCE's to {}: --time-unit", rough(size), rough(other));
     }
+    text += mend;
     if (own.last < reference.first || reference.last < own.first) {
         text += fmt::format("; all of FILE's are {} REFERENCE's: --key-offset",
                             own.last < reference.first ? "before" : "after");

@@ -189,6 +189,9 @@ std::vector<Spec> specs_of(const Given& given, std::string_view option) {
     std::vector<Spec> specs;
     std::vector<std::string> names;
     for (const std::string_view text : items_of(given.text(option))) {
+        if (text.empty() && !given.text(option).empty()) {
+            throw Usage("{} {}: a SPEC of this list is empty", option, quoted(given.text(option)));
+        }
         specs.push_back(spec_of(option, std::string(text), given.has("--degrees")));
         for (const std::string& name : operations::names_of(specs.back())) {
             if (std::ranges::count(names, name) > 0) {

@@ -360,6 +360,10 @@ ExitCode run_last_pass(const RowsCommand& command) {
         const bool has_unpaired = result.unpaired[1].rows > 0 && !command.allow_unpaired;
         result.code = has_failures || has_unpaired || strict ? ExitCode::completed_with_failures : ExitCode::done;
         reporter.add(result.unpaired);
+        const auto& pairing = command.options.pairing;
+        if (pairing && pairing->needs_partner && pairing->by_key && !result.keys.any_pair && result.rows > 0) {
+            print_error(messages::few_keys_met(result.keys));
+        }
     }
     reporter.count_rest();
     if (conclusion != nullptr && is_whole) {

@@ -45,9 +45,9 @@ Values row_of_numbers(std::string text, stream::Delimiter given) {
 struct Token {
     std::string_view text;
     bool is_number = false;
-    char next = '\0';       ///< the character after it, and after blanks if it is : or =
-    bool is_joined = false; ///< the next character is not a blank
-    bool is_first = false;  ///< of its line
+    char next = '\0';      ///< the character after it, and after blanks if it is : or =
+    bool opens = false;    ///< a bracket or a quote follows at once, or after : or = and blanks
+    bool is_first = false; ///< of its line
 };
 
 /// Parts a text into words and numbers.
@@ -58,9 +58,14 @@ std::vector<Token> tokens_of(std::string_view text) {
         const std::size_t end = std::min(text.find_first_of(ends, at), text.size());
         Token& token = tokens.emplace_back(Token{text.substr(at, end - at)});
         token.is_number = stream::is_number(token.text);
-        const std::size_t after = std::min(text.find_first_not_of(" \t", end), text.size());
+        const bool is_quoted =
+            at > 0 && end < text.size() && text[at - 1] == text[end] && (text[end] == '"' || text[end] == '\'');
+        const std::size_t stop = end + (is_quoted ? 1 : 0); // "x": 0.6
+        const std::size_t after = std::min(text.find_first_not_of(" \t", stop), text.size());
         token.next = after < text.size() ? text[after] : '\0';
-        token.is_joined = after == end;
+        const bool has_mark = token.next == ':' || token.next == '=';
+        const std::size_t value = has_mark ? text.find_first_not_of(" \t", after + 1) : stop;
+        token.opens = value < text.size() && opening.find(text[value]) != std::string_view::npos;
         const std::size_t before = text.substr(0, at).find_last_not_of(" \t");
         token.is_first = before == std::string_view::npos ? text.find('\n') != before : text[before] == '\n';
         at = text.find_first_not_of(ends, end);
@@ -118,13 +123,13 @@ std::optional<Values> row_of_words(const std::string& text, stream::Delimiter de
             value_of_key = token.text;
             continue; // dtype=float64
         }
-        const bool is_call =
-            token.is_joined && token.next != '\0' && opening.find(token.next) != std::string_view::npos;
+        const bool is_call = token.opens;
         const bool may_be_by_blank = by_blank && !is_call && token.next != ',' && token.next != ';';
         if (is_key && token.is_number) {
             fields.emplace_back(token.text.data(), token.text.size() + 1); // 10:30
             values.labels.emplace_back();
-        } else if (before_number && !token.is_number && (is_key || (may_be_by_blank && may_be_label(token.text)))) {
+        } else if (before_number && !token.is_number &&
+                   ((is_key && !is_call) || (may_be_by_blank && may_be_label(token.text)))) {
             label = token.text;
         } else if (is_key) {
             is_value_of_key = token.next == '=';

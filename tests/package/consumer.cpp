@@ -22,10 +22,10 @@ static_assert(
     have_the_layout_of_doubles<
         Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector, Modifier,
         ModifierSet, Project, PresetMeaning, Representation, Spec, SpecError, FixedRotation, ConversionSettings,
-        UnusualNumbers, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison, Composition,
-        VectorRotation, Candidate, Verdict, IdentificationSettings, Identification, IntegratorEntry, Stepper,
-        PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey, Survey,
-        AxesChange, AxesError, ConstantTurns, MeanTurn, Alignment, SampleSettings, Sampler>);
+        UnusualNumbers, PartReport, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison,
+        Composition, VectorRotation, Candidate, Verdict, IdentificationSettings, Identification, IntegratorEntry,
+        Stepper, PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey,
+        Survey, AxesChange, AxesError, ConstantTurns, MeanTurn, Alignment, SampleSettings, Sampler>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
