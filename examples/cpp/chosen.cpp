@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     const auto to = parse_spec(words[1]);
     for (const auto& parsed : {from, to}) {
         if (const auto* error = std::get_if<SpecError>(&parsed)) {
-            std::cerr << "not a SPEC, because of '" << error->text << "'\n";
+            std::cerr << message(*error) << '\n';
             return 2;
         }
     }

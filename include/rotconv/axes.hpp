@@ -31,8 +31,12 @@ struct AxesError {
         opposite_directions, ///< ...or in opposite ones
     };
     What what;
+    std::string text; ///< all of it, as it was given
     std::string triple{};
 };
+
+/// The error in words, without a full stop.
+[[nodiscard]] std::string message(const AxesError& error);
 
 /// FROM:TO, in upper or lower case, of letters of one set: n s e w u d (north, ..., up, down), f b l r u d (forward,
 /// back, left, right, ...), or x y z, with - if against them, which are FROM's own axes where FROM is "xyz".

@@ -91,6 +91,7 @@ public:
     /// @param rows the number of each row for the caller
     /// @param reports is replaced by the reports of rows with an error, or with a diagnostic of the known attitude. A
     /// row without a known attitude, or which no remaining candidate can read, has an error and does not count
+    /// @throw std::invalid_argument if there are fewer numbers than these rows have
     void add(std::span<const double> numbers, std::span<const std::size_t> rows, std::vector<RowReport>& reports);
 
     /// The count of rows so far, without those with an error.

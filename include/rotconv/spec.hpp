@@ -127,9 +127,12 @@ struct SpecError {
         two_orders ///< scalar first and last
     };
     What what;
-    std::string text;                   ///< the part that is wrong
+    std::string text;                   ///< the part that is wrong, as it was given
     const Representation* in = nullptr; ///< the representation that the text names, if any
 };
+
+/// The error in words, without a full stop.
+[[nodiscard]] std::string message(const SpecError& error);
 
 /// Reads `NAME[:MODIFIER]...`, case-sensitive. The sequence follows `euler`, as in euler:ZYX.
 [[nodiscard]] std::variant<Spec, SpecError> parse_spec(std::string_view text);

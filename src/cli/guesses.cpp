@@ -238,25 +238,24 @@ std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
 
 std::string suggestion(const std::optional<Guess>& guess) { return guess ? ";" + guess->said : ""; }
 
-/// A word that is not one of the legal ones: these, if they are few, and the guess, or where they are listed.
-std::string unknown(std::string_view what, std::string_view text, const Legal& legal, const std::optional<Guess>& guess,
+/// What `said` that a word is unknown: with the legal ones, if they are few, and the guess, or where they are listed.
+std::string unknown(const std::string& said, const Legal& legal, const std::optional<Guess>& guess,
                     std::string_view where = "see rotconv --help") {
     constexpr std::size_t few = 8;
     const std::string list = legal.size() > few ? "" : fmt::format(" (legal: {})", fmt::join(legal, " "));
-    return fmt::format("{} is not a known {}{}{}", quoted(text), what, list,
-                       guess || legal.size() <= few ? suggestion(guess) : fmt::format("; {}", where));
+    return said + list + (guess || legal.size() <= few ? suggestion(guess) : fmt::format("; {}", where));
 }
 
 } // namespace
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
     const auto guess = guess_by_spelling(text, legal);
-    return unknown(what, text, legal, guess ? guess : guess_meaning(text));
+    return unknown(fmt::format("{} is not a known {}", quoted(text), what), legal, guess ? guess : guess_meaning(text));
 }
 
 std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
     const std::string_view name = text.substr(0, text.find('='));
-    return unknown("option", name, legal, guess_option(name, legal));
+    return unknown(quoted(name) + " is not a known option", legal, guess_option(name, legal));
 }
 
 std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
@@ -287,33 +286,31 @@ std::string no_operand(std::string_view word, int error, const std::vector<std::
 
 std::string explain(const SpecError& error) {
     using What = SpecError::What;
+    const std::string said = message(SpecError{error.what, shortened(error.text), error.in});
     const auto legal = error.in == nullptr ? Legal() : words_of(error.in->modifiers);
     const std::string list = fmt::format("legal: {} and the presets of rotconv list presets", fmt::join(legal, " "));
     switch (error.what) {
     case What::unknown_name:
-        return unknown("representation", error.text, all_names(), guess_name(error.text),
+        return unknown(said, all_names(), guess_name(error.text),
                        "rotconv list has them, rotconv list projects those of programs");
-    case What::no_sequence:
-        return fmt::format("euler needs its sequence, as in euler:ZYX (legal: {})", fmt::join(all_sequences(), " "));
+    case What::no_sequence: return fmt::format("{} (legal: {})", said, fmt::join(all_sequences(), " "));
     case What::unknown_sequence: {
         const auto sequences = all_sequences();
         Legal letters{sequences.begin(), sequences.end()};
         letters.push_back(representation(RepresentationId::rpy).text);
-        return unknown("Euler sequence", error.text, letters, guess_in_spec(error, letters),
+        return unknown(said, letters, guess_in_spec(error, letters),
                        "it has three letters, neighbours different; rotconv list euler explains them");
     }
     case What::unknown_modifier: {
         auto words = legal;
         std::ranges::copy(all_presets(), std::back_inserter(words));
-        return unknown(fmt::format("modifier of {}", error.in->text), error.text, words, guess_in_spec(error, words),
-                       list);
+        return unknown(said, words, guess_in_spec(error, words), list);
     }
-    case What::meaningless_modifier:
-        return fmt::format("{} has no meaning for {} ({})", quoted(error.text), error.in->text, list);
-    case What::second_preset: return fmt::format("{} is a second preset; at most one is allowed", quoted(error.text));
-    case What::two_orders: return fmt::format("{} has the scalar first and last", quoted(error.text));
+    case What::meaningless_modifier: return fmt::format("{} ({})", said, list);
+    case What::second_preset:
+    case What::two_orders: break;
     }
-    return {};
+    return said;
 }
 
 std::string mend(std::string_view text) {

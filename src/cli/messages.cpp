@@ -166,19 +166,6 @@ std::vector<std::string_view> words_of(const ModifierSet& modifiers) {
     return mapped(set, [](Modifier modifier) { return name_of(modifier); });
 }
 
-std::string explain(const AxesError& error) {
-    using What = AxesError::What;
-    constexpr std::string_view sets = "n s e w u d, f b l r u d, or x y z, with - if against them";
-    switch (error.what) {
-    case What::form:
-        return fmt::format(" is not FROM:TO, such as ned:enu: where x, y and z point, in three letters of {}", sets);
-    case What::mixed_sets: return fmt::format(": the letters must be of one set: {}", sets);
-    case What::same_direction: return fmt::format(": {} has one direction twice", quoted(error.triple));
-    case What::opposite_directions: break;
-    }
-    return fmt::format(": {} has opposite directions, but x, y and z are perpendicular", quoted(error.triple));
-}
-
 std::string explain(const stream::RowError& error, const Subject& subject) {
     return fmt::format("{}: {}{}", why(error, subject), quoted(error.text), after_text(error));
 }

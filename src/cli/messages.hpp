@@ -30,9 +30,6 @@ namespace rotconv::cli::messages {
 /// Why a text is not a SPEC, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecError& error);
 
-/// Why the text before it does not name a change of axes.
-[[nodiscard]] std::string explain(const AxesError& error);
-
 /// What the rows of a run are.
 struct Subject {
     std::string text;                                         ///< what has `count` numbers, such as "quat"

@@ -54,7 +54,7 @@ AxesChange axes_of(const Given& given, std::string_view option) {
     const std::string& text = given.text(option);
     const auto parsed = parse_axes(text.empty() ? "xyz:xyz" : text);
     if (const auto* error = std::get_if<AxesError>(&parsed)) {
-        throw Usage("{} {}{}", option, quoted(text), messages::explain(*error));
+        throw Usage("{} {}", option, message(AxesError{error->what, shortened(error->text), error->triple}));
     }
     return std::get<AxesChange>(parsed);
 }

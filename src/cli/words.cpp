@@ -18,10 +18,12 @@ std::string shown(std::string_view text) {
     return result;
 }
 
-std::string quoted(std::string_view text) {
+std::string shortened(std::string_view text) {
     constexpr std::size_t longest = 80;
-    return fmt::format("'{}{}'", shown(text.substr(0, longest)), text.size() > longest ? "..." : "");
+    return shown(text.substr(0, longest)) + (text.size() > longest ? "..." : "");
 }
+
+std::string quoted(std::string_view text) { return fmt::format("'{}'", shortened(text)); }
 
 std::string quoted_list(const std::vector<std::string>& texts) {
     return texts.empty() ? "none" : fmt::format("{}", fmt::join(mapped(texts, quoted), ", "));

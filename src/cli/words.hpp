@@ -33,7 +33,10 @@ template <class Range, class Condition> [[nodiscard]] auto filtered(const Range&
 /// A text for messages: characters that could move a terminal's cursor, hide or end the line are escaped.
 [[nodiscard]] std::string shown(std::string_view text);
 
-/// shown() in quotes, and cut if it is long.
+/// shown(), and cut if it is long.
+[[nodiscard]] std::string shortened(std::string_view text);
+
+/// shortened() in quotes.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 /// The texts in quotes, or "none".

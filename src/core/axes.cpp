@@ -27,7 +27,22 @@ std::string letters_of(std::string_view triple) {
 
 FixedRotation AxesChange::turn() const noexcept {
     const Dcm rotation = matrix * (changes_hand() ? -1.0 : 1.0);
-    return FixedRotation::of_numbers({.name = RepresentationId::dcm, .column_major = true}, {rotation.data(), 9});
+    return FixedRotation::of_numbers(eigen_matrix, {rotation.data(), 9});
+}
+
+std::string message(const AxesError& error) {
+    using What = AxesError::What;
+    const std::string sets = "n s e w u d, f b l r u d, or x y z, with - if against them";
+    const std::string text = "'" + error.text + "'";
+    const std::string triple = text + ": '" + error.triple + "'";
+    switch (error.what) {
+    case What::form:
+        return text + " is not FROM:TO, such as ned:enu: where x, y and z point, in three letters of " + sets;
+    case What::mixed_sets: return text + ": the letters must be of one set: " + sets;
+    case What::same_direction: return triple + " has one direction twice";
+    case What::opposite_directions: return triple + " has opposite directions, but x, y and z are perpendicular";
+    }
+    return {};
 }
 
 std::variant<AxesChange, AxesError> parse_axes(std::string_view text) {
@@ -37,12 +52,12 @@ std::variant<AxesChange, AxesError> parse_axes(std::string_view text) {
     const std::array<std::string, 2> letters{letters_of(triples[0]), letters_of(triples[1])};
     const std::string all = letters[0] + letters[1];
     if (letters[0].size() != 3 || letters[1].size() != 3 || all.find_first_not_of("nsewudfblrxXyYzZ") != all.npos) {
-        return AxesError{What::form};
+        return AxesError{What::form, std::string(text)};
     }
     const auto* const set =
         std::ranges::find(sets, all.npos, [&](std::string_view legal) { return all.find_first_not_of(legal); });
     if (set == sets.end()) {
-        return AxesError{What::mixed_sets};
+        return AxesError{What::mixed_sets, std::string(text)};
     }
     std::array<Dcm, 2> axes; // row by row x, y and z in the set's axes
     for (std::size_t t = 0; t < 2; ++t) {
@@ -52,7 +67,7 @@ std::variant<AxesChange, AxesError> parse_axes(std::string_view text) {
             for (int j = 0; j < i; ++j) {
                 const double along = axes.at(t).row(i).dot(axes.at(t).row(j));
                 if (along != 0.0) {
-                    return AxesError{along > 0.0 ? What::same_direction : What::opposite_directions,
+                    return AxesError{along > 0.0 ? What::same_direction : What::opposite_directions, std::string(text),
                                      std::string(triples.at(t))};
                 }
             }

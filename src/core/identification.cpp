@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "checks.hpp"
 #include "representations/codec.hpp"
 #include "representations/half_turn.hpp"
 
@@ -211,6 +212,7 @@ bool Identification::is_count(std::size_t count) noexcept {
 void Identification::add(std::span<const double> numbers, std::span<const std::size_t> rows,
                          std::vector<RowReport>& reports) {
     const std::size_t width = count_ + known_conversion_.from().size();
+    check_size(numbers.size(), rows.size() * width);
     known_numbers_.clear();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto known = numbers.subspan(i * width + count_, width - count_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <vector>
 
 #include "representations/codec.hpp"
 
@@ -16,12 +17,14 @@ void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
     spec.positive = spec.positive || modifiers.has(Modifier::positive);
 }
 
-/// Cuts the text up to the next mark off `rest`.
-std::string_view next_part(std::string_view& rest, char mark = ':') noexcept {
-    const auto end = rest.find(mark);
-    const auto part = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-    return part;
+/// What stands between the marks, which may be nothing.
+std::vector<std::string_view> split(std::string_view text, char mark) {
+    std::vector<std::string_view> parts{text.substr(0, text.find(mark))};
+    while (parts.back().end() != text.end()) {
+        text.remove_prefix(parts.back().size() + 1);
+        parts.push_back(text.substr(0, text.find(mark)));
+    }
+    return parts;
 }
 
 } // namespace
@@ -71,17 +74,13 @@ std::string Spec::text() const {
 std::ostream& operator<<(std::ostream& out, const Spec& spec) { return out << spec.text(); }
 
 std::array<std::uint8_t, 9> Spec::order() const noexcept {
-    if (column_major || scalar_last) {
-        return representation(name).other_order;
-    }
-    return {0, 1, 2, 3, 4, 5, 6, 7, 8};
+    return is_reordered() ? representation(name).other_order : std::array<std::uint8_t, 9>{0, 1, 2, 3, 4, 5, 6, 7, 8};
 }
 
 std::array<std::string_view, 9> Spec::columns() const noexcept {
     auto own = representation(name).columns;
     if (has_own_columns) {
-        std::string_view rest = project->columns;
-        std::ranges::generate(own, [&rest] { return next_part(rest, ' '); });
+        std::ranges::copy(split(project->columns, ' '), own.begin());
     }
     std::array<std::string_view, 9> names;
     const auto places = order();
@@ -91,10 +90,24 @@ std::array<std::string_view, 9> Spec::columns() const noexcept {
 
 Spec Spec::in_degrees() const noexcept {
     Spec spec = *this;
-    if (representation(name).has_angles()) {
-        spec.unit = AngleUnit::degrees;
-    }
+    spec.unit = representation(name).has_angles() ? AngleUnit::degrees : unit;
     return spec;
+}
+
+std::string message(const SpecError& error) {
+    using What = SpecError::What;
+    const std::string text = "'" + error.text + "'";
+    const std::string in(error.in == nullptr ? "" : error.in->text);
+    switch (error.what) {
+    case What::unknown_name: return text + " is not a known representation";
+    case What::no_sequence: return in + " needs its sequence, as in " + in + ":ZYX";
+    case What::unknown_sequence: return text + " is not a known Euler sequence";
+    case What::unknown_modifier: return text + " is not a known modifier of " + in;
+    case What::meaningless_modifier: return text + " has no meaning for " + in;
+    case What::second_preset: return text + " is a second preset; at most one is allowed";
+    case What::two_orders: return text + " has the scalar first and last";
+    }
+    return {};
 }
 
 namespace {
@@ -102,58 +115,44 @@ namespace {
 /// Reads a SPEC whose name is that of a representation.
 std::variant<Spec, SpecError> parse_plain(std::string_view text) {
     using What = SpecError::What;
-    std::string_view rest = text;
-    const std::string_view name = next_part(rest);
-    const Representation* const found = find_representation(name);
+    const std::vector<std::string_view> parts = split(text, ':');
+    const Representation* const found = find_representation(parts[0]);
+    const auto wrong = [found](What what, std::string_view part) { return SpecError{what, std::string(part), found}; };
     if (found == nullptr) {
-        return SpecError{What::unknown_name, std::string(name)};
+        return wrong(What::unknown_name, parts[0]);
     }
-    Spec spec;
-    spec.name = found->name;
-    bool more = name.size() < text.size();
+    Spec spec{.name = found->name};
+    auto rest = std::span(parts).subspan(1);
     if (found->takes_sequence) {
-        if (!more) {
-            return SpecError{What::no_sequence, std::string(text), found};
+        if (rest.empty()) {
+            return wrong(What::no_sequence, text);
         }
-        const std::string_view letters = rest.substr(0, rest.find(':'));
-        const auto of_preset = meaning_of(letters, *found).sequence;
-        const auto sequence = of_preset ? of_preset : EulerSequence::parse(letters);
+        const auto of_preset = meaning_of(rest[0], *found).sequence;
+        const auto sequence = of_preset ? of_preset : EulerSequence::parse(rest[0]);
         if (!sequence) {
-            return SpecError{What::unknown_sequence, std::string(letters), found};
+            return wrong(What::unknown_sequence, rest[0]);
         }
         spec.sequence = *sequence;
         spec.has_own_columns = of_preset.has_value();
-        if (!of_preset) { // else the word is read once more, as a preset
-            more = rest.find(':') != std::string_view::npos;
-            next_part(rest);
-        }
+        rest = rest.subspan(of_preset ? 0 : 1); // the word is read once more, as a preset
     }
-    std::string_view used_preset;
-    bool scalar_first = false;
-    while (more) {
-        more = rest.find(':') != std::string_view::npos;
-        const std::string_view part = next_part(rest);
+    for (const std::string_view part : rest) {
         if (const auto preset = std::ranges::find(presets(), part, &Project::text); preset != presets().end()) {
-            if (!used_preset.empty() && used_preset != part) {
-                return SpecError{What::second_preset, std::string(part), found};
+            if (spec.project != nullptr && spec.project != &*preset) {
+                return wrong(What::second_preset, part);
             }
-            used_preset = part;
             spec.project = &*preset;
             apply(meaning_of(part, *found).modifiers, spec);
             continue;
         }
-        const auto* modifier = std::ranges::find(all_modifiers, part, [](Modifier m) { return name_of(m); });
-        if (modifier == all_modifiers.end()) {
-            return SpecError{What::unknown_modifier, std::string(part), found};
-        }
-        if (!found->modifiers.has(*modifier)) {
-            return SpecError{What::meaningless_modifier, std::string(part), found};
+        const auto* const modifier = std::ranges::find(all_modifiers, part, [](Modifier m) { return name_of(m); });
+        if (modifier == all_modifiers.end() || !found->modifiers.has(*modifier)) {
+            return wrong(modifier == all_modifiers.end() ? What::unknown_modifier : What::meaningless_modifier, part);
         }
         apply({*modifier}, spec);
-        scalar_first = scalar_first || *modifier == Modifier::wxyz;
     }
-    if (scalar_first && spec.scalar_last) {
-        return SpecError{What::two_orders, std::string(text), found};
+    if (spec.scalar_last && std::ranges::count(rest, name_of(Modifier::wxyz)) != 0) {
+        return wrong(What::two_orders, text);
     }
     return spec;
 }
@@ -163,11 +162,10 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
 std::variant<Spec, SpecError> parse_spec(std::string_view text) {
     const auto name = text.substr(0, text.find(':'));
     const Project* const project = find_project(name);
-    if (project == nullptr || !project->is_spec()) {
-        return parse_plain(text);
-    }
-    auto parsed = parse_plain(std::string(project->specs).append(text.substr(name.size())));
-    if (auto* const spec = std::get_if<Spec>(&parsed)) {
+    const bool is_spec = project != nullptr && project->is_spec();
+    auto parsed =
+        parse_plain(is_spec ? std::string(project->specs).append(text.substr(name.size())) : std::string(text));
+    if (auto* const spec = std::get_if<Spec>(&parsed); spec != nullptr && is_spec) {
         spec->project = project;
         spec->has_own_columns = !project->columns.empty();
     }

@@ -194,6 +194,11 @@ TEST_CASE("a text that names no axes says why") {
     CHECK(error_of("fud:flu").what == What::opposite_directions);
     CHECK(error_of("xyz:xy-x").triple == "xy-x");
     CHECK(error_of("xyz:-xy-x").what == What::same_direction);
+    // Catches a message without the text that is wrong, and one of another error.
+    CHECK(message(error_of("frd:fl")).starts_with("'frd:fl' is not FROM:TO, such as ned:enu"));
+    CHECK(message(error_of("ned:flu")).starts_with("'ned:flu': the letters must be of one set"));
+    CHECK(message(error_of("NND:ned")) == "'NND:ned': 'NND' has one direction twice");
+    CHECK(message(error_of("ned:nsd")).starts_with("'ned:nsd': 'nsd' has opposite directions"));
 }
 
 TEST_CASE("constant rotations are multiplied to 100 bits") {

@@ -13,12 +13,14 @@ using What = rotconv::SpecError::What;
 
 namespace {
 
-What fault_of(const std::string& text) {
+SpecError error_of(const std::string& text) {
     const auto parsed = parse_spec(text);
     const auto* error = std::get_if<SpecError>(&parsed);
     REQUIRE(error != nullptr);
-    return error->what;
+    return *error;
 }
+
+What fault_of(const std::string& text) { return error_of(text).what; }
 
 } // namespace
 
@@ -108,6 +110,17 @@ TEST_CASE("a text that is no SPEC says why") {
     CHECK(fault_of("quat:ros:tum") == What::second_preset);
     CHECK(fault_of("quat:wxyz:passive:xyzw") == What::two_orders);
     CHECK(fault_of("quat:tum:wxyz") == What::two_orders);
+}
+
+// Would catch: words of another error, and a message that does not name what is wrong.
+TEST_CASE("the message about a text that is not a SPEC names the part that is wrong") {
+    CHECK(message(error_of("quatt:deg")) == "'quatt' is not a known representation");
+    CHECK(message(error_of("euler")) == "euler needs its sequence, as in euler:ZYX");
+    CHECK(message(error_of("euler:ZZX:deg")) == "'ZZX' is not a known Euler sequence");
+    CHECK(message(error_of("quat:xyz")) == "'xyz' is not a known modifier of quat");
+    CHECK(message(error_of("rpy:deg:xyzw")) == "'xyzw' has no meaning for rpy");
+    CHECK(message(error_of("quat:ros:tum")) == "'tum' is a second preset; at most one is allowed");
+    CHECK(message(error_of("quat:tum:wxyz")) == "'quat:tum:wxyz' has the scalar first and last");
 }
 
 // Would catch: a preset that a representation refuses.

@@ -49,6 +49,9 @@ void refused_at_run_time() {
     quaternions.pop_back();
     check(throws<std::invalid_argument>([&] { conversion.run(quaternions, room, reports); }), "seven numbers");
     check(throws<std::invalid_argument>([&] { (void)read_attitude(eigen_matrix, quaternions); }), "seven of a matrix");
+    Identification identification(4, Spec{});
+    check(throws<std::invalid_argument>([&] { identification.add(quaternions, std::vector<std::size_t>{1}, reports); }),
+          "seven numbers of eight");
     Stepper stepper(Spec{}, Integrator::rk4);
     check(throws<std::invalid_argument>([&] { stepper.step(0.1, {}); }), "a step without rates");
     check(throws<std::logic_error>([] { (void)Reading(Error::none); }), "an error that is none");
