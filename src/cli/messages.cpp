@@ -3,25 +3,23 @@
 #include <algorithm>
 #include <system_error>
 
-#include "../stream/decimal.hpp"
 #include "../stream/io_block.hpp"
+#include "../stream/key.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
 
-/// What to write instead of a text that is not read as a time.
-std::string_view mend(stream::TimeError error) {
-    using enum stream::TimeError;
+/// What to write instead of a text that is not read as a key.
+std::string_view mend(stream::KeyError error) {
+    using enum stream::KeyError;
     switch (error) {
     case none:
-    case not_a_time: break;
+    case not_a_number: break;
+    case too_large: return "keys are below 1e20 in size";
+    case not_a_time: return "a time is like 2026-11-22T13:00:00.5Z: in UTC, with a decimal point, no leap second";
     case blank:
         return R"(a time is written as 2026-11-22T13:00: sed -e 's,\(-[0-9]*\)[ /][ /]*\([0-9]*:\),\1T\2,' -e t )"
                R"(-e 's,[0-9]\{4\}-[0-9-]*,&T00:00,' FILE | rotconv ...)";
-    case offset: return "offsets are not read: write UTC, as in 2026-11-22T13:00:00Z";
-    case decimal_comma: return "seconds have a decimal point";
-    case leap_second: return "leap seconds are not read: a minute has the seconds 00 to 59";
-    case no_such_time: return "there is no such date or time of day";
     case has_unit: return "such times are in seconds: leave out --time-unit";
     }
     return {};
@@ -32,7 +30,7 @@ bool has_blank_in_time(std::string_view row) {
     const std::size_t blank = row.find(' ');
     const std::size_t colon = row.find(':');
     return colon != std::string_view::npos && row.find_first_not_of(" /0123456789", blank) == colon &&
-           stream::read_time(row.substr(0, blank)).error == stream::TimeError::blank;
+           stream::read_key(row.substr(0, blank)).error == stream::KeyError::blank;
 }
 
 /// What the figure of a diagnostic is, and what the diagnostic means.
@@ -96,7 +94,8 @@ std::string why(const stream::RowError& error, const Subject& subject) {
     case stream::RowError::What::key_order: return "the key does not increase";
     case stream::RowError::What::no_partner: return "no partner in REFERENCE";
     case stream::RowError::What::open_quote: return "a quote is left open";
-    case stream::RowError::What::time: return "not a time that is read";
+    case stream::RowError::What::key:
+        return error.key == stream::KeyError::too_large ? "too large for a key" : "not a time that is read";
     case stream::RowError::What::attitude: break;
     }
     switch (error.error) {
@@ -119,12 +118,12 @@ std::string why(const stream::RowError& error, const Subject& subject) {
 /// What to do about it.
 std::string after_text(const stream::RowError& error) {
     using What = stream::RowError::What;
-    if (error.what == What::time && error.of_reference && error.time == stream::TimeError::has_unit) {
+    if (error.what == What::key && error.of_reference && error.key == stream::KeyError::has_unit) {
         return "; such times are in seconds: --reference-time-unit s";
     }
     const bool has_blank = error.what == What::wrong_count && has_blank_in_time(error.text);
-    const auto time = has_blank ? stream::TimeError::blank : error.time;
-    return error.what == What::time || has_blank ? fmt::format("; {}", mend(time)) : "";
+    const auto key = has_blank ? stream::KeyError::blank : error.key;
+    return error.what == What::key || has_blank ? fmt::format("; {}", mend(key)) : "";
 }
 
 } // namespace

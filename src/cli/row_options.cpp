@@ -501,17 +501,19 @@ void pair(const Given& given, RowsCommand& command, stream::RowNumbers numbers, 
     pairs.interpolates = given.has("--interpolate");
     if (given.has("--key-within")) {
         static_cast<void>(amount_of(given, "--key-within", 0.0, false));
-        pairs.within = *stream::Decimal::parse(given.text("--key-within"));
+        pairs.within = stream::read_distance(given.text("--key-within"));
     }
     const std::string& own_unit = given.text("--time-unit");
     in.key_power = time_power_of(own_unit);
     in.numbers.has_unit = !own_unit.empty();
     if (given.has("--key-offset")) {
-        const auto offset = stream::Decimal::parse(given.text("--key-offset"));
-        if (!offset) {
-            throw Usage("--key-offset {} must be a finite number", quoted(given.text("--key-offset")));
+        const stream::ReadKey offset = stream::read_key(given.text("--key-offset"));
+        constexpr stream::KeyDistance limit{stream::Uint128{1} << 123U}; // about 1e19; it is added to keys below 1e20
+        if (offset.error != stream::KeyError::none || distance(offset.value, {}) > limit) {
+            throw Usage("--key-offset {} must be a number of less than 1e19 in size",
+                        quoted(given.text("--key-offset")));
         }
-        in.key_origin = stream::Decimal() - *offset;
+        in.key_offset = offset.value;
     }
     const std::string unit = or_else(given.text("--reference-time-unit"), own_unit);
     pairs.reference.key_power = time_power_of(unit);

@@ -114,10 +114,11 @@ private:
 
     void add(const stream::FirstBytes& first) { beginning_ = first.text; }
     void add(const stream::RowError& error) {
-        if (error.time != stream::TimeError::has_unit && ++errors_ > most_errors) { // which ends the run
+        if (error.key != stream::KeyError::has_unit && ++errors_ > most_errors) { // which ends the run
             return;
         }
-        const bool is_first = errors_ == 1 && !error.of_reference;
+        const bool is_key = error.what == stream::RowError::What::key; // which is told with its mend
+        const bool is_first = errors_ == 1 && !error.of_reference && !is_key;
         tell(error.line,
              messages::explain(error, subject_of(error.of_reference)) + (command_->has_values ? messages::mend(error)
                                                                          : is_first           ? advice_at(error.line)

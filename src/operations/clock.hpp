@@ -5,43 +5,49 @@
 #include <string_view>
 #include <utility>
 
-#include "../stream/decimal.hpp"
+#include "../stream/key.hpp"
 
 namespace rotconv::operations {
 
 /// The times of rows that are accepted.
 class Clock {
 public:
-    explicit Clock(int power) : power_(power), per_second_(stream::Decimal::parse("1")->rounded(-power)) {}
+    explicit Clock(int power) : power_(power) {
+        for (; power < 0; ++power) {
+            per_second_ *= 10.0;
+        }
+    }
 
-    /// Seconds since the last accepted time, rounded once if times are texts; nan for a time that is not finite.
+    /// Seconds since the last accepted time, rounded once if both are keys; nan for a time that is not finite.
     double seconds_to(double time, const std::string_view* text) {
         if (!std::isfinite(time)) {
             return std::numeric_limits<double>::quiet_NaN();
         }
-        if (text != nullptr) {
-            next_text_ = stream::read_time(*text).value;
-            is_number_ = text->find_first_of("T:") == std::string_view::npos;
-            return stream::Decimal::difference(next_text_, last_text_, power_);
-        }
         next_ = time;
-        return (next_ - last_) / per_second_;
+        next_key_ = text != nullptr ? stream::read_key(*text, power_) : no_key;
+        is_number_ = text == nullptr || text->find_first_of("T:") == std::string_view::npos;
+        if (next_key_.error != stream::KeyError::none || last_key_.error != stream::KeyError::none) {
+            return (next_ - last_) / per_second_;
+        }
+        const double seconds = distance(next_key_.value, last_key_.value).rounded();
+        return next_key_.value < last_key_.value ? -seconds : seconds;
     }
     /// @param seconds since the time before
     void accept(double seconds, std::size_t line) {
         if (++times_ == 2 && is_number_) {
             first_step_ = {seconds, line};
         }
-        std::swap(last_text_, next_text_);
+        last_key_ = next_key_;
         last_ = next_;
     }
     [[nodiscard]] const auto& first_step() const noexcept { return first_step_; }
 
 private:
+    static constexpr stream::ReadKey no_key{.error = stream::KeyError::not_a_number};
     int power_;
-    double per_second_;
-    stream::Decimal last_text_;
-    stream::Decimal next_text_;
+    double per_second_ = 1.0;
+    stream::ReadKey last_key_{};
+    stream::ReadKey next_key_{};
     double last_ = 0.0;
     double next_ = 0.0;
     std::size_t times_ = 0;                       ///< that are accepted

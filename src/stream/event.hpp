@@ -14,7 +14,7 @@
 #include <rotconv/representation_id.hpp>
 
 #include "column_list.hpp"
-#include "decimal.hpp"
+#include "key.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
@@ -30,7 +30,7 @@ struct RowError {
         open_quote,
         key_order,  ///< `text` is a key that does not increase
         no_partner, ///< the row is in no pair; see Pairing::needs_partner
-        time,       ///< `text` resembles a time, and `time` says what is wrong with it
+        key,        ///< `text` is no key that is read, and `key` says why
         attitude,   ///< the numbers describe none: see `error`, `defect`
     };
     std::size_t line = 0;
@@ -41,7 +41,7 @@ struct RowError {
     std::size_t first_line = 0;
     Error error = Error::none;
     double defect = 0.0;
-    TimeError time = TimeError::none;
+    KeyError key = KeyError::none;
     double norm = 0.0;         ///< of a quaternion; 0 where it is not known
     bool of_reference = false; ///< the line is one of the reference
 };
@@ -110,14 +110,14 @@ struct Output {
 struct KeysMet {
     /// Of the stream, and of the reference: the first and the last that may be paired.
     struct Range {
-        Decimal first, last;
+        Key first, last;
     };
     std::array<std::optional<Range>, 2> ranges{};
     bool any_pair = false;
-    bool interpolates = false;           ///< the difference of two keys is that of neighbours in the reference
-    std::optional<Decimal> nearest{};    ///< the least difference of a key without a partner and its neighbours
-    std::optional<std::string> likely{}; ///< of rows that are paired by number: see LikelyKey
-    Decimal within{};                    ///< see Pairing
+    bool interpolates = false;            ///< the difference of two keys is that of neighbours in the reference
+    std::optional<KeyDistance> nearest{}; ///< the least difference of a key without a partner and its neighbours
+    std::optional<std::string> likely{};  ///< of rows that are paired by number: see LikelyKey
+    KeyDistance within{};                 ///< see Pairing
 };
 
 /// Why a run ended early, other than by a row error.

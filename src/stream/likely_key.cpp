@@ -43,9 +43,8 @@ void LikelyKey::add(const std::array<std::string_view, 2>& rows) {
         }
         bool increases = true;
         for (const std::size_t side : {0U, 1U}) {
-            const Time time = read_time(sides_.at(side).layout->delimiter.text_of(texts.at(side)));
-            increases =
-                increases && time.error == TimeError::none && (pairs_ == 1 || time.value > column.last.at(side));
+            const ReadKey time = read_key(sides_.at(side).layout->delimiter.text_of(texts.at(side)));
+            increases = increases && time.error == KeyError::none && (pairs_ == 1 || time.value > column.last.at(side));
             column.last.at(side) = time.value;
         }
         if (increases && pairs_ > 1 && column.last[0] != column.last[1]) {

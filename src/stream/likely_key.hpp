@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "decimal.hpp"
+#include "key.hpp"
 #include "layout.hpp"
 
 namespace rotconv::stream {
@@ -33,7 +33,7 @@ private:
     struct Column {
         std::string text;                ///< its name, or its index from 1
         std::array<std::size_t, 2> at{}; ///< in the rows of either stream
-        std::array<Decimal, 2> last{};   ///< of the pairs that were looked at
+        std::array<Key, 2> last{};       ///< of the pairs that were looked at
     };
     /// Of so many pairs the columns increase; later ones are looked at if the texts differ...
     static constexpr std::size_t first_pairs = 3;

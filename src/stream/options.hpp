@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "column_list.hpp"
-#include "decimal.hpp"
 #include "delimiter.hpp"
 #include "event.hpp"
 #include "io_block.hpp"
+#include "key.hpp"
 #include "number_text.hpp"
 #include "row_operation.hpp"
 
@@ -49,7 +49,7 @@ struct InputOptions {
     std::optional<Delimiter> delimiter{}; ///< nothing: that of the first data row
     std::size_t width = 0;                ///< doubles of a row of binary input; 0: the input is text
     int key_power = 0;                    ///< keys are in units of 10^key_power of those in which they are compared...
-    Decimal key_origin{};                 ///< ...and this is taken from them
+    Key key_offset{};                     ///< ...and this is added to them
     HeaderMode header = HeaderMode::automatic;
     std::string comment = "#"; ///< what comments begin with; empty: there are none
     bool refuses_json = false; ///< a first row that is JSON ends the run
@@ -74,7 +74,7 @@ struct InputOptions {
 struct Pairing {
     InputOptions reference{}; ///< how the other stream is read
     bool by_key = false;      ///< the first selected column of both, a number that increases; else by the rows' number
-    Decimal within{};         ///< the greatest difference of two keys
+    KeyDistance within{};     ///< the greatest difference of two keys
     /// The partner lies at the row's key between two rows of the reference, whose keys differ by no more than that. The
     /// operation gets the numbers of a row, of the earlier and of the later neighbour, without the key of the later,
     /// and how far the row is from the earlier, as a fraction; of a row whose key the reference has, both are that row.

@@ -51,20 +51,16 @@ void PairReader::Side::take_line() {
 void PairReader::Side::find_key(Waiting& row) {
     parts.clear();
     const auto key_text = reader.key(row.line.text, parts);
-    auto key = key_text ? reader.key_of(*key_text) : Time();
-    if (key_text && key.error != TimeError::none) {
-        const bool is_near = key.error != TimeError::not_a_time;
-        parts.error = {.what = is_near ? RowError::What::time : RowError::What::not_a_number,
-                       .text = *key_text,
-                       .time = key.error};
+    const ReadKey key = key_text ? reader.key_of(*key_text) : ReadKey();
+    if (key_text && key.error != KeyError::none) {
+        const bool is_word = key.error == KeyError::not_a_number;
+        parts.error = {
+            .what = is_word ? RowError::What::not_a_number : RowError::What::key, .text = *key_text, .key = key.error};
     } else if (key_text && range && key.value <= range->last) {
         parts.error = {.what = RowError::What::key_order, .text = *key_text};
     } else if (key_text) {
-        const Decimal& found = keys.emplace_back(std::move(key.value));
-        if (!range) {
-            range = {found, found};
-        }
-        range->last = found;
+        keys.push_back(key.value);
+        range = {range ? range->first : key.value, key.value};
         return;
     }
     row.error = std::make_unique<RowError>(std::move(parts.error));
@@ -88,7 +84,7 @@ void PairReader::Side::drop_row(bool is_paired) {
         unpaired.first_line = waiting.front().number;
     }
     if (by_key) {
-        disposed = std::move(keys.front());
+        disposed = keys.front();
         keys.pop_front();
     }
     drop_line();
@@ -190,7 +186,8 @@ void PairReader::pair(Job& job, bool is_between) {
                                              [](const Waiting& each) { return each.has_key(); });
         row.later = later.line.text;
         row.later_number = later.number;
-        row.fraction = Decimal::ratio(rows_.keys[0] - references_.keys[0], references_.keys[1] - references_.keys[0]);
+        row.fraction =
+            ratio(distance(rows_.keys[0], references_.keys[0]), distance(references_.keys[1], references_.keys[0]));
     }
     job.pairs.bytes += row.line.text.size() + row.reference.size() + row.later.size();
     rows_.hold(1, job.pairs);
@@ -204,10 +201,10 @@ void PairReader::pair(Job& job, bool is_between) {
 void PairReader::drop_alone(Job& job, Side& side) {
     if (&side == &rows_ && pairing_->by_key && !pairing_->interpolates) {
         if (!references_.keys.empty()) {
-            compare_distance(references_.keys[0] - rows_.keys[0]);
+            compare_distance(distance(references_.keys[0], rows_.keys[0]));
         }
         if (references_.disposed) {
-            compare_distance(rows_.keys[0] - *references_.disposed);
+            compare_distance(distance(rows_.keys[0], *references_.disposed));
         }
     }
     const bool fails = &side == &rows_ && pairing_->needs_partner;
@@ -225,12 +222,7 @@ void PairReader::drop_alone(Job& job, Side& side) {
     side.drop_row(fails);
 }
 
-void PairReader::compare_distance(Decimal distance) {
-    distance = distance < Decimal() ? Decimal() - distance : distance;
-    if (!nearest_ || distance < *nearest_) {
-        nearest_ = std::move(distance);
-    }
-}
+void PairReader::compare_distance(KeyDistance found) { nearest_ = std::min(nearest_.value_or(found), found); }
 
 PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     const bool interpolates = pairing_->interpolates;
@@ -263,8 +255,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
                              .of_reference = &low == &references_};
     } else if (interpolates) {
         match_between(job, next);
-    } else if (next == At::row &&
-               Decimal::sign_of_sum({{&low.keys[1], 1}, {&low.keys[0], 1}, {&high.keys[0], -2}}) < 0) {
+    } else if (next == At::row && distance(low.keys[1], high.keys[0]) < distance(low.keys[0], high.keys[0])) {
         drop_alone(job, low); // the one after it is nearer
     } else {
         pair(job);
@@ -273,11 +264,8 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
 }
 
 bool PairReader::is_alone(const Side& low, const Side& high) const {
-    const Decimal& key = low.keys[0];
-    const Decimal& other = high.keys[0];
-    const auto sign = Decimal::sign_of_sum;
-    return sign({{&other, 1}, {&key, -1}, {&pairing_->within, -1}}) > 0 ||
-           (high.disposed && sign({{&key, 2}, {&*high.disposed, -1}, {&other, -1}}) <= 0);
+    const KeyDistance ahead = distance(low.keys[0], high.keys[0]);
+    return ahead > pairing_->within || (high.disposed && distance(low.keys[0], *high.disposed) <= ahead);
 }
 
 void PairReader::match_between(Job& job, At next) {
@@ -286,12 +274,12 @@ void PairReader::match_between(Job& job, At next) {
         if (!error_) {
             drop_alone(job, rows_);
         }
-    } else if (const Decimal& later = references_.keys[1]; later <= rows_.keys[0]) {
+    } else if (references_.keys[1] <= rows_.keys[0]) {
         references_.drop_row(true);
-    } else if (Decimal distance = later - references_.keys[0]; distance <= pairing_->within) {
+    } else if (const auto apart = distance(references_.keys[1], references_.keys[0]); apart <= pairing_->within) {
         pair(job, true);
     } else {
-        compare_distance(std::move(distance));
+        compare_distance(apart);
         drop_alone(job, rows_);
     }
 }

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "decimal.hpp"
 #include "job.hpp"
+#include "key.hpp"
 #include "likely_key.hpp"
 #include "options.hpp"
 #include "row_blocks.hpp"
@@ -85,11 +85,11 @@ private:
         std::size_t line = 1;
         bool ended = false; ///< of the blocks
         std::deque<Waiting> waiting;
-        std::deque<Decimal> keys;            ///< of the rows among them, where they have keys
+        std::deque<Key> keys;                ///< of the rows among them, where they have keys
         std::size_t bytes_waiting = 0;       ///< of those lines
         std::size_t rows_waiting = 0;        ///< that may be paired
         std::optional<KeysMet::Range> range; ///< of the keys that increased
-        std::optional<Decimal> disposed;     ///< the last key before the first waiting row
+        std::optional<Key> disposed;         ///< the last key before the first waiting row
         Unpaired unpaired;
     };
 
@@ -104,7 +104,7 @@ private:
     void pair(Job& job, bool is_between = false);
     /// Disposes of the side's next row, which has no partner.
     void drop_alone(Job& job, Side& side);
-    void compare_distance(Decimal distance);
+    void compare_distance(KeyDistance found);
     [[nodiscard]] std::optional<StreamError> reference_error() const;
     /// What needs no other row: lines that pass, rows whose key is at fault. `of_both`: those of the reference too,
     /// which come after all of the stream that stand before its next row.
@@ -114,10 +114,9 @@ private:
     Side rows_;
     Side references_;
     bool any_pair_ = false;
-    std::optional<Decimal>
-        nearest_;         ///< the least difference of the keys of a row without a partner and of its neighbours
-    Job reference_job_;   ///< room for its blocks
-    Side* dry_ = nullptr; ///< that the last job ended at
+    std::optional<KeyDistance> nearest_; ///< of the keys of a row without a partner and of its neighbours
+    Job reference_job_;                  ///< room for its blocks
+    Side* dry_ = nullptr;                ///< that the last job ended at
     std::optional<StreamError> error_;
     std::optional<LikelyKey> likely_key_; ///< of text that is paired by number, from the first pair on
 };

@@ -146,18 +146,18 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
         if (error == NumberError::not_a_number) { // or quoted
             error = read_number(layout_->delimiter.text_of(field), number);
         }
-        TimeError time_error = TimeError::not_a_time;
+        KeyError key_error = KeyError::not_a_number;
         if (error == NumberError::not_a_number && i < options_->numbers.kept) {
-            const Time time = time_of(layout_->delimiter.text_of(field));
+            const ReadKey time = key_of(layout_->delimiter.text_of(field));
             number = time.value.rounded();
-            time_error = time.error;
+            key_error = time.error;
         }
-        if (error != NumberError::none && time_error != TimeError::none) {
+        if (error != NumberError::none && key_error != KeyError::none) {
             to.error = {.what = error == NumberError::too_large       ? RowError::What::too_large
-                                : time_error == TimeError::not_a_time ? RowError::What::not_a_number
-                                                                      : RowError::What::time,
+                                : key_error == KeyError::not_a_number ? RowError::What::not_a_number
+                                                                      : RowError::What::key,
                         .text = std::string(field),
-                        .time = time_error};
+                        .key = key_error};
             to.numbers.resize(first_number);
             return false;
         }
@@ -177,22 +177,12 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
     return true;
 }
 
-Time RowReader::time_of(std::string_view text) const {
-    Time time = read_time(text);
-    if (time.error == TimeError::none && options_->numbers.has_unit && !is_number(text)) {
-        time.error = TimeError::has_unit;
+ReadKey RowReader::key_of(std::string_view text) const {
+    ReadKey key = read_key(text, options_->key_power);
+    if (key.error == KeyError::none && options_->numbers.has_unit && !is_number(text)) {
+        key.error = KeyError::has_unit;
     }
-    return time;
-}
-
-Time RowReader::key_of(std::string_view text) const {
-    Time key = time_of(text);
-    if (options_->key_power != 0) {
-        key.value = key.value.scaled(options_->key_power);
-    }
-    if (options_->key_origin != Decimal()) {
-        key.value = key.value - options_->key_origin;
-    }
+    key.value.units += options_->key_offset.units;
     return key;
 }
 

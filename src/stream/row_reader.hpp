@@ -57,10 +57,8 @@ public:
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
     /// The text of the first number, which is a key; nothing where `to.error` says why.
     [[nodiscard]] std::optional<std::string> key(std::string_view row, RowParts& to) const;
-    /// A number or a time that is kept.
-    [[nodiscard]] Time time_of(std::string_view text) const;
     /// A key as it is compared.
-    [[nodiscard]] Time key_of(std::string_view text) const;
+    [[nodiscard]] ReadKey key_of(std::string_view text) const;
     /// The fields that hold the numbers, with the delimiter between them.
     [[nodiscard]] std::string selected_text(std::string_view row) const;
 

@@ -301,7 +301,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
         if (failed && i == 0) {
             tell_error(row, given, report, output);
             const auto& error = std::get<RowError>(output.events.back());
-            output.stopped = options_->on_error == OnError::stop || error.time == TimeError::has_unit;
+            output.stopped = options_->on_error == OnError::stop || error.key == KeyError::has_unit;
         }
         if (failed && (output.stopped || options_->on_error != OnError::nan || !is_ours)) {
             continue; // each answer's report is passed over
@@ -332,8 +332,10 @@ void RowTransformer::find_partner(const Row& row, std::string_view given) {
     }
     const std::string key = *reader_.key(given, key_parts_);
     const std::string other = *reference_reader_->key(row.reference, key_parts_);
-    const Decimal difference = reader_.key_of(key).value - reference_reader_->key_of(other).value;
-    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}", delimiter, row.reference_number, trimmed(other), difference.text());
+    const Key own = reader_.key_of(key).value;
+    const Key others = reference_reader_->key_of(other).value;
+    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}{4}", delimiter, row.reference_number, trimmed(other),
+                           own < others ? "-" : "", distance(own, others).text());
 }
 
 void RowTransformer::make_fields(Row& row) {

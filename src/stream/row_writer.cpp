@@ -8,7 +8,6 @@
 #include <numbers>
 #include <utility>
 
-#include "decimal.hpp"
 #include "json.hpp"
 
 namespace rotconv::stream {
@@ -96,6 +95,13 @@ template <class WriteResult> void write_around(Buffer& to, const Layout& layout,
     }
 }
 
+/// The double nearest to half of 10^-decimals.
+double half_a_unit(int decimals) {
+    double half = 0.0;
+    static_cast<void>(read_number(fmt::format("5e{}", -decimals - 1), half));
+    return half;
+}
+
 constexpr std::size_t most_around = 3; // a delimiter and a line end
 
 /// Numbers of an answer, its name before the last. Those that repeat the answer above, which stands before in memory,
@@ -179,7 +185,7 @@ RowWriter::OuterAngles RowWriter::outer_angles(const Spec& spec, std::size_t fir
     return {.first = first,
             .third = first + 2,
             .open_end = open_end,
-            .half_a_digit = whole_digits + decimals > 1 ? Decimal::parse("0.5")->rounded(-decimals) : -1.0,
+            .half_a_digit = whole_digits + decimals > 1 ? half_a_unit(decimals) : -1.0,
             .open_end_text = text_of(open_end),
             .closed_end_text = text_of(spec.positive ? 0.0 : half_turn)};
 }

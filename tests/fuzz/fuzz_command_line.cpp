@@ -47,7 +47,6 @@ void check(const stream::Options& options) {
     if (options.pairing) {
         const stream::Pairing& pairing = *options.pairing;
         require(pairing.by_key == (input.numbers.kept == 1) && !pairing.reference.numbers.names.empty());
-        require(pairing.within >= stream::Decimal());
         reach.add(pairing.by_key ? "pairs by key" : "pairs by row");
     }
 }

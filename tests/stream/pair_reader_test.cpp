@@ -31,7 +31,7 @@ Options keyed_pairs(const std::string& within) {
             .operation =
                 operations::compare(Comparison(Spec{}, Spec{}), {{.paired = true, .by_key = true}},
                                     std::make_shared<operations::PairWatch>(1, std::vector<operations::PairLimit>())),
-            .pairing = Pairing{.reference = keyed(), .by_key = true, .within = *Decimal::parse(within)}};
+            .pairing = Pairing{.reference = keyed(), .by_key = true, .within = read_distance(within)}};
 }
 
 /// The lines of each pair, `!` before those of an error, the unpaired rows, and how the reader ended early. Where the
@@ -100,7 +100,7 @@ TEST_CASE("pairs with units, offsets and interpolation are those found by lookin
         const bool interpolates = round % 2 == 0;
         Options options = keyed_pairs(fmt::format("{}e-6", within));
         options.input.key_power = -6;
-        options.input.key_origin = *Decimal::parse(fmt::format("{}e-6", -offset));
+        options.input.key_offset = read_key(fmt::format("{}e-6", offset)).value;
         options.pairing->reference.key_power = -9;
         options.pairing->interpolates = interpolates;
 
@@ -168,8 +168,9 @@ TEST_CASE("the fraction between two keys has all their digits") {
     options.pairing->interpolates = true;
     CHECK(pairs_of("1403636579763555584.25,1,0,0,0\n", "1403636579763555584,1,0,0,0\n1403636579763555585,1,0,0,0\n",
                    1U << 16U, options) == "1-1+2@0.25 0 0");
-    CHECK(pairs_of("25e899,1,0,0,0\n", "0,1,0,0,0\n1e901,1,0,0,0\n", 1U << 16U, options) == "1-1+2@0.25 0 0");
-    CHECK(pairs_of("25e-902,1,0,0,0\n", "0,1,0,0,0\n1e-900,1,0,0,0\n", 1U << 16U, options) == "1-1+2@0.25 0 0");
+    CHECK(pairs_of("25e18,1,0,0,0\n", "0,1,0,0,0\n99999999999999999999,1,0,0,0\n", 1U << 16U, options) ==
+          "1-1+2@0.25 0 0");
+    CHECK(pairs_of("1e-18,1,0,0,0\n", "0,1,0,0,0\n4e-18,1,0,0,0\n", 1U << 16U, options) == "1-1+2@0.25 0 0");
 }
 
 // Would catch: rows of the reference that are held, and a neighbour that is looked for without end.
@@ -223,10 +224,15 @@ TEST_CASE("a row whose next one is too far ends the pairing, and is not paired")
     CHECK(pairs_of(between("# " + std::string(1 << 20, 'x') + "\n", 2), references) == "0 0 ends at 1");
 }
 
-// Would catch: a difference of keys of which not all digits count.
+// Would catch: a difference of keys of which not all digits count, and a key whose size is not checked.
 TEST_CASE("keys are the nearest to each other by all their digits") {
-    const std::string rows = "3,1,0,0,0\n1e900,1,0,0,0\n";
-    const auto reference = [](char last) { return "3,1,0,0,0\n1" + std::string(899, '9') + last + ",1,0,0,0\n"; };
-    CHECK(pairs_of(rows, reference('6'), 1U << 16U, "1e901") == "1-1 2-2 0 0"); // 1e900 - 4 away; 3 is 1e900 - 3 away
-    CHECK(pairs_of(rows, reference('8'), 1U << 16U, "1e901") == "1-1 1 1");     // 1e900 - 2 away
+    const std::string rows = "3e-18,1,0,0,0\n9e19,1,0,0,0\n";
+    const auto reference = [](char last) {
+        return "3e-18,1,0,0,0\n" + std::string("89999999999999999999.99999999999999999") + last + ",1,0,0,0\n";
+    };
+    // 9e19 is 4e-18 away from the first; the key 3e-18 of the other row is 9e19 - 7e-18 away
+    CHECK(pairs_of(rows, reference('6'), 1U << 16U, "1e21") == "1-1 2-2 0 0");
+    CHECK(pairs_of(rows, reference('6'), 1U << 16U, "4e-18") == "1-1 2-2 0 0");
+    CHECK(pairs_of(rows, reference('6'), 1U << 16U, "3e-18") == "1-1 1 1");
+    CHECK(pairs_of("1e20,1,0,0,0\n", rows) == "!1-0 0 2");
 }
