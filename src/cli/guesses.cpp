@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 #include <variant>
 
 #include "../methods/method.hpp"
+#include "command.hpp"
 #include "meanings.hpp"
 #include "messages.hpp"
 
@@ -18,23 +20,13 @@ using Legal = std::vector<std::string_view>;
 
 /// What a user may have meant by a word that rotconv does not know.
 struct Guess {
-    std::string text; ///< a legal text; empty: nothing needs to be written
-    std::string said = fmt::format(" did you mean {}?", text);
+    std::string text;   ///< a legal text; empty: nothing needs to be written
+    std::string before; ///< what is said before it, and after
+    std::string after;
 };
 
-/// What to write for words of numbers that have nothing else but one of these, or it several times.
-struct Mark {
-    std::string_view text;
-    std::string_view words; ///< each between blanks
-};
-constexpr auto marks = std::to_array<Mark>({
-    {"write the minus sign as -, the one of the keyboard", " − – — － "},
-    {"write the number alone, and :deg after the name of the SPEC or -d", " ° º deg degree degrees "},
-    {"write the number alone: angles are in radians, unless the SPEC has :deg", " rad radian radians "},
-    {"write pi as 3.141592653589793, or angles in degrees, with :deg after the name of the SPEC",
-     " pi π nppi mathpi M_PI "},
-    {"write the number alone", " f F "},
-});
+/// Where the word stands.
+enum class Place : std::uint8_t { command_line, name, sequence, modifier };
 
 /// Edits (insert, delete, replace) that lead from one text to the other.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
@@ -52,9 +44,17 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-/// The word is the same but for marks and capitals.
+/// The word is the same except for marks and capitals.
 bool is_alike(std::string_view one, std::string_view other) {
     return without_marks(lower(one)) == without_marks(lower(other));
+}
+
+bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_spec(word)); }
+
+bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
+
+bool is_modifier(std::string_view word) {
+    return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
 }
 
 /// The legal word that is written alike, or at most two letters away (one, below five letters).
@@ -65,178 +65,165 @@ std::optional<Guess> guess_by_spelling(std::string_view text, const Legal& legal
         const std::size_t distance = is_alike(word, text) ? 0 : edit_distance(lower(text), lower(word));
         if (distance < least) {
             least = distance;
-            best = Guess{std::string(word)};
+            best = Guess{std::string(word), "", ""};
         }
     }
     return best;
 }
 
-bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
-
-bool is_modifier(std::string_view word) {
-    return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
-}
-
-bool has_modifier(const Representation& entry, std::string_view word) {
-    return std::ranges::count(words_of(entry.modifiers), word) != 0;
-}
-
 /// What the table of words says.
 std::optional<Guess> guess_meaning(std::string_view word) {
     const Meaning* const meaning = find_meaning(word);
-    if (meaning == nullptr) {
-        return std::nullopt;
-    }
-    Guess guess{std::string(meaning->instead)};
-    guess.said = fmt::format("{}{}{}", meaning->instead.empty() ? "" : guess.said, meaning->about.empty() ? "" : " ",
-                             meaning->about);
-    return guess;
+    return meaning == nullptr ? std::nullopt
+                              : std::optional(Guess{std::string(meaning->instead), "", std::string(meaning->about)});
 }
 
-/// A project by one of its names, in any case and with other marks.
-const Project* project_called(std::string_view word) {
-    const auto found = std::ranges::find_if(projects(), [word](const Project& each) {
-        return std::ranges::any_of(words_in(fmt::format("{} {}", each.text, each.others)),
-                                   [word](const std::string& name) { return is_alike(name, word); });
-    });
-    return found == projects().end() ? nullptr : &*found;
-}
-
-/// What the numbers of a project are, in the place of a word that cannot name them there.
+/// What the numbers of a project are, by one of its names, in any case and with other marks.
 std::optional<Guess> guess_project(std::string_view word) {
-    const Project* const project = project_called(word);
-    if (project == nullptr) {
+    const auto has_name = [word](const Project& each) {
+        const auto names = words_in(fmt::format("{} {}", each.text, each.others));
+        return std::ranges::any_of(names, [word](const std::string& name) { return is_alike(name, word); });
+    };
+    const auto project = std::ranges::find_if(projects(), has_name);
+    if (project == projects().end()) {
         return std::nullopt;
     }
     if (project->is_spec()) {
-        return Guess{std::string(project->text),
-                     fmt::format(" {} is a SPEC itself, {}", project->text, project->specs)};
+        return Guess{std::string(project->text), "", fmt::format("(a SPEC itself, {})", project->specs)};
     }
-    if (is_preset(project->text) && project->text != word) {
-        return Guess{std::string(project->text)};
-    }
-    const std::string_view mark = project->specs.empty() || project->remark.empty() ? "" : "; ";
-    return Guess{{}, fmt::format(" {}: {}{}{}", project->text, project->specs, mark, project->remark)};
+    return Guess{std::string(is_preset(project->text) ? project->text : ""),
+                 fmt::format("{}: {}{}{}", project->text, project->specs,
+                             project->specs.empty() || project->remark.empty() ? "" : "; ", project->remark),
+                 ""};
 }
 
 /// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating
 /// axes) and sxyz (static ones).
 std::optional<Guess> guess_sequence(std::string_view text) {
     std::string letters = without_marks(text);
-    bool is_clear = false;                                 // which axes are meant
-    const auto exchange = [&letters](char from, char to) { // three letters or digits from these on
-        for (char& c : letters) {
-            c = c >= from && c <= from + 2 ? static_cast<char>(to + (c - from)) : c;
-        }
-    };
-    if (text.find('\'') != std::string_view::npos) {
-        exchange('x', 'X');
-        is_clear = true;
-    }
     if (lower(letters).starts_with("euler")) {
         letters.erase(0, 5);
     }
-    if (letters.size() == 4 && (letters[0] == 'r' || letters[0] == 's')) {
-        exchange('x', letters[0] == 'r' ? 'X' : 'x');
-        letters.erase(0, 1);
-        is_clear = true;
+    const char kind = letters.size() == 4 ? letters[0] : ' ';
+    letters.erase(0, kind == 'r' || kind == 's' ? 1 : 0);
+    const bool is_primed = text.find('\'') != std::string_view::npos;
+    const auto upper = [](char c) { return c >= 'x' && c <= 'z' ? static_cast<char>(c - 'x' + 'X') : c; };
+    for (char& c : letters) {
+        c = c >= '1' && c <= '3' ? static_cast<char>(c - '1' + 'X') : kind == 'r' || is_primed ? upper(c) : c;
     }
-    exchange('1', 'X');
-    const auto sequence = EulerSequence::parse(letters);
-    if (!sequence) {
+    if (!EulerSequence::parse(letters)) {
         return std::nullopt;
     }
-    Guess guess{"euler:" + letters};
-    if (!is_clear && letters == lower(letters)) {
-        exchange('x', 'X');
-        guess.said += fmt::format(" (about the fixed axes; about the body's own axes: euler:{})", letters);
+    Guess guess{"euler:" + letters, "", ""};
+    if (letters == lower(letters) && kind != 's') {
+        std::ranges::transform(letters, letters.begin(), upper);
+        guess.after = fmt::format("(about the fixed axes; about the body's own axes: euler:{})", letters);
     }
     return guess;
 }
 
-/// The SPEC of the first representation that has the word as a preset that changes it, a modifier or a column.
-std::optional<Guess> guess_owner(std::string_view word) {
-    const std::string_view kind = is_preset(word) ? "preset" : is_modifier(word) ? "modifier" : "column";
-    const auto has = [word, kind](RepresentationId id) {
-        const Representation& entry = representation(id);
-        return kind == "preset"     ? !words_of(meaning_of(word, entry).modifiers).empty()
-               : kind == "modifier" ? has_modifier(entry, word)
-                                    : std::ranges::count(std::span(entry.columns.data(), entry.size), word) > 0;
-    };
-    const auto owners = mapped(filtered(all_representations, has), [](auto id) { return representation(id).text; });
-    if (owners.empty()) {
-        return std::nullopt;
+/// The rule for every word: what it means elsewhere, a project, another way of writing what is known, and then a legal
+/// word that is spelled nearly so. Never the nearest that is not near.
+std::optional<Guess> guess_word(std::string_view text, const Legal& legal) {
+    const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
+    if (is_modifier(word)) {
+        return Guess{std::string(word), "", ""};
     }
-    const std::string spec = fmt::format("{}{}", owners[0] == "euler" ? "euler:ZYX" : owners[0],
-                                         kind == "column" ? "" : fmt::format(":{}", word));
-    return Guess{spec, fmt::format(" {} is a {} of {}: did you mean {}?", word, kind, fmt::join(owners, ", "), spec)};
-}
-
-/// The rule for every word: what the word means elsewhere, another way of writing what is known, and then a legal word
-/// that is spelled nearly so. Never the nearest that is not near.
-std::optional<Guess> guess_word(std::string_view word, const Legal& legal) {
-    if (auto guess = guess_meaning(word)) {
-        return guess;
-    }
-    if (auto guess = guess_project(word)) {
-        return guess;
-    }
-    if (auto guess = guess_sequence(word)) {
-        return guess;
+    for (const auto guess_in : {guess_meaning, guess_project, guess_sequence}) {
+        if (auto guess = guess_in(word)) {
+            return guess;
+        }
     }
     std::string spec(word); // such as quat_xyzw
     std::ranges::replace_if(
         spec, [](char c) { return c == '_' || c == '-'; }, ':');
-    return std::holds_alternative<Spec>(parse_spec(spec)) ? Guess{spec} : guess_by_spelling(word, legal);
+    return is_spec(spec) ? Guess{spec, "", ""} : guess_by_spelling(text, legal);
+}
+
+/// The guess as it is written in the place of the word; nothing for a modifier that has no meaning there.
+std::optional<Guess> in_place(std::optional<Guess> guess, Place place, const Representation* entry = nullptr) {
+    if (!guess || guess->text.empty()) {
+        return guess;
+    }
+    std::string& text = guess->text;
+    const bool has_modifier = is_modifier(text);
+    const auto takes = [&text](const Representation& each) {
+        return std::ranges::count(words_of(each.modifiers), text) != 0;
+    };
+    const auto spec_with = [&text](std::string_view name) {
+        return fmt::format("{}:{}", name == "euler" ? "euler:ZYX" : name, text);
+    };
+    if (place == Place::modifier) {
+        guess->before.clear();
+        return has_modifier && !takes(*entry) ? std::nullopt : guess;
+    }
+    if (place == Place::command_line && is_spec(text)) {
+        text = fmt::format("-f {} or -t {}", text, text);
+    } else if (!has_modifier && !is_preset(text)) {
+        return guess;
+    } else if (place == Place::command_line) {
+        text = fmt::format("-f {} or -t {}", spec_with("SPEC"), spec_with("SPEC"));
+    } else if (place == Place::sequence) {
+        text = spec_with("euler");
+    } else if (has_modifier) { // of the first representation that takes it
+        text = spec_with(representation(*std::ranges::find_if(all_representations, [&takes](RepresentationId id) {
+                             return takes(representation(id));
+                         })).text);
+    } else { // of the project's first SPEC
+        const std::string_view specs = find_project(text)->specs;
+        const std::string_view name = specs.substr(0, specs.find_first_of(": ;"));
+        text = fmt::format("{}:{}", name, text);
+    }
+    return guess;
 }
 
 /// A word in the place of the name in a SPEC.
-std::optional<Guess> guess_name(std::string_view word) {
-    const Project* const project = project_called(word);
-    auto guess = guess_owner(project != nullptr && is_preset(project->text) ? project->text : word);
-    return guess ? guess : guess_word(word, all_names());
-}
-
-/// A word in the place of the letters of an Euler sequence, or of a modifier.
-std::optional<Guess> guess_in_spec(const SpecError& error, const Legal& legal) {
-    const std::string& word = error.text;
-    if (error.what == SpecError::What::unknown_sequence && (is_preset(word) || is_modifier(word))) {
-        return Guess{fmt::format("euler:ZYX:{}", word)};
-    }
-    auto guess = guess_word(word, legal);
-    return guess && is_modifier(guess->text) && !has_modifier(*error.in, guess->text) ? std::nullopt : guess;
-}
+std::optional<Guess> guess_name(std::string_view word) { return in_place(guess_word(word, all_names()), Place::name); }
 
 /// A word that is neither an option nor a number nor a FILE; `commands`: the words that could stand in its place.
 std::optional<Guess> guess_operand(std::string_view word, const Legal& commands) {
-    if (std::holds_alternative<Spec>(parse_spec(word))) {
-        return Guess{fmt::format("-f {} or -t {}", word, word)};
-    }
     if (const auto at = word.find('2'); at != std::string_view::npos) { // such as rpy2quat
         const auto from = guess_name(word.substr(0, at));
         const auto to = guess_name(word.substr(at + 1));
         if (from && to && !from->text.empty() && !to->text.empty()) {
-            return Guess{fmt::format("-f {} -t {}", from->text, to->text)};
+            return Guess{fmt::format("-f {} -t {}", from->text, to->text), "", ""};
         }
     }
-    return guess_word(word, commands);
+    return in_place(guess_word(word, commands), Place::command_line);
 }
 
 std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
-    const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
-    const auto begun = std::ranges::find_if(legal, [text](std::string_view name) { return name.starts_with(text); });
-    if (auto guess = guess_meaning(word); guess && !is_modifier(guess->text)) { // an option may be another command's
-        return guess->text == text ? Guess{{}, fmt::format(" {}", find_meaning(word)->about)} : guess;
+    if (auto guess = guess_meaning(text);
+        guess && !guess->text.empty() && !is_modifier(guess->text) && guess->text != text) {
+        return in_place(guess, Place::command_line);
     }
-    if (word.size() > 2 && begun != legal.end()) { // such as --prec
-        return Guess{std::string(*begun)};
+    std::vector<std::string_view> others; // commands that have the option
+    for (const CommandEntry& each : command_table()) {
+        if (std::ranges::any_of(each.options.all(), [text](const Option& option) {
+                return std::ranges::count(items_of(option.names), text) != 0;
+            })) {
+            others.push_back(each.name.empty() ? "the conversion" : each.name);
+        }
     }
-    auto guess = is_preset(word) || is_modifier(word) ? Guess{fmt::format("-f SPEC:{} or -t SPEC:{}", word, word)}
-                                                      : guess_word(text, legal);
-    return guess && is_modifier(guess->text) ? std::nullopt : guess;
+    if (!others.empty()) {
+        return Guess{"", fmt::format("it is an option of {}", fmt::join(others, ", ")), ""};
+    }
+    const auto begun = filtered(legal, [text](std::string_view name) { return name.starts_with(text); });
+    return text.size() > 4 && begun.size() == 1 // such as --prec
+               ? Guess{std::string(begun[0]), "", ""}
+               : in_place(guess_word(text, legal), Place::command_line);
 }
 
-std::string suggestion(const std::optional<Guess>& guess) { return guess ? ";" + guess->said : ""; }
+std::string suggestion(const std::optional<Guess>& guess) {
+    if (!guess) {
+        return "";
+    }
+    std::string said = guess->before.empty() ? "" : "; " + guess->before;
+    said += guess->text.empty()     ? ""
+            : guess->before.empty() ? fmt::format("; did you mean {}?", guess->text)
+                                    : fmt::format("; for example {}", guess->text);
+    return said + (guess->after.empty() ? "" : (guess->text.empty() ? "; " : " ") + guess->after);
+}
 
 /// What `said` that a word is unknown: with the legal ones, if they are few, and the guess, or where they are listed.
 std::string unknown(const std::string& said, const Legal& legal, const std::optional<Guess>& guess,
@@ -249,8 +236,7 @@ std::string unknown(const std::string& said, const Legal& legal, const std::opti
 } // namespace
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
-    const auto guess = guess_by_spelling(text, legal);
-    return unknown(fmt::format("{} is not a known {}", quoted(text), what), legal, guess ? guess : guess_meaning(text));
+    return unknown(fmt::format("{} is not a known {}", quoted(text), what), legal, guess_by_spelling(text, legal));
 }
 
 std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
@@ -298,13 +284,13 @@ std::string explain(const SpecError& error) {
         const auto sequences = all_sequences();
         Legal letters{sequences.begin(), sequences.end()};
         letters.push_back(representation(RepresentationId::rpy).text);
-        return unknown(said, letters, guess_in_spec(error, letters),
+        return unknown(said, letters, in_place(guess_word(error.text, letters), Place::sequence),
                        "it has three letters, neighbours different; rotconv list euler explains them");
     }
     case What::unknown_modifier: {
         auto words = legal;
         std::ranges::copy(all_presets(), std::back_inserter(words));
-        return unknown(said, words, guess_in_spec(error, words), list);
+        return unknown(said, words, in_place(guess_word(error.text, words), Place::modifier, error.in), list);
     }
     case What::meaningless_modifier: return fmt::format("{} ({})", said, list);
     case What::second_preset:
@@ -314,41 +300,39 @@ std::string explain(const SpecError& error) {
 }
 
 std::string mend(std::string_view text) {
+    constexpr std::string_view of_numbers = "0123456789+-.*/,; \t\r\n[](){}<>";
     std::string rest(text);
-    std::erase_if(rest, [](char c) {
-        return std::string_view("0123456789+-.*/,; \t\r\n[](){}").find(c) != std::string_view::npos;
-    });
-    for (const Mark& mark : marks) {
-        for (std::string_view words = mark.words.substr(1); !words.empty(); words.remove_prefix(words.find(' ') + 1)) {
-            std::string repeated;
-            while (repeated.size() < rest.size()) {
-                repeated += words.substr(0, words.find(' '));
-            }
-            if (!rest.empty() && repeated == rest) {
-                return fmt::format("; {}", mark.text);
-            }
-        }
+    std::ranges::replace_if(
+        rest, [of_numbers](char c) { return of_numbers.find(c) != std::string_view::npos; }, ' ');
+    const auto words = words_in(rest);
+    const auto meanings = mapped(words, [](const std::string& word) { return find_meaning(word); });
+    if (!words.empty()) { // nothing but one thing, perhaps several times: 90deg, 0.8 + 0.6i
+        const Meaning* const first = meanings.front();
+        const bool is_one = first != nullptr && first->instead.empty() &&
+                            std::ranges::count(meanings, first) == std::ranges::ssize(meanings);
+        return is_one ? fmt::format("; {}", first->about) : "";
     }
-    bool parts_both = false; // commas, and blanks that do not follow one
+    bool has_blank = false; // that does not follow a comma
     for (std::size_t i = 1; i < text.size(); ++i) {
-        parts_both = parts_both || ((text[i] == ' ' || text[i] == '\t') && text[i - 1] != ',' && text[i - 1] != ' ');
+        has_blank = has_blank || ((text[i] == ' ' || text[i] == '\t') && text[i - 1] != ',' && text[i - 1] != ' ');
     }
-    return rest.empty() && parts_both ? "; only blanks may be between numbers, or only commas (and no decimal commas)"
-                                      : "";
+    return has_blank && text.find(',') != std::string_view::npos
+               ? "; only blanks may be between numbers, or only commas (and no decimal commas)"
+               : "";
 }
 
 std::string mend(const stream::RowError& error) {
     using What = stream::RowError::What;
-    const bool has_comma = error.text.find(',') != std::string::npos && !error.text.ends_with(',');
-    const bool is_count = error.what == What::wrong_count && has_comma;
+    const bool is_count = error.what == What::wrong_count;
     const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
-    const bool may_be_decimal = error.found == 2 * error.expected && error.text.find('.') == std::string::npos;
-    return mended.empty() && is_count && may_be_decimal ? "; decimal commas must be points" : mended;
+    const bool may_be_decimal = is_count && error.found == 2 * error.expected && !error.text.ends_with(',') &&
+                                error.text.find(',') != std::string::npos && error.text.find('.') == std::string::npos;
+    return mended.empty() && may_be_decimal ? "; if these are decimal commas: write points" : mended;
 }
 
 std::string answer_to_verb(std::string_view word) {
     const Meaning* const meaning = find_meaning(word);
-    return meaning != nullptr && meaning->is_verb ? guess_meaning(word)->said.substr(1) : "";
+    return meaning != nullptr && meaning->is_verb ? suggestion(guess_meaning(word)).substr(2) : "";
 }
 
 } // namespace rotconv::cli::messages

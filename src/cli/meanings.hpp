@@ -8,13 +8,13 @@ namespace rotconv::cli {
 
 /// What a word means here, or why there is no such thing.
 struct Meaning {
-    std::string_view words;   ///< without marks, in lower case, with blanks between
+    std::string_view words;   ///< without marks and in lower case, or as they are typed; with blanks between
     std::string_view instead; ///< what to write; empty: `about` says it
     std::string_view about;
     bool is_verb = false; ///< people write it in the place of a command
 };
 
-/// Null for other words. Marks and capitals do not count: "--max-error", "scalar_last".
+/// Null for other words. Marks and capitals do not count if a word has letters: "--max-error", "scalar_last".
 [[nodiscard]] const Meaning* find_meaning(std::string_view word);
 
 } // namespace rotconv::cli

@@ -9,8 +9,14 @@ TEST_CASE("a name from elsewhere is answered with what it is called here") {
     const auto from = [](const std::string& spec, const std::string& meant) {
         check_usage_error("-f " + spec + " -t dcm", {"'" + spec + "'", "did you mean " + meant + "?"});
     };
-    from("tum", "quat:tum");
-    from("matlab", "dcm:matlab");
+    const auto from_project = [](const std::string& name, const std::string& numbers, const std::string& preset) {
+        check_usage_error("-f " + name + " -t dcm", {name + ": " + numbers, "; for example " + preset});
+    };
+    from_project("tum", "quat:xyzw", "quat:tum");
+    from_project("matlab", "dcm:passive", "dcm:matlab");
+    from_project("ros", "quat:xyzw geometry_msgs/Quaternion; rpy setRPY", "quat:ros");
+    from_project("bunge", "euler:ZXZ", "euler:bunge");
+    check_usage_error("-f schaub -t dcm", {"basilisk: dcm:passive [BN]; quat", "; for example dcm:basilisk"});
     from("xyzw", "quat:xyzw");
     from("yaw", "rpy");
     from("qw", "quat");
@@ -24,8 +30,6 @@ TEST_CASE("a name from elsewhere is answered with what it is called here") {
     from("eulerzyx", "euler:zyx");
     from("ZXZ", "euler:ZXZ");
     from("313", "euler:ZXZ");
-    check_usage_error("-f quat -t yaw", {"yaw is a column of rpy"});
-    check_usage_error("-f tum -t dcm", {"tum is a preset of quat"});
     check_usage_error("list aa", {"did you mean axis-angle?"});
 }
 
