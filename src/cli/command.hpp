@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -95,10 +96,17 @@ struct RowsCommand {
 /// What to do with rows, or a text to print on stdout: a list, help or version.
 using Command = std::variant<RowsCommand, std::string>;
 
-/// What a command line gives to its command: options, and beside them words.
-struct Given : OptionSet {
-    std::vector<std::string> values{};
-    std::vector<std::string> files{};
+/// The options of a command, with those that several kinds of commands have.
+struct CommandOptions : OptionSet {
+    Option input{"-i,--input", "FILE", "Read FILE; - is standard input"};
+    Option help_flag{"-h,--help", "", "Print this help and exit"};
+    Option version_flag{"--version", "", "Print the version and exit"}; ///< only without the name of a command
+
+    /// Called first; refuses arguments whose words may have been taken for VALUEs and FILEs.
+    /// @throw Usage
+    virtual void check_attitudes() const {}
+    /// @throw Usage
+    [[nodiscard]] virtual Command command() const = 0;
 };
 
 /// The conversion, whose name is empty, or another command. Its texts are literals.
@@ -106,10 +114,15 @@ struct CommandEntry {
     std::string_view name;
     std::string_view about;
     std::string_view usage;
-    OptionSet options;
-    Command (*read)(const Given& given);
+    std::unique_ptr<CommandOptions> (*own_options)();
     std::size_t most_files = 1;
+
+    /// With those that all commands have.
+    [[nodiscard]] std::unique_ptr<CommandOptions> options() const;
 };
+
+/// The `own_options` of a command.
+template <class Options> std::unique_ptr<CommandOptions> make_options() { return std::make_unique<Options>(); }
 
 /// Each command stands in a source of its name.
 [[nodiscard]] CommandEntry convert_command();

@@ -43,12 +43,13 @@ std::string options_help(const OptionSet& options, const OptionSet& of_conversio
     return text + (has_shared ? "\nrotconv --help explains the options that are shared.\n" : "");
 }
 
-std::string help(const CommandEntry& entry, std::span<const CommandEntry> commands, const OptionSet& of_conversion) {
+std::string help(const CommandEntry& entry, const OptionSet& options, const OptionSet& of_conversion,
+                 std::span<const CommandEntry> commands) {
     std::string text = fmt::format("{}\n{}", entry.about, entry.usage);
     if (!entry.name.empty()) {
-        return text + options_help(entry.options, of_conversion);
+        return text + options_help(options, of_conversion);
     }
-    text += entry.options.help() + "\nCommands:\n";
+    text += options.help() + "\nCommands:\n";
     for (const CommandEntry& each : commands) {
         text += fmt::format("  {:<28}{}\n", each.name, each.about);
     }
@@ -56,7 +57,8 @@ std::string help(const CommandEntry& entry, std::span<const CommandEntry> comman
 }
 
 /// Refuses operands that cannot be combined, and FILEs that cannot be read.
-void check(const Arguments& operands, bool has_input, std::size_t most_files, std::span<const CommandEntry> commands) {
+void check(const CommandOptions& operands, std::size_t most_files, std::span<const CommandEntry> commands) {
+    const bool has_input = operands.input.given();
     for (const std::string& file : operands.files) {
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
             throw Usage(messages::no_operand(file, error, mapped(commands, &CommandEntry::name)));
@@ -79,13 +81,13 @@ void check(const Arguments& operands, bool has_input, std::size_t most_files, st
 }
 
 /// Refuses files whose names say that they are compressed; the message has the command line that unpacks them.
-void refuse_compressed(const std::vector<std::string>& words, const std::vector<FileWord>& files) {
+void refuse_compressed(const std::vector<std::string>& words, const std::vector<WordEnd>& files) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unpackers{
         {{".gz", "zcat"}, {".zst", "zstdcat"}, {".xz", "xzcat"}}};
     std::vector<std::string> command = mapped(words, in_shell);
     std::string first;
     std::string unpack;
-    for (const FileWord& file : files) {
+    for (const WordEnd& file : files) {
         const std::string name = words[file.word].substr(file.begin);
         for (const auto& [ending, program] : unpackers) {
             if (name.ends_with(ending)) {
@@ -124,7 +126,7 @@ std::vector<std::string> translated(std::vector<std::string> words, const auto& 
 
 Command read_command_line(int argc, const char* const* argv) {
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    auto table = command_table();
+    const auto table = command_table();
     const auto commands = std::span<const CommandEntry>(table).subspan(1);
     const auto is_command = [&](std::string_view word) {
         return std::ranges::count(commands, word, &CommandEntry::name) > 0;
@@ -137,69 +139,72 @@ Command read_command_line(int argc, const char* const* argv) {
         return !messages::answer_to_verb(word).empty() || std::holds_alternative<Spec>(parse_spec(word)) ||
                (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)); // rpy2quat
     };
-    CommandEntry* entry = table.data();
-    Arguments arguments = entry->options.read(words, 0, is_command, has_meaning);
-    std::string misplaced; // the first option that stands before the name of a command
-    if (arguments.end < words.size()) {
-        if (!arguments.unknown.empty()) {
-            throw Usage(messages::no_such_option(arguments.unknown, mapped(entry->options.all(), &Option::name)));
+    const CommandEntry* entry = table.data();
+    const std::unique_ptr<CommandOptions> of_conversion = entry->options();
+    CommandOptions* options = of_conversion.get();
+    const auto refuse_unknown = [&options] {
+        if (!options->unknown.empty()) {
+            throw Usage(messages::no_such_option(options->unknown, mapped(options->all(), &Option::name)));
         }
-        const std::string error = arguments.error;
-        misplaced = arguments.first_option;
-        entry = &*std::ranges::find(table, words[arguments.end], &CommandEntry::name);
-        arguments = entry->options.read(
-            words, arguments.end + 1, [](auto) { return false; }, has_meaning);
-        arguments.error = error.empty() ? arguments.error : error;
+    };
+    const std::size_t end = options->read(words, 0, is_command, has_meaning);
+    std::unique_ptr<CommandOptions> of_command;
+    if (end < words.size()) {
+        refuse_unknown();
+        entry = &*std::ranges::find(table, words[end], &CommandEntry::name);
+        of_command = entry->options();
+        options = of_command.get();
+        static_cast<void>(options->read(
+            words, end + 1, [](auto) { return false; }, has_meaning));
     }
-    const OptionSet& options = entry->options;
-    const std::string verb = entry->name.empty() && !arguments.files.empty() ? arguments.files[0] : "";
+    const std::string verb = of_command == nullptr && !options->files.empty() ? options->files[0] : "";
     if (!verb.empty() && verb == words[0] && verb.find_first_of("./") == std::string::npos &&
         stream::File::why_unreadable(verb.c_str()) != 0) {
         if (const std::string answer = messages::answer_to_verb(verb); !answer.empty()) {
             throw Usage("{} is not a command: {}", quoted(verb), answer);
         }
     }
-    if (!arguments.error.empty()) {
-        throw Usage(arguments.error);
+    for (const std::string& misuse : {of_conversion->misuse, options->misuse}) {
+        if (!misuse.empty()) {
+            throw Usage(misuse);
+        }
     }
-    if (table.front().options.has("--help") || options.has("--help")) {
-        return help(*entry, commands, table.front().options);
+    if (of_conversion->help_flag.given() || options->help_flag.given()) {
+        return help(*entry, *options, *of_conversion, commands);
     }
-    if (table.front().options.has("--version")) {
+    if (of_conversion->version_flag.given()) {
         return fmt::format("rotconv " ROTCONV_VERSION " (kernels: {})\n", kernel_table().target);
     }
-    const Given given{options, arguments.values, arguments.files};
-    for (const Option& option : options.all()) { // whose numbers would else be taken for VALUEs
-        static_cast<void>(option.argument == "ATTITUDE" ? attitude_of(given, option.name()) : std::nullopt);
+    options->check_attitudes();
+    refuse_unknown();
+    if (of_command != nullptr && !of_conversion->first_option.empty()) {
+        throw Usage("{} stands before {}; options come after the command", of_conversion->first_option, entry->name);
     }
-    if (!arguments.unknown.empty()) {
-        throw Usage(messages::no_such_option(arguments.unknown, mapped(options.all(), &Option::name)));
-    }
-    if (!misplaced.empty()) {
-        throw Usage("{} stands before {}; options come after the command", misplaced, entry->name);
-    }
-    const std::string& input = options.text("--input");
-    if (!options.takes_names()) {
-        check(arguments, !input.empty(), entry->most_files, commands);
-        refuse_compressed(words, arguments.file_words);
+    const Option& input = options->input;
+    if (!options->takes_names()) {
+        check(*options, entry->most_files, commands);
+        refuse_compressed(words, input.given() ? std::vector{input.place} : options->file_words);
     }
     try {
-        return entry->read(given);
+        return options->command();
     } catch (const MissingSpec& error) {
-        throw Usage(error.what() + messages::contents_advice(arguments.files.empty() ? input : arguments.files[0]));
+        throw Usage(error.what() +
+                    messages::contents_advice(options->files.empty() ? input.text() : options->files[0]));
     }
 }
 
-std::vector<CommandEntry> command_table() {
-    std::vector<CommandEntry> table{convert_command(),  list_command(),    rates_command(),   propagate_command(),
-                                    survey_command(),   compare_command(), compose_command(), rotate_command(),
-                                    identify_command(), sample_command()};
-    for (CommandEntry& entry : table) {
-        entry.options.begin_group("More");
-        entry.options.add_flag("-h,--help", "Print this help and exit");
+std::unique_ptr<CommandOptions> CommandEntry::options() const {
+    auto all = own_options();
+    all->add("More", {&all->help_flag});
+    if (name.empty()) {
+        all->add("More", {&all->version_flag});
     }
-    table.front().options.add_flag("--version", "Print the version and exit");
-    return table;
+    return all;
+}
+
+std::vector<CommandEntry> command_table() {
+    return {convert_command(), list_command(),    rates_command(),  propagate_command(), survey_command(),
+            compare_command(), compose_command(), rotate_command(), identify_command(),  sample_command()};
 }
 
 } // namespace rotconv::cli

@@ -36,6 +36,7 @@ struct CheckLimit {
     GivenAngle angle{};
     double percent = 100.0;
     std::string percent_text = "100"; ///< as it is given
+    std::string text{};               ///< both as they are given
 
     [[nodiscard]] bool is_of_all() const noexcept { return percent == 100.0; }
 };

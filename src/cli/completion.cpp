@@ -40,9 +40,9 @@ std::string modifiers() {
 /// A line for each name of each option: the name, the argument or a dash, and its text in the help.
 std::string lines_of(const OptionSet& options) {
     std::string lines;
-    for (const Option& option : options.all()) {
-        for (const std::string_view name : items_of(option.names)) {
-            lines += fmt::format("{} {} {}\n", name, option.takes_argument() ? option.argument : "-", option.about);
+    for (const Option* option : options.all()) {
+        for (const std::string_view name : items_of(option->names)) {
+            lines += fmt::format("{} {} {}\n", name, option->takes_argument() ? option->argument : "-", option->about);
         }
     }
     return in_shell(lines);
@@ -60,13 +60,13 @@ std::string completion_words() {
     std::string commands;
     std::string options = "    operands=\n    case ${1-} in\n";
     for (const CommandEntry& command : command_table()) {
+        const auto own = command.options();
         if (!command.name.empty()) {
             commands += fmt::format("{} - {}\n", command.name, command.about);
         }
         options += fmt::format(
-            "    {})\n        options={}\n{}        ;;\n", in_shell(command.name), lines_of(command.options),
-            command.options.takes_names() ? "        operands=\"$names $presets $projects methods presets projects\"\n"
-                                          : "");
+            "    {})\n        options={}\n{}        ;;\n", in_shell(command.name), lines_of(*own),
+            own->takes_names() ? "        operands=\"$names $presets $projects methods presets projects\"\n" : "");
     }
     const auto listed_only =
         filtered(projects().subspan(presets().size()), [](const Project& project) { return !project.is_spec(); });

@@ -7,61 +7,59 @@
 namespace rotconv::cli {
 namespace {
 
-Command compose(const Given& given) {
-    const Spec first = spec_of(given, "--from");
-    const Spec second = given.has("--by") ? spec_of(given, "--by") : first;
-    const std::vector<Spec> to = specs_of(given, "--to");
-    const ConversionSettings settings = attitude_settings_of(given);
-    const operations::PairedRows rows = paired_rows_of(given);
-    messages::Subject subject = rows.paired ? messages::subject_of(first, settings.tolerance)
-                                            : messages::subject_of_two(first, second, settings.tolerance);
-    const auto product_as = [&](const Spec& spec) {
-        return operations::compose(Composition(first, second, spec, settings), rows, given.has("--continuous"));
-    };
-    RowsCommand command = rows_command(given, columns_of_file(given), operations::pair_numbers(first, second, rows),
-                                       operations::several(mapped(to, product_as)), std::move(subject));
-    if (given.has("--allow-unpaired")) {
-        static_cast<void>(
-            one_of<bool>("kind of rows for --allow-unpaired", given.text("--allow-unpaired"), {{"reference", true}}));
+struct ComposeOptions final : RowOptions {
+    ComposeOptions() {
+        from.about = "The representation of FILE, the left factor: NAME[:MODIFIER]...";
+        add("What", {&from, &by, &to});
+        add_attitudes_of_file("Turn the attitudes R of FILE: compose L R; L as \"SPEC: NUMBERS\"",
+                              "Turn the attitudes R of FILE: compose R S; S as \"SPEC: NUMBERS\"");
+        add("What", {&continuous});
+        add_pairing();
+        add("Columns", {&interpolate, &allow_unpaired});
+        add_reading();
+        add_writing();
+        add("Errors", {&lock_margin});
     }
-    command.allow_unpaired = given.has("--allow-unpaired");
-    if (rows.paired) {
-        pair(given, command, operations::attitude_numbers(second, rows.by_key),
-             messages::subject_of(second, settings.tolerance));
-        command.options.pairing->needs_partner = true;
-        command.options.pairing->tells_partner = false;
+
+    [[nodiscard]] Command command() const override {
+        const Spec first = spec_of(from);
+        const Spec second = by.given() ? spec_of(by) : first;
+        const std::vector<Spec> written = specs_of(to);
+        const ConversionSettings turns = attitude_settings();
+        const operations::PairedRows rows = paired_rows();
+        messages::Subject subject = rows.paired ? messages::subject_of(first, turns.tolerance)
+                                                : messages::subject_of_two(first, second, turns.tolerance);
+        const auto product_as = [&](const Spec& spec) {
+            return operations::compose(Composition(first, second, spec, turns), rows, continuous.given());
+        };
+        RowsCommand made = rows_command(operations::pair_numbers(first, second, rows),
+                                        operations::several(mapped(written, product_as)), std::move(subject));
+        made.allow_unpaired =
+            allow_unpaired.given() && one_of<bool>(fmt::format("kind of rows for {}", allow_unpaired.name()),
+                                                   allow_unpaired, {{"reference", true}});
+        if (rows.paired) {
+            pair(made, operations::attitude_numbers(second, rows.by_key),
+                 messages::subject_of(second, turns.tolerance));
+            made.options.pairing->needs_partner = true;
+            made.options.pairing->tells_partner = false;
+        }
+        return made;
     }
-    return command;
-}
+
+private:
+    Option by{"--by", "SPEC", "The representation of REFERENCE, the right factor (default: that of --from)"};
+    Option allow_unpaired{"--allow-unpaired", "WHOSE",
+                          "reference: rows of REFERENCE that are left over are no failure"};
+};
 
 } // namespace
 
 CommandEntry compose_command() {
-    OptionSet set;
-    set.begin_group("What");
-    set.add("-f,--from", "SPEC", "The representation of FILE, the left factor: NAME[:MODIFIER]...");
-    set.add("--by", "SPEC", "The representation of REFERENCE, the right factor (default: that of --from)");
-    set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
-    add_attitudes(set);
-    set.describe("--reference-axes", "Other reference axes of FILE's attitudes, such as ned:enu");
-    set.describe("--body-axes", "Other body axes of FILE's attitudes, such as frd:flu, by their names");
-    set.describe("--left", "Turn the attitudes R of FILE: compose L R; L as \"SPEC: NUMBERS\"");
-    set.describe("--right", "Turn the attitudes R of FILE: compose R S; S as \"SPEC: NUMBERS\"");
-    add_continuous(set);
-    add_pairing(set);
-    set.add_flag("--interpolate", "Take the reference at FILE's key, between two rows --key-within apart");
-    set.add("--allow-unpaired", "WHOSE", "reference: rows of REFERENCE that are left over are no failure");
-    add_reading(set);
-    add_writing(set);
-    add_lock_margin(set);
-    return {"compose",
-            "Multiply the attitudes of two streams, or of two in a row",
+    return {"compose", "Multiply the attitudes of two streams, or of two in a row",
             "Usage: rotconv compose -f SPEC [--by SPEC] -t SPEC [OPTION]... FILE REFERENCE\n"
             "       rotconv compose -f SPEC [--by SPEC] -t SPEC [OPTION]... [FILE]\n"
             "       rotconv compose -f SPEC [--by SPEC] -t SPEC [OPTION]... VALUE...\n",
-            std::move(set),
-            compose,
-            2};
+            make_options<ComposeOptions>, 2};
 }
 
 } // namespace rotconv::cli

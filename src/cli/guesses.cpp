@@ -199,9 +199,7 @@ std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
     }
     std::vector<std::string_view> others; // commands that have the option
     for (const CommandEntry& each : command_table()) {
-        if (std::ranges::any_of(each.options.all(), [text](const Option& option) {
-                return std::ranges::count(items_of(option.names), text) != 0;
-            })) {
+        if (each.options()->find(text) != nullptr) {
             others.push_back(each.name.empty() ? "the conversion" : each.name);
         }
     }

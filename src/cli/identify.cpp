@@ -42,20 +42,6 @@ std::string no_such_count(std::size_t all, const operations::IdentificationRows&
                        fmt::join(legal, " "));
 }
 
-std::optional<RepresentationId> name_of(const std::string& text) {
-    if (text.empty()) {
-        return std::nullopt;
-    }
-    if (const Representation* found = find_representation(text)) {
-        return found->name;
-    }
-    const auto spec = parse_spec(text);
-    throw Usage("--from takes a name alone, because all its modifiers and sequences are tried: " +
-                (std::holds_alternative<Spec>(spec)
-                     ? fmt::format("{}, not {}", representation(std::get<Spec>(spec).name).text, quoted(text))
-                     : messages::explain(SpecError{SpecError::What::unknown_name, text})));
-}
-
 /// A constant turn of the axes that options name, xyz:yx-z and the like, or of others.
 std::string turn_option(std::string_view side, std::string_view axes_option, const Rotation& rotation, bool inverse) {
     const Dcm matrix = dcm::from_rotation(inverse ? rotation.inverse() : rotation);
@@ -273,79 +259,100 @@ private:
     std::vector<std::size_t> unused_positions_;
 };
 
-/// How many unknown numbers a row has, if the command line tells it; otherwise 0.
-std::size_t given_count(const Given& given, const std::string& list, const operations::IdentificationRows& rows) {
-    std::size_t all = 0;
-    if (!list.empty()) {
-        const auto parsed = stream::ColumnList::parse(list, 0);
-        const auto* error = std::get_if<stream::ColumnError>(&parsed);
-        const bool is_counted = error != nullptr && error->what == stream::ColumnError::What::wrong_count;
-        all = is_counted ? error->count : 0; // which is refused
-    } else if (given.values.empty() && given.text("--input-format") == "f64") {
-        if (!given.has("--width")) {
-            throw Usage("f64 rows do not tell how many numbers they have; --width, --columns or --from does");
-        }
-        all = count_of(given, "--width", widest_row);
+struct IdentifyOptions final : RowOptions {
+    IdentifyOptions() {
+        from.argument = "NAME";
+        from.about = "Try only this representation for the unknown numbers";
+        to.argument = "KNOWN";
+        to.about = "The representation of the known attitudes: NAME[:MODIFIER]...";
+        format.about = "pretty (default), a table, or json";
+        add("What", {&to, &from, &within});
+        add_pairing();
+        add_reading();
+        add("Output", {&format});
     }
-    const std::size_t count = unknown_of(all, rows);
-    if (all > 0 && !Identification::is_count(count)) {
-        throw Usage(no_such_count(all, rows));
-    }
-    return count;
-}
 
-Command identify(const Given& given) {
-    const bool degrees = given.has("--degrees");
-    IdentificationConclusion::Settings settings{
-        .name = name_of(given.text("--from")),
-        .identification = {.tolerance = tolerance_of(given)},
-        .degrees = degrees,
-        .json = one_of<bool>(given, "--format", "format of identify", {{"pretty", false}, {"json", true}})};
-    settings.identification.within = angle_of(given, "--within", settings.identification.within);
-    operations::IdentificationRows& rows = settings.rows;
-    rows.known = spec_of(given, "--to");
-    rows.paired = is_paired(given);
-    rows.by_key = is_by_key(given);
-    const SelectedColumns selected = columns_of_file(given);
-    rows.count = settings.name ? representation(*settings.name).size : given_count(given, selected.list, rows);
-    const auto subject = std::make_shared<messages::Subject>();
-    const auto conclusion = std::make_shared<IdentificationConclusion>(settings, subject);
-    const auto identification = [self = conclusion.get()]() -> Identification& { return self->identification(); };
-    RowsCommand command = rows_command(given, selected, operations::identification_numbers(rows),
-                                       operations::identify(rows, identification, conclusion->positions()), *subject);
-    command.subject = subject;
-    if (rows.count == 0) {
-        command.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
-            return self->take_count(fields);
-        };
+    [[nodiscard]] Command command() const override {
+        IdentificationConclusion::Settings asked{
+            .name = name_alone(),
+            .identification = {.tolerance = most_defect()},
+            .degrees = degrees.given(),
+            .json = one_of<bool>("format of identify", format, {{"pretty", false}, {"json", true}})};
+        asked.identification.within = angle_of(within, asked.identification.within);
+        operations::IdentificationRows& rows = asked.rows;
+        rows.known = spec_of(to);
+        rows.paired = is_paired();
+        rows.by_key = is_by_key();
+        const SelectedColumns selected = columns_of_file();
+        rows.count = asked.name ? representation(*asked.name).size : given_count(selected.list, rows);
+        const auto subject = std::make_shared<messages::Subject>();
+        const auto conclusion = std::make_shared<IdentificationConclusion>(asked, subject);
+        const auto identification = [self = conclusion.get()]() -> Identification& { return self->identification(); };
+        RowsCommand made = rows_command(operations::identification_numbers(rows),
+                                        operations::identify(rows, identification, conclusion->positions()), *subject);
+        made.subject = subject;
+        if (rows.count == 0) {
+            made.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
+                return self->take_count(fields);
+            };
+        }
+        made.options.format = stream::Format::result;
+        made.conclusion = conclusion;
+        if (rows.paired) {
+            pair(made, operations::attitude_numbers(rows.known, rows.by_key),
+                 messages::subject_of(rows.known, asked.identification.tolerance));
+        }
+        return made;
     }
-    command.options.format = stream::Format::result;
-    command.conclusion = conclusion;
-    if (rows.paired) {
-        pair(given, command, operations::attitude_numbers(rows.known, rows.by_key),
-             messages::subject_of(rows.known, settings.identification.tolerance));
+
+private:
+    [[nodiscard]] std::optional<RepresentationId> name_alone() const {
+        const std::string& text = from.text();
+        if (!from.given()) {
+            return std::nullopt;
+        }
+        if (const Representation* found = find_representation(text)) {
+            return found->name;
+        }
+        const auto spec = parse_spec(text);
+        throw Usage("{} takes a name alone, because all its modifiers and sequences are tried: {}", from.name(),
+                    std::holds_alternative<Spec>(spec)
+                        ? fmt::format("{}, not {}", representation(std::get<Spec>(spec).name).text, quoted(text))
+                        : messages::explain(SpecError{SpecError::What::unknown_name, text}));
     }
-    return command;
-}
+
+    /// How many unknown numbers a row has, if the command line tells it; otherwise 0.
+    [[nodiscard]] std::size_t given_count(const std::string& list, const operations::IdentificationRows& rows) const {
+        std::size_t all = 0;
+        if (!list.empty()) {
+            const auto parsed = stream::ColumnList::parse(list, 0);
+            const auto* error = std::get_if<stream::ColumnError>(&parsed);
+            const bool is_counted = error != nullptr && error->what == stream::ColumnError::What::wrong_count;
+            all = is_counted ? error->count : 0; // which is refused
+        } else if (values.empty() && input_format.text() == "f64") {
+            if (!width.given()) {
+                throw Usage("f64 rows do not tell how many numbers they have; {}, {} or {} does", width.name(),
+                            columns.name(), from.name());
+            }
+            all = count_of(width, widest_row);
+        }
+        const std::size_t count = unknown_of(all, rows);
+        if (all > 0 && !Identification::is_count(count)) {
+            throw Usage(no_such_count(all, rows));
+        }
+        return count;
+    }
+
+    Option within{"--within", "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)"};
+};
 
 } // namespace
 
 CommandEntry identify_command() {
-    OptionSet set;
-    set.add("-t,--to", "KNOWN", "The representation of the known attitudes: NAME[:MODIFIER]...");
-    set.add("-f,--from", "NAME", "Try only this representation for the unknown numbers");
-    set.add("--within", "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)");
-    add_pairing(set);
-    add_reading(set);
-    set.begin_group("Output");
-    set.add("--format", "FORMAT", "pretty (default), a table, or json");
-    return {"identify",
-            "Find the convention of numbers, from the same attitudes in a known one",
+    return {"identify", "Find the convention of numbers, from the same attitudes in a known one",
             "Usage: rotconv identify -t KNOWN [-f NAME] [OPTION]... FILE [REFERENCE]\n"
             "       rotconv identify -t KNOWN [-f NAME] [OPTION]... VALUE...\n",
-            std::move(set),
-            identify,
-            2};
+            make_options<IdentifyOptions>, 2};
 }
 
 } // namespace rotconv::cli

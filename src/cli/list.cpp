@@ -224,15 +224,17 @@ std::string list_of(const std::vector<std::string>& words) {
                                                  : fmt::format("{}: {}\n\n{}", spec.text(), columns_of(spec), about);
 }
 
-Command list(const Given& given) { return list_of(given.files); }
+struct ListOptions final : CommandOptions {
+    ListOptions() { take_names("A representation or project, presets, projects, or methods [FROM [TO]]"); }
+
+    [[nodiscard]] Command command() const override { return list_of(files); }
+};
 
 } // namespace
 
 CommandEntry list_command() {
-    OptionSet set;
-    set.take_names("A representation or project, presets, projects, or methods [FROM [TO]]");
     return {"list", "List the representations, projects, presets or methods, or explain one",
-            "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", std::move(set), list};
+            "Usage: rotconv list [NAME]\n       rotconv list methods [FROM [TO]]\n", make_options<ListOptions>};
 }
 
 std::string help_footer() {

@@ -24,10 +24,11 @@ std::size_t first_angle(const Spec& spec) {
 /// The notes on one stream.
 class Notes {
 public:
-    Notes(const Given& given, std::string_view time_option, bool refuses, const stream::InputOptions& input)
-        : degrees_(given.has("--degrees")), time_option_(time_option), refuses_(refuses && input.columns.empty()),
+    Notes(const RowOptions& options, const Option& time_option, bool refuses, const stream::InputOptions& input)
+        : degrees_(options.degrees.given()), time_option_(time_option.name()),
+          refuses_(refuses && input.columns.empty()),
           is_by_index_(!input.columns.empty() && !input.columns.has_names()), units_(input.numbers.names.size()) {
-        const std::string& time_unit = given.text(given.has(time_option) ? time_option : "--time-unit");
+        const std::string& time_unit = (time_option.given() ? time_option : options.time_unit).text();
         const auto& names = input.numbers.names;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool is_rate = names[i] == "wx" || names[i] == "wy" || names[i] == "wz";
@@ -168,33 +169,32 @@ std::string change_of_axes(std::string_view option,
 }
 
 /// The options that change the axes of --from's project to those of --to's, if no option changes axes.
-std::string axes_options(const Given& given) {
-    for (const std::string_view option : {"--reference-axes", "--body-axes", "--left", "--right"}) {
-        if (given.has(option)) {
-            return "";
-        }
+std::string axes_options(const RowOptions& options) {
+    if (options.reference_axes.given() || options.body_axes.given() || options.left.given() || options.right.given()) {
+        return "";
     }
-    const auto project_of = [&given](std::string_view option) {
-        const auto spec = parse_spec(items_of(given.text(option)).front()); // all SPECs after -t have the same axes
+    const auto project_of = [](const Option& option) {
+        const auto spec = parse_spec(items_of(option.text()).front()); // all SPECs after -t have the same axes
         return std::holds_alternative<Spec>(spec) ? std::get<Spec>(spec).project : nullptr;
     };
-    const Project* const from = project_of("--from");
-    const Project* const to = project_of("--to");
+    const Project* const from = project_of(options.from);
+    const Project* const to = project_of(options.to);
     if (from == nullptr || to == nullptr) {
         return "";
     }
     // Reference axes that no option can take to others, such as right, up, forward to east, north, up, are those of a
     // body.
     return change_of_axes(
-               "--reference-axes",
+               options.reference_axes.name(),
                {{from->reference, to->reference}, {from->reference, to->body}, {from->body, to->reference}}) +
-           change_of_axes("--body-axes", {{from->body, to->body}});
+           change_of_axes(options.body_axes.name(), {{from->body, to->body}});
 }
 
 } // namespace
 
-void add_notes(const Given& given, const SelectedColumns& selected, bool refuses, stream::InputOptions& input) {
-    const Notes notes(given, selected.time_option, refuses, input);
+void add_notes(const RowOptions& options, const SelectedColumns& selected, const Option& time_option, bool refuses,
+               stream::InputOptions& input) {
+    const Notes notes(options, time_option, refuses, input);
     if (refuses && input.columns.has_names()) {
         notes.refuse_other_order(input.columns, selected.option);
     }
@@ -202,19 +202,19 @@ void add_notes(const Given& given, const SelectedColumns& selected, bool refuses
     input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
 }
 
-std::vector<stream::Note> notes_on_options(const Given& given) {
+std::vector<stream::Note> notes_on_options(const RowOptions& options) {
     std::vector<stream::Note> notes;
-    if (const std::string options = axes_options(given); !options.empty()) {
-        notes.push_back(
-            {Kind::axes, fmt::format("--from and --to have different axes, which no SPEC changes:{}", options)});
+    if (const std::string change = axes_options(options); !change.empty()) {
+        notes.push_back({Kind::axes, fmt::format("{} and {} have different axes, which no SPEC changes:{}",
+                                                 options.from.name(), options.to.name(), change)});
     }
-    for (const std::string_view option : {"--left", "--right", "--initial"}) {
-        if (given.has(option)) {
-            const GivenNumbers read = numbers_of(given, option);
+    for (const Option* option : {&options.left, &options.right, &options.initial}) {
+        if (option->given()) {
+            const GivenNumbers read = options.numbers_of(*option);
             if (const double angle = unusual_numbers(read.spec, read.numbers).angle; angle > 0.0) {
                 notes.push_back(
                     {Kind::angle, fmt::format("{}: an angle of {:.6g} is read in radians; if it is in degrees: {}",
-                                              option, angle, read.spec.in_degrees().text())});
+                                              option->name(), angle, read.spec.in_degrees().text())});
             }
         }
     }

@@ -1,31 +1,33 @@
-#include <utility>
-
 #include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-Command rotate(const Given& given) {
-    const Spec from = spec_of(given, "--from");
-    const ConversionSettings settings = settings_of(given);
-    const stream::RowNumbers numbers = operations::rotation_numbers(from);
-    return rows_command(given, {.list = given.text("--columns")}, numbers,
-                        operations::rotate(VectorRotation(from, settings)),
-                        {fmt::format("{} with a vector", representation(from.name).text), numbers.names.size(),
-                         from.name, settings.tolerance});
-}
+struct RotateOptions final : RowOptions {
+    RotateOptions() {
+        from.about = "The representation of the attitudes: NAME[:MODIFIER]...";
+        add("What", {&from});
+        add_reading();
+        add_writing();
+    }
+
+    [[nodiscard]] Command command() const override {
+        const Spec read = spec_of(from);
+        const ConversionSettings reading = settings();
+        const stream::RowNumbers numbers = operations::rotation_numbers(read);
+        return rows_command(numbers, operations::rotate(VectorRotation(read, reading)),
+                            {fmt::format("{} with a vector", representation(read.name).text), numbers.names.size(),
+                             read.name, reading.tolerance});
+    }
+};
 
 } // namespace
 
 CommandEntry rotate_command() {
-    OptionSet set;
-    set.add("-f,--from", "SPEC", "The representation of the attitudes: NAME[:MODIFIER]...");
-    add_reading(set);
-    add_writing(set);
     return {"rotate", "Take vectors from body to reference coordinates",
             "Usage: rotconv rotate -f SPEC [OPTION]... [VALUE]...\n"
             "       rotconv rotate -f SPEC [OPTION]... [FILE]\n",
-            std::move(set), rotate};
+            make_options<RotateOptions>};
 }
 
 } // namespace rotconv::cli

@@ -29,36 +29,28 @@ template <class Value> Value one_of(std::string_view what, std::string_view text
     return found->second;
 }
 /// That of an option's argument; the first choice if the option is not given.
-template <class Value>
-Value one_of(const Given& given, std::string_view option, std::string_view what, const Choices<Value>& choices) {
-    return given.has(option) ? one_of(what, given.text(option), choices) : choices.front().second;
+template <class Value> Value one_of(std::string_view what, const Option& option, const Choices<Value>& choices) {
+    return option.given() ? one_of(what, option.text(), choices) : choices.front().second;
 }
 
-[[nodiscard]] Spec spec_of(std::string_view option, const std::string& text, bool degrees);
-[[nodiscard]] inline Spec spec_of(const Given& given, std::string_view option) {
-    return spec_of(option, given.text(option), given.has("--degrees"));
-}
-/// The SPECs of an option that takes several, with commas between, whose column names differ.
-[[nodiscard]] std::vector<Spec> specs_of(const Given& given, std::string_view option);
 /// Refuses a SPEC whose numbers have no rates.
-void require_rates(std::string_view option, const Spec& spec);
+void require_rates(const Option& option, const Spec& spec);
 /// An option's "SPEC: NUMBERS".
 struct GivenNumbers {
     Spec spec;
     std::string_view row; ///< the numbers as they are written
     std::vector<double> numbers{};
 };
-[[nodiscard]] GivenNumbers numbers_of(const Given& given, std::string_view option);
-/// Their attitude; nothing if the option is not given.
-[[nodiscard]] std::optional<FixedRotation> attitude_of(const Given& given, std::string_view option);
 /// A number for which `holds`; `must`: what it must be, such as "number from 0 to 1".
-[[nodiscard]] double number_of(const Given& given, std::string_view option, double default_value, std::string_view must,
+[[nodiscard]] double number_of(const Option& option, double default_value, std::string_view must,
                                const std::function<bool(double)>& holds);
 /// A number that is not negative.
-[[nodiscard]] double amount_of(const Given& given, std::string_view option, double default_value, bool infinite);
+[[nodiscard]] double amount_of(const Option& option, double default_value, bool infinite);
 /// A whole number from `least` to `most`.
-[[nodiscard]] std::size_t count_of(const Given& given, std::string_view option, std::size_t most, std::size_t least = 1,
+[[nodiscard]] std::size_t count_of(const Option& option, std::size_t most, std::size_t least = 1,
                                    std::size_t default_value = 0);
+/// The power of ten of the seconds in a unit of time; 0 if the option is not given.
+[[nodiscard]] int time_power_of(const Option& option);
 /// A unit of angles.
 struct AngleUnitName {
     std::string_view text = "rad";
@@ -74,74 +66,118 @@ struct GivenAngle {
 
     [[nodiscard]] double in(const AngleUnitName& other) const noexcept;
 };
-/// @param text the option's argument, or the part of it that is an angle
-[[nodiscard]] GivenAngle given_angle(const Given& given, std::string_view option, const std::string& text);
-/// The ANGLE of an option in radians, finite.
-[[nodiscard]] double angle_of(const Given& given, std::string_view option, double default_value);
-[[nodiscard]] Frame frame_of(const Given& given);
-/// The power of ten of the seconds in a unit of time.
-[[nodiscard]] int time_power_of(const std::string& text);
-[[nodiscard]] double tolerance_of(const Given& given);
-[[nodiscard]] stream::OnError on_error_of(const Given& given);
-/// With the sensitivity of each row if its columns are shown.
-[[nodiscard]] ConversionSettings settings_of(const Given& given);
-/// The same with what is done to attitudes before they are written.
-[[nodiscard]] ConversionSettings attitude_settings_of(const Given& given);
 
 inline constexpr std::size_t widest_row = 100'000; ///< doubles
 
-// Options that several commands have: where rows come from, how they are read and written, and where the answer goes.
-
-void add_reading(OptionSet& set);
-void add_writing(OptionSet& set);
-/// Those of the above that a command without input has.
-void add_output(OptionSet& set);
-void add_format(OptionSet& set);
-/// What is done to attitudes before they are written, and which of their numbers are.
-void add_attitudes(OptionSet& set);
-void add_continuous(OptionSet& set);
-void add_lock_margin(OptionSet& set);
-/// How a FILE and its REFERENCE are read side by side.
-void add_pairing(OptionSet& set);
-
-/// There is a REFERENCE.
-[[nodiscard]] inline bool is_paired(const Given& given) { return given.files.size() == 2; }
-[[nodiscard]] inline bool is_by_key(const Given& given) { return is_paired(given) && given.has("--key"); }
-
-[[nodiscard]] inline operations::PairedRows paired_rows_of(const Given& given) {
-    return {is_paired(given), is_by_key(given), is_paired(given) && given.has("--interpolate")};
-}
-
-/// The columns to read of one stream, and the option that names them.
+/// The columns to read of one stream.
 struct SelectedColumns {
-    std::string list;
-    std::string option = "--columns";
-    std::string key{}; ///< a column before them
-    std::string time_option = "--time-unit";
+    std::string list{};
+    std::string option{}; ///< which names them
+    std::string key{};    ///< a column before them
+};
+
+/// The options that several commands have: where rows come from, how they are read, paired and written, what is done to
+/// attitudes before that, and where the answer goes. A command has those that it adds; the others are never given.
+struct RowOptions : CommandOptions {
+    Option from{"-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]..."};
+    Option to{"-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]..."};
+    Option degrees{"-d,--degrees", "", "All angles are in degrees, read and written"};
+    Option columns{"--columns", "LIST", "The columns to read: indices from 1, ranges such as 5-8, or names"};
+    Option header{"--header", "MODE", "Header of the input: auto (default), yes, no, or add (none; print one)"};
+    Option comment{"--comment", "PREFIX", "What comments begin with (default #); none: there are none"};
+    Option ragged{"--ragged", "", "Take rows of any number of fields that have the columns"};
+    Option delimiter{"--delimiter", "D", "What separates fields: a character, or comma, tab, semicolon, blank"};
+    Option input_format{"--input-format", "FORMAT", "csv (default), which is text, or f64, little-endian doubles"};
+    Option width{"--width", "N", "Doubles in an f64 row of input, if more than those that are read"};
+    Option on_error{"--on-error", "POLICY", "What to do with a row that has no result: stop (default), nan, skip"};
+    Option tolerance{"--tolerance", "T", "How far from exact a quaternion or matrix may be (default 1e-3)"};
+    Option output{"-o,--output", "FILE", "Write FILE; - is standard output"};
+    Option format{"--format", "FORMAT", "csv (default), json, pretty for people, or f64, little-endian doubles"};
+    Option precision{"-p,--precision", "N", "Significant digits (default: the fewest that read back equal)"};
+    Option decimals{"--decimals", "N", "Digits after the decimal point, instead of --precision"};
+    Option threads{"--threads", "N", "At most N threads; the output is the same for every N"};
+    Option append{"--append", "", "Keep the whole row and add the result at its end"};
+    Option diagnostics{"--diagnostics", "WHERE", "Where to show diagnostics: off, summary (default), rows or columns"};
+    Option strict{"--strict", "", "Exit with 1 if there was a diagnostic other than normalized"};
+    Option continuous{"--continuous", "", "Write the numbers nearest to the last result, so that they do not jump"};
+    Option lock_margin{"--lock-margin", "ANGLE", "Treat attitudes this near gimbal lock as locked (default 1e-15rad)"};
+    Option time_unit{"--time-unit", "UNIT", "Unit of the times: s (default), ms, us or ns"};
+
+    // What is done to attitudes before they are written.
+    Option reference_axes{"--reference-axes", "FROM:TO", "Other reference axes, such as ned:enu, by their names"};
+    Option body_axes{"--body-axes", "FROM:TO", "Other body axes, such as frd:flu (cameras: rdf:rub), by their names"};
+    Option left{"--left", "ATTITUDE", "Other reference axes: write L R instead of R; L as \"SPEC: NUMBERS\""};
+    Option right{"--right", "ATTITUDE", "Other body axes: write R S instead of R; S as \"SPEC: NUMBERS\""};
+    Option initial{"--initial", "ATTITUDE", "The attitude at the first row, as \"SPEC: NUMBERS\""};
+
+    // How a FILE and its REFERENCE are read side by side.
+    Option reference_columns{"--reference-columns", "LIST",
+                             "The columns to read in REFERENCE (default: those of --columns)"};
+    Option key{"--key", "COLUMN", "Pair rows by the key in this column, such as time, instead of in order"};
+    Option reference_key{"--reference-key", "COLUMN", "The column of the key in REFERENCE (default: that of --key)"};
+    Option key_within{"--key-within", "T", "The largest difference between the keys of a pair (default 0)"};
+    Option key_offset{"--key-offset", "T", "Add T to the keys of FILE"};
+    Option reference_time_unit{"--reference-time-unit", "UNIT", "Unit of REFERENCE's keys (default: the same)"};
+    Option interpolate{"--interpolate", "", "Take the reference at FILE's key, between two rows --key-within apart"};
+
+    void add_reading();
+    void add_writing();
+    void add_attitudes() { add("What", {&reference_axes, &body_axes, &left, &right}); }
+    /// The same where only FILE's attitudes are turned.
+    void add_attitudes_of_file(std::string_view about_left, std::string_view about_right);
+    void add_pairing();
+
+    void check_attitudes() const override;
+
+    /// @param text the option's argument, or the part of it that is a SPEC
+    [[nodiscard]] static Spec spec_of(const Option& option, const std::string& text, bool as_degrees);
+    [[nodiscard]] Spec spec_of(const Option& option) const { return spec_of(option, option.text(), degrees.given()); }
+    /// The SPECs of an option that takes several, with commas between, whose column names differ.
+    [[nodiscard]] std::vector<Spec> specs_of(const Option& option) const;
+    [[nodiscard]] GivenNumbers numbers_of(const Option& option) const;
+    /// Their attitude; nothing if the option is not given.
+    [[nodiscard]] std::optional<FixedRotation> attitude_of(const Option& option) const;
+    /// @param text the option's argument, or the part of it that is an angle
+    [[nodiscard]] GivenAngle given_angle(const Option& option, const std::string& text) const;
+    /// The ANGLE of an option in radians, finite.
+    [[nodiscard]] double angle_of(const Option& option, double default_value) const;
+    [[nodiscard]] double most_defect() const;
+    [[nodiscard]] stream::OnError policy() const;
+    /// With the sensitivity of each row if its columns are shown.
+    [[nodiscard]] ConversionSettings settings() const;
+    /// The same with what is done to attitudes before they are written.
+    [[nodiscard]] ConversionSettings attitude_settings() const;
+
+    /// There is a REFERENCE.
+    [[nodiscard]] bool is_paired() const { return files.size() == 2; }
+    [[nodiscard]] bool is_by_key() const { return is_paired() && key.given(); }
+    [[nodiscard]] operations::PairedRows paired_rows() const {
+        return {is_paired(), is_by_key(), is_paired() && interpolate.given()};
+    }
+
+    /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
+    /// @throw Usage if an option about keys is given without a key
+    [[nodiscard]] SelectedColumns columns_of_file() const;
+    /// The command of an operation that takes those numbers of a row.
+    /// @throw Usage
+    [[nodiscard]] RowsCommand rows_command(const stream::RowNumbers& numbers, operations::Operation operation,
+                                           messages::Subject subject) const;
+    /// Has the command's rows paired with those of the REFERENCE.
+    /// @throw Usage
+    void pair(RowsCommand& command, stream::RowNumbers numbers, messages::Subject subject) const;
+
+    /// @throw Usage if there are VALUEs
+    void refuse_values(std::string_view command) const;
 };
 
 /// Has the input tell what its header says against how its numbers are read: names and units; in notes.cpp.
+/// @param time_option which names the unit of its times
 /// @param refuses names in another order are an error, unless columns are selected by index
 /// @throw Usage if the selected names are in another order
-void add_notes(const Given& given, const SelectedColumns& selected, bool refuses, stream::InputOptions& input);
+void add_notes(const RowOptions& options, const SelectedColumns& selected, const Option& time_option, bool refuses,
+               stream::InputOptions& input);
 
 /// The same for options that are "SPEC: NUMBERS".
-[[nodiscard]] std::vector<stream::Note> notes_on_options(const Given& given);
-
-/// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
-/// @throw Usage if an option about keys is given without a key
-[[nodiscard]] SelectedColumns columns_of_file(const Given& given);
-
-/// The command of an operation that takes those numbers of a row.
-/// @throw Usage
-[[nodiscard]] RowsCommand rows_command(const Given& given, const SelectedColumns& selected,
-                                       const stream::RowNumbers& numbers, operations::Operation operation,
-                                       messages::Subject subject);
-/// Has the command's rows paired with those of the REFERENCE.
-/// @throw Usage
-void pair(const Given& given, RowsCommand& command, stream::RowNumbers numbers, messages::Subject subject);
-
-/// @throw Usage if there are VALUEs
-void refuse_values(const Given& given, std::string_view command);
+[[nodiscard]] std::vector<stream::Note> notes_on_options(const RowOptions& options);
 
 } // namespace rotconv::cli

@@ -44,73 +44,79 @@ private:
     std::string made_; ///< and not yet read
 };
 
-std::vector<SampleKind> kinds_of(const std::string& list, RepresentationId name) {
-    std::vector<SampleKind> kinds = sample_kinds_of(name);
-    if (list.empty()) {
-        kinds.resize(usual_sample_kinds);
+struct SampleOptions final : RowOptions {
+    SampleOptions() {
+        degrees.about = "All angles are in degrees";
+        header.about = "no (default), or add: print one";
+        add("What", {&to, &kind, &rows, &seed, &noise, &degrees});
+        add("Output", {&output, &header, &kinds_column, &format, &precision, &decimals});
+        add("More", {&threads});
+    }
+
+    [[nodiscard]] Command command() const override {
+        if (!values.empty()) {
+            throw Usage("sample reads no VALUEs: {}", quoted(values[0]));
+        }
+        const Spec spec = spec_of(to);
+        const std::size_t count = count_of(rows, largest_count, 1, 1000);
+        const SampleSettings samples{
+            kinds_of(spec.name), count_of(seed, largest_count, 0),
+            number_of(noise, 5e-4, "number from 0 to 0.5", [](double most) { return most >= 0.0 && most <= 0.5; })};
+        const bool has_header =
+            one_of<bool>(fmt::format("mode of {}", header.name()), header, {{"no", false}, {"add", true}});
+        const stream::RowNumbers numbers{.names = {"index"}};
+        RowsCommand made =
+            rows_command(numbers, operations::sample(spec, samples), messages::subject_of(spec, any_defect));
+        const stream::Format written = made.options.format;
+        const bool is_json = written == stream::Format::json;
+        const bool has_kinds = kinds_column.given();
+        if (has_kinds && !is_json && written != stream::Format::csv) {
+            throw Usage("{} can be combined with {} csv and json only", kinds_column.name(), format.name());
+        }
+        stream::InputOptions& in = made.options.input = {.numbers = numbers};
+        in.delimiter = stream::Delimiter::character(',');
+        const bool reads_header = has_kinds && (has_header || is_json); // from which JSON has its keys
+        using stream::HeaderMode;
+        in.header = reads_header ? HeaderMode::yes : has_header && !has_kinds ? HeaderMode::add : HeaderMode::no;
+        if (has_kinds) {
+            in.columns = std::get<stream::ColumnList>(stream::ColumnList::parse("2", 1));
+        } else {
+            in.width = 1;
+        }
+        made.source = std::make_shared<RowIndices>(count, has_kinds ? samples.kinds : std::vector<SampleKind>(),
+                                                   reads_header ? "kind,index\n" : "");
+        return made;
+    }
+
+private:
+    [[nodiscard]] std::vector<SampleKind> kinds_of(RepresentationId name) const {
+        std::vector<SampleKind> kinds = sample_kinds_of(name);
+        if (!kind.given()) {
+            kinds.resize(usual_sample_kinds);
+            return kinds;
+        }
+        const Choices<SampleKind> legal = mapped(kinds, [](SampleKind each) { return std::pair(name_of(each), each); });
+        kinds.clear();
+        for (const std::string_view word : items_of(kind.text())) {
+            kinds.push_back(one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal));
+            if (std::ranges::count(kinds, kinds.back()) > 1) {
+                throw Usage("{} has {} twice", kind.name(), quoted(word));
+            }
+        }
         return kinds;
     }
-    const Choices<SampleKind> legal = mapped(kinds, [](SampleKind kind) { return std::pair(name_of(kind), kind); });
-    kinds.clear();
-    for (const std::string_view word : items_of(list)) {
-        kinds.push_back(one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal));
-        if (std::ranges::count(kinds, kinds.back()) > 1) {
-            throw Usage("--kind has {} twice", quoted(word));
-        }
-    }
-    return kinds;
-}
 
-Command sample(const Given& given) {
-    if (!given.values.empty()) {
-        throw Usage("sample reads no VALUEs: {}", quoted(given.values[0]));
-    }
-    const Spec to = spec_of(given, "--to");
-    const std::size_t rows = count_of(given, "--rows", largest_count, 1, 1000);
-    const SampleSettings settings{kinds_of(given.text("--kind"), to.name), count_of(given, "--seed", largest_count, 0),
-                                  number_of(given, "--noise", 5e-4, "number from 0 to 0.5",
-                                            [](double noise) { return noise >= 0.0 && noise <= 0.5; })};
-    const bool has_header = one_of<bool>(given, "--header", "mode of --header", {{"no", false}, {"add", true}});
-    const stream::RowNumbers numbers{.names = {"index"}};
-    RowsCommand command =
-        rows_command(given, {}, numbers, operations::sample(to, settings), messages::subject_of(to, any_defect));
-    const stream::Format written = command.options.format;
-    const bool is_json = written == stream::Format::json;
-    const bool has_kinds = given.has("--kinds-column");
-    if (has_kinds && !is_json && written != stream::Format::csv) {
-        throw Usage("--kinds-column can be combined with --format csv and json only");
-    }
-    stream::InputOptions& in = command.options.input = {.numbers = numbers};
-    in.delimiter = stream::Delimiter::character(',');
-    const bool reads_header = has_kinds && (has_header || is_json); // from which JSON has its keys
-    using stream::HeaderMode;
-    in.header = reads_header ? HeaderMode::yes : has_header && !has_kinds ? HeaderMode::add : HeaderMode::no;
-    if (has_kinds) {
-        in.columns = std::get<stream::ColumnList>(stream::ColumnList::parse("2", 1));
-    } else {
-        in.width = 1;
-    }
-    command.source = std::make_shared<RowIndices>(rows, has_kinds ? settings.kinds : std::vector<SampleKind>(),
-                                                  reads_header ? "kind,index\n" : "");
-    return command;
-}
+    Option kind{"--kind", "KIND", "Kinds, with commas between, that take turns (default: the first six)"};
+    Option rows{"--rows", "N", "Rows to write (default 1000)"};
+    Option seed{"--seed", "S", "Other rows for another whole number (default 0)"};
+    Option noise{"--noise", "E", "The most by which numbers of noise are off, to 0.5 (default 5e-4)"};
+    Option kinds_column{"--kinds-column", "", "Write the kind of each row in front, as the column kind"};
+};
 
 } // namespace
 
 CommandEntry sample_command() {
-    OptionSet set;
-    set.add("-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]...");
-    set.add("--kind", "KIND", "Kinds, with commas between, that take turns (default: the first six)");
-    set.add("--rows", "N", "Rows to write (default 1000)");
-    set.add("--seed", "S", "Other rows for another whole number (default 0)");
-    set.add("--noise", "E", "The most by which numbers of noise are off, to 0.5 (default 5e-4)");
-    set.add_flag("-d,--degrees", "All angles are in degrees");
-    add_output(set);
-    set.add("--header", "MODE", "no (default), or add: print one");
-    set.add_flag("--kinds-column", "Write the kind of each row in front, as the column kind");
-    add_format(set);
-    return {"sample",
-            "Write rows on which conversions often fail, to test other programs",
+    return {"sample", "Write rows on which conversions often fail, to test other programs",
             "Usage: rotconv sample -t SPEC [OPTION]...\n"
             "\nKinds of rows:\n"
             "  uniform     all attitudes alike\n"
@@ -123,9 +129,7 @@ CommandEntry sample_command() {
             "  scaled      quat: norms from 1e-150 to 1e150\n"
             "  noise       dcm, 6d, 5d: numbers off by up to --noise\n"
             "  many-turns  euler, rpy, rotvec, axis-angle: angles up to 1e15\n",
-            std::move(set),
-            sample,
-            0};
+            make_options<SampleOptions>, 0};
 }
 
 } // namespace rotconv::cli

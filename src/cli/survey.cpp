@@ -55,32 +55,37 @@ private:
     bool json_;
 };
 
-Command survey(const Given& given) {
-    refuse_values(given, "survey");
-    const Spec from = spec_of(given, "--from");
-    const ConversionSettings settings = settings_of(given);
-    const auto conclusion = std::make_shared<SurveyConclusion>(
-        amount_of(given, "--condition", 1e3, true),
-        one_of<bool>(given, "--format", "format of survey", {{"pretty", false}, {"json", true}}));
-    RowsCommand command = rows_command(given, {.list = given.text("--columns")}, operations::attitude_numbers(from),
-                                       operations::survey(from, settings, conclusion->survey()),
-                                       messages::subject_of(from, settings.tolerance));
-    command.options.format = stream::Format::result;
-    command.conclusion = conclusion;
-    return command;
-}
+struct SurveyOptions final : RowOptions {
+    SurveyOptions() {
+        format.about = "pretty (default), a table, or json";
+        add("What", {&from, &condition});
+        add("Output", {&format});
+        add_reading();
+    }
+
+    [[nodiscard]] Command command() const override {
+        refuse_values("survey");
+        const Spec read = spec_of(from);
+        const ConversionSettings reading = settings();
+        const auto conclusion = std::make_shared<SurveyConclusion>(
+            amount_of(condition, 1e3, true),
+            one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}}));
+        RowsCommand command =
+            rows_command(operations::attitude_numbers(read), operations::survey(read, reading, conclusion->survey()),
+                         messages::subject_of(read, reading.tolerance));
+        command.options.format = stream::Format::result;
+        command.conclusion = conclusion;
+        return command;
+    }
+
+    Option condition{"--condition", "LIMIT", "The greatest condition that serves (default 1e3)"};
+};
 
 } // namespace
 
 CommandEntry survey_command() {
-    OptionSet set;
-    set.add("-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]...");
-    set.add("--condition", "LIMIT", "The greatest condition that serves (default 1e3)");
-    set.begin_group("Output");
-    set.add("--format", "FORMAT", "pretty (default), a table, or json");
-    add_reading(set);
     return {"survey", "Find the representations that serve a motion, and the smallest",
-            "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n", std::move(set), survey};
+            "Usage: rotconv survey -f SPEC [OPTION]... [FILE]\n", make_options<SurveyOptions>};
 }
 
 } // namespace rotconv::cli
