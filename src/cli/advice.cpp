@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <rotconv/spec.hpp>
@@ -12,6 +15,7 @@
 #include "../stream/number_text.hpp"
 #include "../stream/preamble.hpp"
 #include "../stream/run.hpp"
+#include "column_names.hpp"
 #include "messages.hpp"
 #include "values.hpp"
 
@@ -84,75 +88,152 @@ bool converts(std::string_view text, const stream::Options& options) {
     return only_reads ? reads(text, options.input) : reads(text, options.input, options.operation->copy());
 }
 
-/// Advice on a header that has another width than the rows after it; otherwise empty. The first row has the index
-/// `row`.
-std::string advice_on_width(std::string_view text, const std::vector<stream::Line>& lines, std::size_t row,
-                            const stream::InputOptions& input) {
-    std::size_t header = row; // after the header, so far
-    while (header > 0 && !input.is_row(lines[header - 1].text)) {
-        --header;
-    }
-    const Fields names = header > 0 ? split(lines[header - 1].text, input) : Fields();
-    const Fields fields = split(lines[row].text, input);
-    if (header == 0 || std::ranges::any_of(names, stream::is_number) || names.size() == fields.size()) {
-        return {};
-    }
-    const std::string told = fmt::format("the header has {} and the rows {}", counted(names.size(), "name"),
-                                         counted(fields.size(), "field"));
-    stream::InputOptions with_header = input;
-    with_header.header = stream::HeaderMode::yes;
-    const bool selects = input.columns.empty() && names.size() == input.numbers.names.size();
-    return told + (reads(text, with_header) ? ": add --header yes"
-                   : selects                ? ": add --header yes --columns LIST"
-                                            : "");
-}
-
 /// Advice on numbers as programs print them for people; otherwise empty.
 std::string advice_on_print(std::string_view text, const std::vector<stream::Line>& lines,
-                            const stream::InputOptions& input) {
+                            const stream::InputOptions& input, const std::string& name) {
     if (std::ranges::count(lines, "---", &stream::Line::text) > 0) {
         return "messages that are parted by --- are printed as rows by ros2 topic echo --csv";
     }
-    const Values values = values_of({std::string(text)}, std::nullopt);
+    Values values = values_of({std::string(text)}, std::nullopt);
+    if (input.numbers.names.size() == 9) {
+        take_rotation_of_pose(values);
+    }
     Fields fields;
     static_cast<void>(values.delimiter.split(values.row, fields));
     return fields.size() == input.numbers.names.size() && std::ranges::all_of(fields, stream::is_number)
-               ? "numbers as programs print them can be given as one VALUE, in quotes"
+               ? "numbers as programs print them can be given as one VALUE, in quotes" +
+                     (name.empty() ? "" : fmt::format(": rotconv ... \"$(cat{})\"", name))
                : "";
 }
 
-/// A key as jq names it.
-std::string jq_path(const std::string& key) {
-    const bool is_plain = !key.empty() && (key[0] < '0' || key[0] > '9') &&
-                          std::ranges::all_of(key, [](char c) { return is_alphanumeric(c) || c == '_'; });
-    return is_plain ? "." + key : fmt::format(".[\"{}\"]", key);
+/// The option that selects the numbers of a SPEC by their names; empty if the names are not all there.
+std::string columns_option(const Spec& spec, const std::vector<std::string>& names) {
+    const auto known = find_names(spec, names);
+    return known ? "--columns " +
+                       in_shell(fmt::format(
+                           "{}",
+                           fmt::join(mapped(known->places, [&names](std::size_t place) { return names[place]; }), ",")))
+                 : "";
+}
+
+/// What a command of the shell, which reads stdin, makes of a text.
+struct Filter {
+    std::string_view told;
+    std::string_view command;
+    char from = '\0'; ///< the character that it replaces
+    char to = '\0';   ///< '\0': it takes the character out
+};
+constexpr auto filters = std::to_array<Filter>({
+    {"", ""},
+    {"to turn decimal commas into points", "tr , .", ',', '.'},
+    {"commas and tabs part the numbers", R"(tr , '\t')", ',', '\t'},
+    {"to take numbers out of quotes", "tr -d '\"'", '"'},
+});
+std::string filtered_text(std::string_view text, const Filter& filter) {
+    std::string made(text);
+    if (filter.to == '\0') {
+        std::erase(made, filter.from);
+    } else {
+        std::ranges::replace(made, filter.from, filter.to);
+    }
+    return made;
 }
 
 std::string_view after_blanks(std::string_view text) {
     return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
 }
 
-/// The keys of the object that begins the text.
-std::vector<std::string> keys_of(std::string_view object) {
-    std::vector<std::string> keys;
-    int depth = 0;
-    for (std::size_t i = 0; i < object.size(); ++i) {
-        const char c = object[i];
-        if (c == '"') {
-            const std::size_t begin = i + 1;
-            for (++i; i < object.size() && object[i] != '"'; ++i) {
-                i += object[i] == '\\' ? 1 : 0;
+/// A step of a path, as jq writes it after others.
+std::string jq_step(const std::string& key) {
+    const bool is_plain = !key.empty() && (key[0] < '0' || key[0] > '9') &&
+                          std::ranges::all_of(key, [](char c) { return is_alphanumeric(c) || c == '_'; });
+    return is_plain ? "." + key : fmt::format("[\"{}\"]", key);
+}
+std::string jq_path(const std::string& steps) { return (steps.starts_with('.') ? "" : ".") + steps; }
+
+/// An object or array of a JSON text, so far.
+struct Nest {
+    std::string path;
+    bool is_array = false;
+    std::string key{};                      ///< the last one
+    std::vector<std::string> with_number{}; ///< keys
+    std::size_t numbers = 0;                ///< of an array and of the arrays in it
+    bool has_arrays = false;
+    bool has_others = false; ///< than numbers and arrays of numbers
+};
+
+/// Where the numbers of a row are in a JSON text.
+struct JsonRows {
+    std::vector<std::string> filters{}; ///< of jq: by name, otherwise by count
+    std::vector<std::string> keys{};
+    bool is_pose = false; ///< by count, of a matrix of 3x4 or 4x4
+
+    void look_at(const Nest& nest, std::vector<std::string> names, const std::optional<Spec>& spec) {
+        const bool may_be_pose = names.size() == 9 && (nest.numbers == 12 || nest.numbers == 16);
+        std::string filter = nest.path.empty() ? "" : jq_path(nest.path) + " | ";
+        if (nest.is_array && !nest.has_others && (nest.numbers == names.size() || may_be_pose)) {
+            is_pose = may_be_pose;
+            filter += nest.has_arrays ? "flatten | @csv" : "@csv";
+        } else {
+            if (const auto known = spec ? find_names(*spec, nest.with_number) : std::nullopt) {
+                names = mapped(known->places, [&nest](std::size_t place) { return nest.with_number[place]; });
             }
-            if (i < object.size() && depth == 1 && after_blanks(object.substr(i + 1)).starts_with(':')) {
-                keys.emplace_back(object.substr(begin, i - begin));
+            const auto has = [&nest](const auto& each) { return std::ranges::count(nest.with_number, each) > 0; };
+            if (names.empty() || !std::ranges::all_of(names, has)) {
+                return;
             }
-        } else if (c == '{' || c == '[') {
-            ++depth;
-        } else if ((c == '}' || c == ']') && --depth == 0) {
-            break;
+            const auto steps = mapped(names, [](const std::string& each) { return jq_path(jq_step(each)); });
+            filter += fmt::format("[{}] | @csv", fmt::join(steps, ", "));
+        }
+        if (std::ranges::count(filters, filter) == 0) {
+            filters.push_back(filter);
         }
     }
-    return keys;
+};
+
+/// Looks for the numbers by their names (those of the SPEC, if it is given), and by their count.
+JsonRows rows_in_json(std::string_view text, const std::vector<std::string>& wanted, const std::optional<Spec>& spec) {
+    JsonRows rows;
+    std::vector<Nest> nests(1);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        Nest& nest = nests.back();
+        if (c == '{' || c == '[') {
+            const bool is_first = nests.size() == 1;
+            nests.push_back(
+                {.path = is_first ? "" : nest.path + (nest.is_array ? "[]" : jq_step(nest.key)), .is_array = c == '['});
+        } else if ((c == '}' || c == ']') && nests.size() > 1) {
+            const Nest done = std::move(nest);
+            nests.pop_back();
+            rows.look_at(done, wanted, spec);
+            Nest& around = nests.back();
+            around.numbers += done.numbers;
+            around.has_arrays = true;
+            around.has_others = around.has_others || !done.is_array || done.has_others;
+        } else if (c == '"') {
+            const std::size_t begin = i + 1;
+            for (++i; i < text.size() && text[i] != '"'; ++i) {
+                i += text[i] == '\\' ? 1 : 0;
+            }
+            nest.has_others = true;
+            if (i < text.size() && after_blanks(text.substr(i + 1)).starts_with(':')) {
+                nest.key = text.substr(begin, i - begin);
+                if (std::ranges::count(rows.keys, nest.key) == 0) {
+                    rows.keys.push_back(nest.key);
+                }
+            }
+        } else if (is_alphanumeric(c) || c == '-') {
+            const std::size_t end = std::min(text.find_first_of(",]} \t\r\n", i), text.size());
+            const bool is_number = stream::is_number(text.substr(i, end - i));
+            nest.numbers += is_number ? 1 : 0;
+            nest.has_others = nest.has_others || !is_number;
+            if (is_number) {
+                nest.with_number.push_back(nest.key);
+            }
+            i = end - 1;
+        }
+    }
+    return rows;
 }
 
 } // namespace
@@ -160,28 +241,65 @@ std::vector<std::string> keys_of(std::string_view object) {
 std::string advice(std::string_view beginning, std::size_t line, bool has_header, const stream::Options& options,
                    const std::string& file) {
     const stream::InputOptions& input = options.input;
+    if (beginning.find('\0') != std::string_view::npos) {
+        return "the input is not text: rows of numbers are read, as NumPy's savetxt or ros2 topic echo --csv write "
+               "them";
+    }
     if (beginning.size() >= most_kept) { // its last line is cut
         beginning = beginning.substr(0, beginning.rfind('\n') + 1);
     }
     const auto lines = lines_of(beginning);
+    const std::size_t at = line - 1;
+    if (at >= lines.size()) {
+        return {};
+    }
+    const auto fields_of = [&](std::size_t index) { return split(lines[index].text, input); };
     const auto is_first_row = [&input](const stream::Line& each) {
         return input.is_row(each.text) && is_row(split(each.text, input));
     };
-    const auto row = static_cast<std::size_t>(std::ranges::find_if(lines, is_first_row) - lines.begin());
-    const std::size_t at = line - 1;
+    const auto first_row = std::ranges::find_if(lines, is_first_row);
+    const auto row = static_cast<std::size_t>(first_row - lines.begin());
     const std::string name = file == "-" ? "" : " " + file_in_shell(file);
-    const auto has_names = [&input](const stream::Line& each) {
-        const stream::HeaderLine header(each, input.delimiter.value_or(stream::Delimiter::of_row(each.text)));
-        return std::holds_alternative<std::vector<std::size_t>>(input.columns.positions(header.names()));
+    const bool by_name = input.columns.has_names();
+    const std::size_t count = input.numbers.names.size();
+    const auto header_of = [&input](const stream::Line& each) {
+        return stream::HeaderLine(each, input.delimiter.value_or(stream::Delimiter::of_row(each.text)));
     };
-    if (input.columns.has_names() && at < lines.size()) {
-        const auto later = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(line), lines.end(), has_names);
+    if (by_name) {
+        const auto later =
+            std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(line), lines.end(), [&](const auto& each) {
+                return std::holds_alternative<std::vector<std::size_t>>(
+                    input.columns.positions(header_of(each).names()));
+            });
         if (later != lines.end()) {
             return fmt::format("line {0} has them: tail -n +{0}{1} | rotconv ...", later - lines.begin() + 1, name);
         }
     }
-    if (at >= lines.size() || at > row || has_header) {
+    const Fields fields = row < lines.size() ? fields_of(row) : Fields();
+    if (at > row || (has_header && fields_of(at).size() == fields.size())) {
         return {};
+    }
+
+    // The header right before the rows.
+    const auto names = row == 0 || row == lines.size() || row > at + 1
+                           ? std::vector<std::string>()
+                           : header_of(lines[row - 1]).without_mark().names();
+    std::string of_header;
+    if (!by_name && !names.empty() && std::ranges::none_of(names, stream::is_number)) {
+        stream::InputOptions with_header = input;
+        with_header.header = stream::HeaderMode::yes;
+        if (names.size() == fields.size()) {
+            const std::string option = input.numbers.attitude ? columns_option(*input.numbers.attitude, names) : "";
+            of_header = !input.columns.empty() || names.size() <= count ? ""
+                        : option.empty()                                ? "the columns are " + numbered(names)
+                                                                        : "the header has them: " + option;
+        } else {
+            const bool helps = reads(beginning, with_header);
+            const bool selects = input.columns.empty() && names.size() == count;
+            of_header = fmt::format("the header has {} and the rows {}{}", counted(names.size(), "name"),
+                                    counted(fields.size(), "field"), helps || selects ? ": add --header yes" : "") +
+                        (selects && !helps ? " --columns LIST" : "");
+        }
     }
 
     std::string found;
@@ -190,97 +308,113 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
             found = told;
         }
     };
-    const auto offer_lines = [&](const auto& edit, const std::string& command) { // a blank line is no row
-        std::string edited;
-        for (const stream::Line& each : lines) {
-            edited.append(edit(each.text)).append(each.end);
-        }
-        offer(edited, input, command + " | rotconv ...");
-    };
     const std::string_view text = lines[at].text;
+    stream::InputOptions reading = input;
+    reading.delimiter = stream::Delimiter::blanks();
     if (text.find('\t') != std::string_view::npos && text.find(' ') != std::string_view::npos) {
-        stream::InputOptions with_blanks = input;
-        with_blanks.delimiter = stream::Delimiter::blanks();
-        offer(beginning, with_blanks, "tabs and blanks part the numbers: add --delimiter blank");
+        offer(beginning, reading, "tabs and blanks part the numbers: add --delimiter blank");
     }
-    for (const std::string_view mark : {"//", "%", "COMMENT"}) {
-        if (text.starts_with(mark)) {
-            stream::InputOptions with_comment = input;
-            with_comment.comment = mark;
-            offer(beginning, with_comment,
-                  fmt::format("lines that begin with {} are not rows: add --comment {}", mark, in_shell(mark)));
-            offer_lines([mark](auto each) { return each.starts_with(mark) ? std::string_view() : each; },
-                        fmt::format("to leave out lines that begin with {}: grep -v '^{}'{}", mark, mark, name));
-            offer_lines(
-                [mark](auto each) { return each.starts_with(mark) ? after_blanks(each.substr(mark.size())) : each; },
-                fmt::format("to leave out the {} before the names: sed 's|^{} *||'{}", mark, mark, name));
+    reading = input;
+    const std::size_t size = std::min(text.find_first_not_of("/%!*;|"), text.size());
+    reading.comment = size > 0 ? text.substr(0, size) : "COMMENT";
+    if (text.starts_with(reading.comment)) {
+        offer(beginning, reading,
+              fmt::format("lines that begin with {} are not rows: add --comment {}", reading.comment,
+                          in_shell(reading.comment)));
+    }
+    found = found.empty() && of_header.find(": ") != std::string::npos ? of_header : found;
+
+    // What is made of the text; by index, and with LIST, where the columns that are given do not serve.
+    const auto try_text = [&](std::string_view made, std::size_t first, const std::string& told, bool whole) {
+        if (first >= lines.size() || !found.empty()) {
+            return;
+        }
+        if (!by_name && (whole ? converts(made, options) : reads(made, input))) {
+            found = told + " | rotconv ...";
+            return;
+        }
+        std::vector<std::size_t> columns; // those that are numbers
+        for (std::size_t i = 0; i < fields_of(first).size() && columns.size() < count; ++i) {
+            if (stream::is_number(fields_of(first)[i])) {
+                columns.push_back(i + 1);
+            }
+        }
+        auto list = stream::ColumnList::parse(fmt::format("{}", fmt::join(columns, ",")), count);
+        if ((by_name || input.columns.empty()) && std::holds_alternative<stream::ColumnList>(list)) {
+            stream::InputOptions selecting = input;
+            selecting.columns = std::get<stream::ColumnList>(std::move(list));
+            offer(made, selecting, told + " | rotconv ... --columns LIST");
+        }
+    };
+    const auto try_kinds = [&] { // rows that begin with the name of their kind
+        for (std::size_t i = row; i < lines.size() && found.empty(); ++i) {
+            const Fields own = is_first_row(lines[i]) ? fields_of(i) : Fields();
+            if (!own.empty() && !own[0].empty() && is_alphanumeric(own[0][0]) && !stream::is_number(own[0])) {
+                const std::string_view line_text = lines[i].text;
+                const std::string kind(
+                    line_text.substr(0, static_cast<std::size_t>(own[0].end() - line_text.begin()) + 1));
+                std::string rows;
+                for (const stream::Line& each : lines) {
+                    rows.append(each.text.starts_with(kind) ? each.text : "").append(each.end);
+                }
+                try_text(rows, i, fmt::format("to keep only one kind of row: grep {}{}", in_shell("^" + kind), name),
+                         false);
+            }
+        }
+    };
+    if (row == at) {
+        try_kinds();
+    }
+    // The rows from a line on, perhaps up to another; numbers may also be described by rows.
+    for (const std::size_t first : {std::size_t{0}, last_block(lines, input), row}) {
+        if (first >= lines.size() || (first > 0 && first <= at)) {
+            continue;
+        }
+        const auto begin = lines.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end = first > 0 ? std::find_if_not(begin, lines.end(), is_first_row) : lines.end();
+        const bool is_rest =
+            std::all_of(end, lines.end(), [&input](const auto& each) { return !input.is_row(each.text); });
+        const std::string_view part(begin->text.data(), is_rest
+                                                            ? beginning.data() + beginning.size() - begin->text.data()
+                                                            : end->text.data() - begin->text.data());
+        const std::string cut = is_rest ? fmt::format("tail -n +{}{}", first + 1, name)
+                                        : fmt::format("sed -n {},{}p{}", first + 1, end - lines.begin(), name);
+        for (const Filter& filter : filters) {
+            if (first > 0) {
+                try_text(filtered_text(part, filter), first,
+                         fmt::format("the first row of numbers is line {}: {}{}{}", first + 1, cut,
+                                     filter.command.empty() ? "" : " | ", filter.command),
+                         true);
+            } else if (!filter.command.empty()) {
+                offer(filtered_text(part, filter), input,
+                      fmt::format("{}: {}{}{} | rotconv ...", filter.told, filter.command, name.empty() ? "" : " <",
+                                  name));
+            }
         }
     }
-    if (text.starts_with("FMT,")) {
-        const std::string grep = fmt::format("for example: grep '^ATT,'{}", name);
-        if (input.columns.has_names()) {
-            return "keep only one kind of row of the log, and select its columns by index, " + grep + " | rotconv ...";
-        }
-        offer_lines([](auto each) { return each.starts_with("ATT,") ? each : std::string_view(); },
-                    "keep only one kind of row of the log, " + grep);
-    }
-    if (text.find(',') != std::string_view::npos) {
-        std::string with_points(beginning);
-        std::ranges::replace(with_points, ',', '.');
-        offer(with_points, input,
-              fmt::format("to turn decimal commas into points: tr , .{}{} | rotconv ...", name.empty() ? "" : " <",
-                          name));
-    }
-    bool is_inside = false;
-    offer_lines(
-        [&is_inside](auto each) {
-            const bool is_start = each.find("DATA_START") != std::string_view::npos;
-            is_inside = (is_inside || is_start) && each.find("DATA_STOP") == std::string_view::npos;
-            return is_inside && !is_start ? each : std::string_view();
-        },
-        "to read only the rows between two lines: sed -n '/DATA_START/,/DATA_STOP/{//!p}'" + name);
-    if (found.empty() && row <= at + 1 && row < lines.size() && !input.columns.has_names()) {
-        found = advice_on_width(beginning, lines, row, input);
-    }
-    for (const std::size_t first : {row, last_block(lines, input)}) { // numbers may also be described by rows
-        if (found.empty() && first > at && first < lines.size() &&
-            converts(beginning.substr(static_cast<std::size_t>(lines[first].text.data() - beginning.data())),
-                     options)) {
-            found = fmt::format("the first row of numbers is line {0}: tail -n +{0}{1} | rotconv ...", first + 1, name);
-        }
-    }
-    return found.empty() ? advice_on_print(beginning, lines, input) : found;
+    try_kinds();
+    found = found.empty() ? advice_on_print(beginning, lines, input, name) : found;
+    return found.empty() ? of_header : found;
 }
 
 std::string json_advice(std::string_view beginning, const stream::InputOptions& input) {
-    // from the line with the first bracket; npos + 1 is 0
-    std::string_view text = after_blanks(beginning.substr(beginning.rfind('\n', beginning.find_first_of("{[")) + 1));
     const auto selected = input.columns.names();
+    const bool by_name = input.columns.has_names();
     const std::vector<std::string> wanted =
-        input.columns.has_names() ? std::vector<std::string>(selected.begin(), selected.end()) : input.numbers.names;
-    const bool is_array = text.starts_with('[');
-    if (is_array) {
-        text = after_blanks(text.substr(1));
-    }
-    std::string filter;
-    std::string keys_told;
-    if (is_array && !text.starts_with('{')) {
-        const auto numbers = std::ranges::count(text.substr(0, text.find(']')), ',') + 1;
-        const bool has_rows = numbers == static_cast<std::ptrdiff_t>(wanted.size());
-        filter = !text.starts_with('[') ? "@csv" : has_rows ? ".[] | @csv" : "flatten | @csv";
-    } else {
-        const auto keys = keys_of(text);
-        const auto has = [&keys](const std::string& name) { return std::ranges::count(keys, name) > 0; };
-        const bool has_all = !wanted.empty() && std::ranges::all_of(wanted, has);
-        filter = fmt::format("{}[{}] | @csv", is_array ? ".[] | " : "",
-                             has_all ? fmt::format("{}", fmt::join(mapped(wanted, jq_path), ", ")) : ".KEY, ...");
-        if (!has_all) {
-            keys_told = fmt::format(", with the keys for {}; the input has the keys {}", fmt::join(wanted, " "),
-                                    quoted_list(keys));
-        }
-    }
+        by_name ? std::vector<std::string>(selected.begin(), selected.end()) : input.numbers.names;
+    const std::string_view text = beginning.substr(std::min(beginning.find_first_of("{["), beginning.size()));
+    const JsonRows rows = rows_in_json(text, wanted, by_name ? std::nullopt : input.numbers.attitude);
+    const bool is_found = rows.filters.size() == 1;
+    const std::string filter = is_found                ? rows.filters[0]
+                               : text.starts_with('[') ? ".[] | [.KEY, ...] | @csv"
+                                                       : "[.KEY, ...] | @csv";
+    const std::string keys = fmt::format(", with the keys for {}; the input has the keys {}", fmt::join(wanted, " "),
+                                         quoted_list(rows.keys));
     return fmt::format("; rotconv reads rows of numbers, such as those written by jq -r {}{}{}", in_shell(filter),
-                       input.columns.has_names() ? ", without --columns" : "", keys_told);
+                       by_name                    ? ", without --columns"
+                       : is_found && rows.is_pose ? ", with --columns 1-3,5-7,9-11"
+                                                  : "",
+                       is_found ? "" : keys);
 }
 
 std::string contents_advice(const std::string& path) {
@@ -307,10 +441,8 @@ std::string contents_advice(const std::string& path) {
     }
     std::string told = fmt::format("; {} has {}: {}", quoted(path), counted(fields.size(), "column"), numbered(names));
     for (const char* spec : {"quat", "dcm", "rpy"}) {
-        const Representation& entry = *find_representation(spec);
-        const std::span columns(entry.columns.data(), entry.size);
-        if (std::ranges::all_of(columns, [&](auto column) { return std::ranges::count(names, column) == 1; })) {
-            return fmt::format("{}; perhaps -f {} --columns {}", told, spec, fmt::join(columns, ","));
+        if (const std::string option = columns_option(std::get<Spec>(parse_spec(spec)), names); !option.empty()) {
+            return fmt::format("{}; perhaps -f {} {}", told, spec, option);
         }
     }
     return told;

@@ -193,8 +193,8 @@ std::optional<Guess> guess_operand(std::string_view word, const Legal& commands)
 }
 
 std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
-    if (auto guess = guess_meaning(text);
-        guess && !guess->text.empty() && !is_modifier(guess->text) && guess->text != text) {
+    auto guess = guess_meaning(text);
+    if (guess && !guess->text.empty() && !is_modifier(guess->text) && guess->text != text) {
         return in_place(guess, Place::command_line);
     }
     std::vector<std::string_view> others; // commands that have the option
@@ -204,7 +204,7 @@ std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
         }
     }
     if (!others.empty()) {
-        return Guess{"", fmt::format("it is an option of {}", fmt::join(others, ", ")), ""};
+        return Guess{"", fmt::format("it is an option of {}", fmt::join(others, ", ")), guess ? guess->after : ""};
     }
     const auto begun = filtered(legal, [text](std::string_view name) { return name.starts_with(text); });
     return text.size() > 4 && begun.size() == 1 // such as --prec

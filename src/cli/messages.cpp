@@ -89,8 +89,8 @@ std::string why(const stream::RowError& error, const Subject& subject) {
     case stream::RowError::What::missing_column:
         return fmt::format("no column {}, the row has {}", error.expected, error.found);
     case stream::RowError::What::other_width:
-        return fmt::format("{} where line {} has {} (--ragged takes such rows)", counted(error.found, "field"),
-                           error.first_line, error.expected);
+        return fmt::format("{} where line {} has {} (--on-error skip leaves such rows out, --ragged takes them)",
+                           counted(error.found, "field"), error.first_line, error.expected);
     case stream::RowError::What::key_order: return "the key does not increase";
     case stream::RowError::What::no_partner: return "no partner in REFERENCE";
     case stream::RowError::What::open_quote: return "a quote is left open";

@@ -292,8 +292,11 @@ HeaderLine HeaderLine::without_mark() const {
     HeaderLine made = *this;
     const std::string_view rest = line.text.substr(prefix.size());
     const auto is_part = [this](char c) { return is_mark(c) && (delimiter.is_blanks() || c != delimiter.text()); };
-    const auto size = std::ranges::find_if_not(rest, is_part) - rest.begin();
-    made.prefix = line.text.substr(0, prefix.size() + static_cast<std::size_t>(size));
+    auto size = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_part) - rest.begin());
+    if (const auto blank = rest.find(' '); size == 0 && blank != std::string_view::npos && rest[blank - 1] == ':') {
+        size = std::min(rest.find_first_not_of(' ', blank), rest.size()); // a title: "COLUMN_HEADERS: phi1, PHI"
+    }
+    made.prefix = line.text.substr(0, prefix.size() + size);
     made.fields.clear();
     made.is_closed = delimiter.split(line.text.substr(made.prefix.size()), made.fields);
     return made;
