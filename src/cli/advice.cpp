@@ -74,11 +74,9 @@ bool reads(std::string_view text, stream::InputOptions input,
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
     }
-    const stream::Options options{
-        .input = std::move(input), .operation = std::move(operation), .format = stream::Format::result};
+    const stream::Options options{.input = std::move(input), .operation = std::move(operation), .writes_rows = false};
     stream::TextSource source(text);
-    stream::NullSink sink;
-    const auto result = stream::run(source, sink, options, [](const stream::Event&) {});
+    const auto result = stream::run(source, nullptr, options, [](const stream::Event&) {});
     return !result.error && !result.stopped && result.answered > 0;
 }
 

@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "../stream/file.hpp"
 #include "../stream/options.hpp"
 #include "../stream/run.hpp"
 #include "messages.hpp"
@@ -32,37 +31,18 @@ struct RowsResult : stream::RunResult {
     std::size_t failed = 0; ///< rows
 };
 
-/// What a command makes of its rows as a whole; this one nothing.
-class Conclusion {
-public:
-    Conclusion() = default;
-    Conclusion(const Conclusion&) = delete;
-    Conclusion& operator=(const Conclusion&) = delete;
-    virtual ~Conclusion() = default;
-
-    /// Where the rows go; null: to the output.
-    [[nodiscard]] virtual stream::Sink* rows() { return &nowhere_; }
-
-    struct Answer {
-        std::string text;   ///< printed at the end
-        bool holds = false; ///< what was to be found or checked
-    };
-    /// Called before answer(): what is to be done with all rows once more, if they can be read again; null: nothing.
-    [[nodiscard]] virtual std::shared_ptr<stream::RowOperation> look_again() { return nullptr; }
-    /// Called at the end of a run that was not stopped.
-    [[nodiscard]] virtual Answer answer(const RowsResult& /*result*/) { return {}; }
-    /// The run goes on, without output, where nobody reads that any more: its exit status counts.
-    [[nodiscard]] virtual bool is_check() const { return false; }
-
-private:
-    stream::NullSink nowhere_;
+/// What a command says of its rows as a whole.
+struct Answer {
+    std::string text;   ///< printed at the end
+    bool holds = false; ///< what was to be found or checked
 };
+
+using Operation = std::shared_ptr<stream::RowOperation>;
 
 /// A run over the same rows that must come before that of a command. It tells nothing.
 struct FirstPass {
-    using Operation = std::shared_ptr<stream::RowOperation>;
     Operation operation;
-    std::shared_ptr<stream::Sink> rows; ///< where the results go, as stream::Format::result
+    std::shared_ptr<stream::Fold> fold;
     /// What the command is to do with the rows, or why nothing, in words.
     std::function<std::variant<Operation, std::string>()> conclude;
 };
@@ -83,8 +63,14 @@ struct RowsCommand {
     std::string reference{};                  ///< the stream with which the rows are paired; see stream::Pairing
     messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::vector<stream::Note> notes{};        ///< of the command line
-    std::shared_ptr<Conclusion> conclusion{}; ///< null: the rows are all there is
     std::optional<FirstPass> first_pass{};
+    /// Called at the end of a run that was not stopped, before `conclude`: what is to be done with all rows once more,
+    /// if they can be read again; null: nothing. None: no row is read again.
+    std::function<Operation()> look_again{};
+    /// Called at the end of a run that was not stopped. None: the rows are all there is.
+    std::function<Answer(const RowsResult& result)> conclude{};
+    /// The run goes on, without output, where nobody reads that any more: its exit status counts.
+    bool is_check = false;
 };
 
 /// Runs the rows, and prints on stderr what there is to report.

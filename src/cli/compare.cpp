@@ -66,18 +66,20 @@ struct CompareOptions final : RowOptions {
         const Comparison comparison(read, reference, comparing);
 
         operations::ComparisonRows& rows = check.rows;
-        rows.as_numbers = !as_rows;
+        rows.with_attitudes = !as_rows;
         rows.delta = count_of(delta, 1'000'000);
         rows.unit = check.unit.text;
         messages::Subject subject = rows.paired
                                         ? messages::subject_of(read, comparing.reading.tolerance)
                                         : messages::subject_of_two(read, reference, comparing.reading.tolerance);
-        check.watch =
-            std::make_shared<operations::PairWatch>(std::max<std::size_t>(check.worst, 1), std::move(pair_limits));
+        const auto pairs = std::make_shared<operations::PairFold>(
+            rows.columns(read, reference), std::max<std::size_t>(check.worst, 1), std::move(pair_limits));
+        check.pairs = pairs;
         RowsCommand made = rows_command(operations::pair_numbers(read, reference, rows),
-                                        operations::compare(comparison, rows, check.watch), std::move(subject));
+                                        operations::compare(comparison, rows), std::move(subject));
         made.options.append = as_rows;
-        made.options.format = as_rows ? stream::Format::csv : stream::Format::result;
+        made.options.writes_rows = as_rows;
+        made.options.fold = pairs;
         made.allow_failed = check.allow_failed;
         if (rows.paired) {
             pair(made, operations::attitude_numbers(reference, rows.by_key),
@@ -89,8 +91,9 @@ struct CompareOptions final : RowOptions {
         check.digits = made.options.digits;
         check.file = made.has_values ? "argument" : made.input;
         check.reference = made.reference;
-        check.aligned = align.given() ? align_first(made, comparison, rows, check.watch) : nullptr;
-        made.conclusion = comparison_conclusion(std::move(check));
+        check.aligned = align.given() ? align_first(made, comparison, rows) : nullptr;
+        made.is_check = true;
+        made.conclude = [check](const RowsResult& result) { return answer_of(check, result); };
         return made;
     }
 
@@ -156,8 +159,7 @@ private:
     /// Has the command find the turns of --align first.
     /// @return where they will be
     [[nodiscard]] std::shared_ptr<TurnOptions> align_first(RowsCommand& made, const Comparison& comparison,
-                                                           const operations::ComparisonRows& rows,
-                                                           const std::shared_ptr<operations::PairWatch>& watch) const {
+                                                           const operations::ComparisonRows& rows) const {
         const auto side = one_of<AlignedSide>(fmt::format("side of {}", align.name()), align,
                                               {{"reference", AlignedSide::reference},
                                                {"body", AlignedSide::body},
@@ -168,28 +170,26 @@ private:
             throw Usage("{} reads its input twice: give FILEs, not VALUEs or stdin", align.name());
         }
         operations::ComparisonRows as_they_are = rows;
-        as_they_are.as_numbers = true;
+        as_they_are.with_attitudes = true;
         as_they_are.delta = 0;
-        const auto pairs = std::make_shared<operations::PairStatistics>();
-        pairs->alignment.emplace(side);
+        const auto fold = std::make_shared<operations::AlignmentFold>(side);
         auto found = std::make_shared<TurnOptions>();
-        made.first_pass = {
-            operations::compare(comparison, as_they_are,
-                                std::make_shared<operations::PairWatch>(1, std::vector<operations::PairLimit>())),
-            pairs, [=, name = std::string(align.name())]() -> std::variant<operations::Operation, std::string> {
-                const auto turns = pairs->alignment->turns();
-                if (!turns) {
-                    return fmt::format("the pairs do not determine the turn of {}", name);
-                }
-                ComparisonSettings turned = comparison.settings();
-                *found = turn_options(*turns, turned.reading);
-                turned.reading.left.reset();
-                turned.reading.right.reset();
-                for (const TurnOption& turn : *found) { // as the options have it
-                    (turn.side == "left" ? turned.reading.left : turned.reading.right) = turn.turn;
-                }
-                return operations::compare(Comparison(comparison.from(), comparison.reference(), turned), rows, watch);
-            }};
+        made.first_pass = {operations::compare(comparison, as_they_are), fold,
+                           [=, name = std::string(align.name())]() -> std::variant<Operation, std::string> {
+                               const auto turns = fold->alignment.turns();
+                               if (!turns) {
+                                   return fmt::format("the pairs do not determine the turn of {}", name);
+                               }
+                               ComparisonSettings turned = comparison.settings();
+                               *found = turn_options(*turns, turned.reading);
+                               turned.reading.left.reset();
+                               turned.reading.right.reset();
+                               for (const TurnOption& turn : *found) { // as the options have it
+                                   (turn.side == "left" ? turned.reading.left : turned.reading.right) = turn.turn;
+                               }
+                               return operations::compare(Comparison(comparison.from(), comparison.reference(), turned),
+                                                          rows);
+                           }};
         return found;
     }
 

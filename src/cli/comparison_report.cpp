@@ -15,20 +15,16 @@ namespace rotconv::cli {
 namespace {
 
 /// The report and the verdict.
-class ComparisonConclusion final : public Conclusion {
+class ComparisonReport {
 public:
-    explicit ComparisonConclusion(Check check) : check_(std::move(check)), unit_(check_.unit.text) {
+    explicit ComparisonReport(const Check& check) : check_(check), pairs_(*check.pairs), unit_(check_.unit.text) {
         if (check_.format == Check::Format::pretty && check_.digits.shortest()) {
             check_.digits.significant = 6;
         }
-        pairs_.finds_turns = check_.rows.delta == 0;
     }
 
-    [[nodiscard]] stream::Sink* rows() override { return check_.format == Check::Format::csv ? nullptr : &pairs_; }
-    [[nodiscard]] bool is_check() const override { return true; }
-
-    [[nodiscard]] Answer answer(const RowsResult& result) override {
-        const std::size_t pairs = check_.watch->pairs();
+    [[nodiscard]] Answer answer(const RowsResult& result) const {
+        const std::size_t pairs = pairs_.pairs();
         const std::size_t alone = result.unpaired[0].rows + (result.keys.any_pair ? 0 : result.unpaired[1].rows);
         if (check_.rows.by_key && 2 * alone > result.rows) {
             print_error(messages::few_keys_met(result.keys));
@@ -76,12 +72,11 @@ private:
     }
     /// Its value, of pairs of which there is at least one.
     [[nodiscard]] double figure_of(const CheckLimit& limit) const {
-        return limit.is_of_all() ? check_.watch->worst().begin()->angle : pairs_.angles.percentile(limit.percent);
+        return limit.is_of_all() ? pairs_.worst().begin()->angle : pairs_.angles().percentile(limit.percent);
     }
-    /// "p95 0.02 deg", or "p95" where only rows were counted.
+    /// "p95 0.02 deg".
     [[nodiscard]] std::string named_figure(const CheckLimit& limit) const {
-        const bool is_known = limit.is_of_all() || pairs_.angles.count() > 0;
-        return name_of(limit) + (is_known ? " " + angle(figure_of(limit)) : "");
+        return fmt::format("{} {}", name_of(limit), angle(figure_of(limit)));
     }
     /// A limit as it is given, or in the unit of the figures.
     [[nodiscard]] std::string text_of(const CheckLimit& limit) const {
@@ -93,16 +88,16 @@ private:
         for (const CheckLimit& limit : check_.limits) {
             text += fmt::format("{}, limit {}, ", named_figure(limit), text_of(limit));
         }
-        return text + counted(check_.watch->pairs(), "pair");
+        return text + counted(pairs_.pairs(), "pair");
     }
     /// Why a limit does not hold; empty if it does.
     [[nodiscard]] std::string fault_of_limit(std::size_t index) const {
-        const operations::PairLimit& counts = check_.watch->limits()[index];
+        const operations::PairLimit& counts = pairs_.limits()[index];
         const CheckLimit& limit = check_.limits[index];
-        return counts.holds(check_.watch->pairs())
+        return counts.holds(pairs_.pairs())
                    ? std::string()
                    : fmt::format("{} is beyond {}, {} of {}, first at line {}", named_figure(limit), text_of(limit),
-                                 counts.beyond, counted(check_.watch->pairs(), "pair"), counts.first_beyond);
+                                 counts.beyond, counted(pairs_.pairs(), "pair"), counts.first_beyond);
     }
     /// Why too few pairs were compared; empty if there are enough.
     [[nodiscard]] std::string fault_of_count(const RowsResult& result) const {
@@ -120,7 +115,7 @@ private:
     /// What does not hold; empty if all does.
     [[nodiscard]] std::string fault_of(const RowsResult& result) const {
         std::vector<std::string> faults;
-        const std::size_t pairs = check_.watch->pairs();
+        const std::size_t pairs = pairs_.pairs();
         if (pairs == 0) {
             faults.emplace_back("no pairs");
         }
@@ -146,12 +141,12 @@ private:
 
     /// The turns on one side that leave less than a hundredth, if there are such, and what they leave, in radians.
     [[nodiscard]] std::optional<std::pair<TurnOptions, double>> constant() const {
-        if (check_.rows.delta > 0 || pairs_.angles.count() < 2) {
+        if (check_.rows.delta > 0 || pairs_.pairs() < 2) {
             return std::nullopt;
         }
-        const double all = pairs_.angles.root_mean_square() / in_unit(1.0);
-        const double left = pairs_.left.rms();
-        const double right = pairs_.right.rms();
+        const double all = pairs_.angles().root_mean_square() / in_unit(1.0);
+        const double left = pairs_.left().rms();
+        const double right = pairs_.right().rms();
         constexpr double rounding = 0x1p-50;
         const bool is_left = left <= std::max(1.01 * right, rounding); // of equals
         const double rest = is_left ? left : right;
@@ -159,17 +154,17 @@ private:
             return std::nullopt;
         }
         const ConstantTurns turns =
-            is_left ? ConstantTurns{pairs_.left.mean(), {}} : ConstantTurns{{}, pairs_.right.mean()};
+            is_left ? ConstantTurns{pairs_.left().mean(), {}} : ConstantTurns{{}, pairs_.right().mean()};
         return std::pair(turn_options(turns, check_.comparing.reading), rest);
     }
 
     /// The figures of all angles by their names.
     [[nodiscard]] std::vector<std::pair<std::string, double>> figures() const {
-        std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles.root_mean_square()},
-                                                        {"mean", pairs_.angles.mean()},
-                                                        {"std", pairs_.angles.standard_deviation()}};
+        std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles().root_mean_square()},
+                                                        {"mean", pairs_.angles().mean()},
+                                                        {"std", pairs_.angles().standard_deviation()}};
         for (const auto& [name, percent] : {std::pair("median", 50.0), std::pair("p95", 95.0)}) {
-            all.emplace_back(name, pairs_.angles.percentile(percent));
+            all.emplace_back(name, pairs_.angles().percentile(percent));
         }
         return all;
     }
@@ -178,10 +173,10 @@ private:
         const auto line = [](std::string_view name, const auto& value) {
             return fmt::format("{:9} {}\n", name, value);
         };
-        std::string text = line("rows", check_.watch->pairs());
+        std::string text = line("rows", pairs_.pairs());
         const std::size_t of_all = index_of_all();
         if (of_all < check_.limits.size()) {
-            text += line("beyond", check_.watch->limits()[of_all].beyond);
+            text += line("beyond", pairs_.limits()[of_all].beyond);
         }
         const auto& [own, other] = result.unpaired;
         text +=
@@ -197,8 +192,8 @@ private:
         if (check_.aligned) {
             text += line("aligned", in_words(*check_.aligned));
         }
-        if (pairs_.angles.count() > 0) {
-            text += line("max", where(*check_.watch->worst().begin()));
+        if (pairs_.pairs() > 0) {
+            text += line("max", where(*pairs_.worst().begin()));
             for (const auto& [name, value] : figures()) {
                 text += line(name, angle(value));
             }
@@ -213,7 +208,7 @@ private:
                          fmt::format("{}, which leaves {}", in_words(found->first), angle(in_unit(found->second))));
         }
         std::size_t shown = 0;
-        for (const operations::WorstPair& pair : check_.watch->worst()) {
+        for (const operations::WorstPair& pair : pairs_.worst()) {
             if (shown++ == check_.worst) {
                 break;
             }
@@ -253,11 +248,11 @@ private:
         std::vector<std::string> limits;
         for (std::size_t i = 0; i < check_.limits.size(); ++i) {
             const CheckLimit& limit = check_.limits[i];
-            const bool has_pairs = pairs_.angles.count() > 0;
+            const bool has_pairs = pairs_.pairs() > 0;
             limits.push_back(
                 json_object({{"percent", limit.percent},
                              {"angle", limit.angle.in(check_.unit)},
-                             {"beyond", check_.watch->limits()[i].beyond},
+                             {"beyond", pairs_.limits()[i].beyond},
                              {"percentile", has_pairs ? JsonValue::as_written(number(figure_of(limit))) : JsonValue()}})
                     .text);
         }
@@ -272,7 +267,7 @@ private:
 
     [[nodiscard]] JsonValue worst_in_json() const {
         std::vector<std::string> pairs;
-        for (const operations::WorstPair& pair : check_.watch->worst()) {
+        for (const operations::WorstPair& pair : pairs_.worst()) {
             const auto list = [](const auto& items) {
                 return JsonValue::as_written(fmt::format("[{}]", fmt::join(items, ", ")));
             };
@@ -290,15 +285,15 @@ private:
     }
 
     [[nodiscard]] std::string in_json(const RowsResult& result, const JsonValue& verdict) const {
-        const bool has_pairs = pairs_.angles.count() > 0;
+        const bool has_pairs = pairs_.pairs() > 0;
         const auto value_if = [](bool is_there, JsonValue value) { return is_there ? std::move(value) : JsonValue(); };
         const auto figure = [&](double value) { return value_if(has_pairs, JsonValue::as_written(number(value))); };
         const std::size_t of_all = index_of_all();
         const bool is_limited = of_all < check_.limits.size();
-        const operations::PairLimit limit = is_limited ? check_.watch->limits()[of_all] : operations::PairLimit();
-        const operations::WorstPair worst = has_pairs ? *check_.watch->worst().begin() : operations::WorstPair();
+        const operations::PairLimit limit = is_limited ? pairs_.limits()[of_all] : operations::PairLimit();
+        const operations::WorstPair worst = has_pairs ? *pairs_.worst().begin() : operations::WorstPair();
         std::vector<std::pair<std::string_view, JsonValue>> object{
-            {"rows", check_.watch->pairs()},
+            {"rows", pairs_.pairs()},
             {"unit", std::string(unit_)},
             {"file", check_.file},
             {"reference", value_if(!check_.reference.empty(), check_.reference)},
@@ -327,8 +322,8 @@ private:
     }
 
     Check check_;
+    const operations::PairFold& pairs_;
     std::string_view unit_; ///< of angles
-    operations::PairStatistics pairs_;
 };
 
 } // namespace
@@ -349,8 +344,6 @@ TurnOptions turn_options(const ConstantTurns& found, const ConversionSettings& g
     return options;
 }
 
-std::shared_ptr<Conclusion> comparison_conclusion(Check check) {
-    return std::make_shared<ComparisonConclusion>(std::move(check));
-}
+Answer answer_of(const Check& check, const RowsResult& result) { return ComparisonReport(check).answer(result); }
 
 } // namespace rotconv::cli

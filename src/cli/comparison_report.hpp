@@ -64,11 +64,11 @@ struct Check {
     stream::Digits digits{};
     std::string file{};
     std::string reference{}; ///< empty: there is none
-    std::shared_ptr<operations::PairWatch> watch{};
+    std::shared_ptr<const operations::PairFold> pairs{};
     std::shared_ptr<const TurnOptions> aligned{}; ///< null: they are not
 };
 
 /// The report and the verdict.
-[[nodiscard]] std::shared_ptr<Conclusion> comparison_conclusion(Check check);
+[[nodiscard]] Answer answer_of(const Check& check, const RowsResult& result);
 
 } // namespace rotconv::cli

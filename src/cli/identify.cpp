@@ -75,7 +75,8 @@ std::string in_brackets(const Eigen::Vector3d& v) {
     return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
 }
 
-class IdentificationConclusion final : public Conclusion {
+/// What is identified, and the answer.
+class IdentificationReport {
 public:
     struct Settings {
         operations::IdentificationRows rows{};  ///< their count is 0 if the first row tells it
@@ -85,7 +86,7 @@ public:
         bool json = false;
     };
 
-    IdentificationConclusion(const Settings& settings, std::shared_ptr<messages::Subject> subject)
+    IdentificationReport(const Settings& settings, std::shared_ptr<messages::Subject> subject)
         : settings_(settings), unit_(settings.degrees ? degrees_per_radian : 1.0),
           unit_name_(settings.degrees ? "degrees" : "rad"), subject_(std::move(subject)) {
         begin(settings.rows.count);
@@ -103,21 +104,23 @@ public:
         return fields;
     }
 
-    [[nodiscard]] Identification& identification() noexcept { return *identification_; }
-    [[nodiscard]] std::vector<std::size_t>& positions() noexcept { return positions_; }
+    [[nodiscard]] std::shared_ptr<Identification> identification() const noexcept { return identification_; }
 
     /// Of many rows only some were kept to find turns: all are held against the answer.
-    [[nodiscard]] std::shared_ptr<stream::RowOperation> look_again() override {
+    [[nodiscard]] Operation look_again() {
         verdict_ = identification_->verdict();
         if (!verdict_.answer || verdict_.answer->rows == identification_->rows()) {
             return nullptr;
         }
-        again_.emplace(*verdict_.answer, settings_.rows.known, settings_.identification);
-        return operations::identify(
-            settings_.rows, [this]() -> Identification& { return *again_; }, unused_positions_);
+        again_ = std::make_shared<Identification>(*verdict_.answer, settings_.rows.known, settings_.identification);
+        return operations::identify(settings_.rows, again_);
     }
 
-    [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
+    [[nodiscard]] Answer answer(const RowsResult& result) {
+        positions_ = result.positions;
+        if (!positions_.empty() && settings_.rows.by_key) {
+            positions_.erase(positions_.begin());
+        }
         const std::size_t rows = identification_->rows();
         if (rows == 0) {
             print_error(messages::nothing_read);
@@ -185,7 +188,7 @@ public:
 private:
     void begin(std::size_t count) {
         settings_.rows.count = count;
-        identification_.emplace(count, settings_.rows.known, settings_.name, settings_.identification);
+        *identification_ = Identification(count, settings_.rows.known, settings_.name, settings_.identification);
         *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
     }
 
@@ -252,11 +255,10 @@ private:
     double unit_; ///< of the angles of the answer, in radians
     std::string_view unit_name_;
     std::shared_ptr<messages::Subject> subject_; ///< of the rows
-    std::optional<Identification> identification_;
+    std::shared_ptr<Identification> identification_ = std::make_shared<Identification>(0, Spec{});
     Verdict verdict_{};
-    std::optional<Identification> again_{}; ///< a second look at all rows, with the answer alone
-    std::vector<std::size_t> positions_;
-    std::vector<std::size_t> unused_positions_;
+    std::shared_ptr<Identification> again_{}; ///< a second look at all rows, with the answer alone
+    std::vector<std::size_t> positions_;      ///< of the fields that hold the unknown numbers; none where all do
 };
 
 struct IdentifyOptions final : RowOptions {
@@ -273,7 +275,7 @@ struct IdentifyOptions final : RowOptions {
     }
 
     [[nodiscard]] Command command() const override {
-        IdentificationConclusion::Settings asked{
+        IdentificationReport::Settings asked{
             .name = name_alone(),
             .identification = {.tolerance = most_defect()},
             .degrees = degrees.given(),
@@ -286,18 +288,16 @@ struct IdentifyOptions final : RowOptions {
         const SelectedColumns selected = columns_of_file();
         rows.count = asked.name ? representation(*asked.name).size : given_count(selected.list, rows);
         const auto subject = std::make_shared<messages::Subject>();
-        const auto conclusion = std::make_shared<IdentificationConclusion>(asked, subject);
-        const auto identification = [self = conclusion.get()]() -> Identification& { return self->identification(); };
+        const auto report = std::make_shared<IdentificationReport>(asked, subject);
         RowsCommand made = rows_command(operations::identification_numbers(rows),
-                                        operations::identify(rows, identification, conclusion->positions()), *subject);
+                                        operations::identify(rows, report->identification()), *subject);
         made.subject = subject;
         if (rows.count == 0) {
-            made.options.input.take_count = [self = conclusion.get()](std::size_t fields) {
-                return self->take_count(fields);
-            };
+            made.options.input.take_count = [report](std::size_t fields) { return report->take_count(fields); };
         }
-        made.options.format = stream::Format::result;
-        made.conclusion = conclusion;
+        made.options.writes_rows = false;
+        made.look_again = [report] { return report->look_again(); };
+        made.conclude = [report](const RowsResult& result) { return report->answer(result); };
         if (rows.paired) {
             pair(made, operations::attitude_numbers(rows.known, rows.by_key),
                  messages::subject_of(rows.known, asked.identification.tolerance));

@@ -249,25 +249,26 @@ private:
 };
 
 /// Runs the operation over the rows, and tells nothing.
-stream::RunResult run_silently(const RowsCommand& command, const std::shared_ptr<stream::RowOperation>& operation,
-                               stream::Sink& sink, const std::vector<std::unique_ptr<stream::File>>& files) {
+stream::RunResult run_silently(const RowsCommand& command, const Operation& operation,
+                               const std::shared_ptr<stream::Fold>& fold,
+                               const std::vector<std::unique_ptr<stream::File>>& files) {
     stream::Options options = command.options;
     options.operation = operation;
-    options.format = stream::Format::result;
+    options.fold = fold;
+    options.writes_rows = false;
     return stream::run(
-        *files.front(), sink, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
+        *files.front(), nullptr, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
 }
 
-/// What the command's conclusion wants to know of all rows at the end. A pipe cannot be read again.
+/// What the command wants to know of all rows at the end. A pipe cannot be read again.
 void look_again(const RowsCommand& command) {
-    const auto operation = command.conclusion->look_again();
+    const Operation operation = command.look_again ? command.look_again() : nullptr;
     if (!operation || command.has_values) {
         return;
     }
     const auto files = open_inputs(command);
     if (std::ranges::all_of(files, [](const auto& file) { return file->is_open() && file->is_regular(); })) {
-        stream::NullSink nowhere;
-        static_cast<void>(run_silently(command, operation, nowhere, files));
+        static_cast<void>(run_silently(command, operation, nullptr, files));
     }
 }
 
@@ -284,9 +285,10 @@ std::string run_first_pass(RowsCommand& command) {
                                shown(file == files.front() ? command.input : command.reference));
         }
     }
-    const auto ending = run_silently(command, command.first_pass->operation, *command.first_pass->rows, files);
+    const auto ending = run_silently(command, command.first_pass->operation, command.first_pass->fold, files);
     if (ending.error || ending.stopped) { // again, for the messages
-        command.conclusion = std::make_shared<Conclusion>();
+        command.options.writes_rows = false;
+        command.conclude = nullptr;
         return {};
     }
     auto found = command.first_pass->conclude();
@@ -313,12 +315,9 @@ ExitCode run_last_pass(const RowsCommand& command) {
         }
     }
 
-    Conclusion* const conclusion = command.conclusion.get();
-    stream::Sink* const other = conclusion != nullptr ? conclusion->rows() : nullptr;
-    WhileRead rows_output(output, conclusion != nullptr && conclusion->is_check());
-    stream::Sink& sink = other != nullptr ? *other : rows_output;
+    WhileRead rows_output(output, command.is_check);
     stream::TextSource values(command.values);
-    const bool on_screen = other == nullptr && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
+    const bool on_screen = command.options.writes_rows && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
     Progress progress(*inputs.front(), !on_screen);
     stream::Source& source = command.source       ? *command.source
                              : command.has_values ? static_cast<stream::Source&>(values)
@@ -326,7 +325,8 @@ ExitCode run_last_pass(const RowsCommand& command) {
     Reporter reporter(command);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
     const stream::RunResult ending = stream::run(
-        source, sink, command.options, [&reporter](const stream::Event& event) { reporter.add(event); },
+        source, command.options.writes_rows ? &rows_output : nullptr, command.options,
+        [&reporter](const stream::Event& event) { reporter.add(event); },
         inputs.size() > 1 ? inputs.back().get() : nullptr);
     if (ending.reader_left) { // closed the pipe: nothing more is known, and nothing is to be said
         return ExitCode::done;
@@ -367,9 +367,9 @@ ExitCode run_last_pass(const RowsCommand& command) {
         }
     }
     reporter.count_rest();
-    if (conclusion != nullptr && is_whole) {
+    if (command.conclude && is_whole) {
         look_again(command);
-        const Conclusion::Answer answer = conclusion->answer(result);
+        const Answer answer = command.conclude(result);
         if (const int error = rows_output.write(answer.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);
         }

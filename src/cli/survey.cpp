@@ -6,54 +6,43 @@
 namespace rotconv::cli {
 namespace {
 
-class SurveyConclusion final : public Conclusion {
-public:
-    SurveyConclusion(double condition, bool json) : condition_(condition), json_(json) {}
-
-    [[nodiscard]] Survey& survey() noexcept { return survey_; }
-
-    [[nodiscard]] Answer answer(const RowsResult& /*result*/) override {
-        if (survey_.rows() == 0) {
-            print_error(messages::nothing_read);
-        }
-        const RepresentationSurvey* best = survey_.rows() == 0 ? nullptr : survey_.smallest(condition_);
-        const std::string smallest = best != nullptr ? best->spec.text() : "none";
-        const std::string end = json_ ? json_line({{"rows", survey_.rows()}, {"smallest", smallest}}) : smallest + "\n";
-        return {(survey_.rows() == 0 ? "" : table()) + end, best != nullptr};
+/// @param condition the greatest that serves
+std::string table_of(const Survey& survey, double condition, bool json) {
+    const auto line = [](const auto&... cells) {
+        return fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", cells...);
+    };
+    std::string text = json ? ""
+                            : line("SET", "n", "least margin", "at line", "greatest condition", "at line", "jumps",
+                                   "first at", "serves");
+    for (const RepresentationSurvey& each : survey.representations()) {
+        text +=
+            json ? json_line({{"set", each.spec.text()},
+                              {"parameters", each.spec.size()},
+                              {"margin", each.least_margin},
+                              {"margin_line", each.margin_row},
+                              {"condition", each.greatest_condition},
+                              {"condition_line", each.condition_row},
+                              {"jumps", each.jumps},
+                              {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
+                              {"serves", each.serves(condition)}})
+                 : line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin), each.margin_row,
+                        fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
+                        each.jumps == 0 ? "-" : std::to_string(each.jump_row), each.serves(condition) ? "yes" : "no");
     }
+    return json ? text
+                : text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
+                                     counted(survey.rows(), "attitude"), condition);
+}
 
-private:
-    [[nodiscard]] std::string table() const {
-        const auto line = [](const auto&... cells) {
-            return fmt::format("{:<10}  {:>1}  {:>12}  {:>7}  {:>18}  {:>7}  {:>6}  {:>8}  {}\n", cells...);
-        };
-        std::string text = json_ ? ""
-                                 : line("SET", "n", "least margin", "at line", "greatest condition", "at line", "jumps",
-                                        "first at", "serves");
-        for (const RepresentationSurvey& each : survey_.representations()) {
-            text += json_ ? json_line({{"set", each.spec.text()},
-                                       {"parameters", each.spec.size()},
-                                       {"margin", each.least_margin},
-                                       {"margin_line", each.margin_row},
-                                       {"condition", each.greatest_condition},
-                                       {"condition_line", each.condition_row},
-                                       {"jumps", each.jumps},
-                                       {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
-                                       {"serves", each.serves(condition_)}})
-                          : line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin),
-                                 each.margin_row, fmt::format("{:.6g}", each.greatest_condition), each.condition_row,
-                                 each.jumps, each.jumps == 0 ? "-" : std::to_string(each.jump_row),
-                                 each.serves(condition_) ? "yes" : "no");
-        }
-        return json_ ? text
-                     : text + fmt::format("\n{}; the smallest set that serves, with a condition of at most {}:\n",
-                                          counted(survey_.rows(), "attitude"), condition_);
+Answer answer_of(const Survey& survey, double condition, bool json) {
+    if (survey.rows() == 0) {
+        print_error(messages::nothing_read);
     }
-
-    Survey survey_;
-    double condition_; ///< the greatest that serves
-    bool json_;
-};
+    const RepresentationSurvey* best = survey.rows() == 0 ? nullptr : survey.smallest(condition);
+    const std::string smallest = best != nullptr ? best->spec.text() : "none";
+    const std::string end = json ? json_line({{"rows", survey.rows()}, {"smallest", smallest}}) : smallest + "\n";
+    return {(survey.rows() == 0 ? "" : table_of(survey, condition, json)) + end, best != nullptr};
+}
 
 struct SurveyOptions final : RowOptions {
     SurveyOptions() {
@@ -67,14 +56,15 @@ struct SurveyOptions final : RowOptions {
         refuse_values("survey");
         const Spec read = spec_of(from);
         const ConversionSettings reading = settings();
-        const auto conclusion = std::make_shared<SurveyConclusion>(
-            amount_of(condition, 1e3, true),
-            one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}}));
-        RowsCommand command =
-            rows_command(operations::attitude_numbers(read), operations::survey(read, reading, conclusion->survey()),
-                         messages::subject_of(read, reading.tolerance));
-        command.options.format = stream::Format::result;
-        command.conclusion = conclusion;
+        const double most = amount_of(condition, 1e3, true);
+        const bool json = one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}});
+        RowsCommand command = rows_command(operations::attitude_numbers(read),
+                                           operations::convert(Conversion(read, Spec{}, reading), false),
+                                           messages::subject_of(read, reading.tolerance));
+        const auto fold = std::make_shared<operations::SurveyFold>();
+        command.options.writes_rows = false;
+        command.options.fold = fold;
+        command.conclude = [=](const RowsResult&) { return answer_of(fold->survey, most, json); };
         return command;
     }
 

@@ -34,21 +34,19 @@ void SomeRows::run(std::span<double> to, std::size_t width, std::span<double> re
     std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
 }
 
-Between::Between(PairFunction at, PairFunction between, std::size_t first, const Spec& reference,
+Between::Between(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& reference,
                  const ConversionSettings& settings)
-    : at_(std::move(at)), between_(std::move(between)), first_(first),
+    : at_(std::move(at)), between_(std::move(between)), columns_(columns),
       reading_(reference, Spec{},
                {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}) {}
 
 void Between::run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports,
                   std::span<double> rest) {
-    const std::size_t n = first_;
-    const std::size_t m = reading_.from().size();
-    const std::size_t width = 1 + n + 1 + m + m + 1;
+    const std::size_t width = columns_.width();
     const std::size_t count = rows.size() / width;
     numbers_.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        append(numbers_, rows.subspan(i * width + 2 + n, 2 * m));
+        append(numbers_, rows.subspan(i * width + columns_.second(), 2 * columns_.second_size));
     }
     neighbours_.resize(8 * count);
     reading_.run(numbers_, neighbours_, neighbour_reports_);
@@ -57,13 +55,14 @@ void Between::run(std::span<const double> rows, std::span<double> out, std::vect
     reports.clear();
     for (std::size_t i = 0; i < count; ++i) {
         const auto row = rows.subspan(i * width, width);
-        SomeRows& some = row.back() > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
+        const double fraction = row[columns_.fraction()];
+        SomeRows& some = fraction > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
         some.rows.push_back(i);
-        append(some.numbers, row.subspan(1, n));
-        if (row.back() > 0.0) {
-            append(some.numbers, attitude_between(i, row.back(), reports));
+        append(some.numbers, row.subspan(columns_.first(), columns_.first_size));
+        if (fraction > 0.0) {
+            append(some.numbers, attitude_between(i, fraction, reports));
         } else {
-            append(some.numbers, row.subspan(2 + n, m));
+            append(some.numbers, row.subspan(columns_.second(), columns_.second_size));
         }
     }
     const std::size_t size = at_.function.outputs;
@@ -77,7 +76,7 @@ void Between::run(std::span<const double> rows, std::span<double> out, std::vect
     for (const RowReport& report : neighbour_reports_) {
         const std::size_t row = report.row / 2;
         const bool is_later = report.row % 2 == 1;
-        const bool is_between = rows[(row + 1) * width - 1] > 0.0;
+        const bool is_between = rows[row * width + columns_.fraction()] > 0.0;
         if (!is_between || (is_later && report.error == Error::none)) { // the row after it tells of the later
             continue;
         }

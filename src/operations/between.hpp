@@ -9,6 +9,8 @@
 #include <rotconv/conversion.hpp>
 #include <rotconv/rotation.hpp>
 
+#include "../stream/row_operation.hpp"
+
 namespace rotconv::operations {
 
 inline void append(std::vector<double>& to, std::span<const double> numbers) {
@@ -53,9 +55,9 @@ struct SomeRows {
 class Between {
 public:
     /// @param at takes the reference as it is read, `between` as a quaternion
-    /// @param first numbers of the first attitude
+    /// @param columns of a pair by key
     /// @param settings of reading
-    Between(PairFunction at, PairFunction between, std::size_t first, const Spec& reference,
+    Between(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& reference,
             const ConversionSettings& settings);
 
     /// A row between attitudes that are half a turn apart has the error past_half_turn.
@@ -69,7 +71,7 @@ private:
 
     SomeRows at_;
     SomeRows between_; ///< with the quaternion between the neighbours
-    std::size_t first_;
+    stream::PairColumns columns_;
     Conversion reading_; ///< of the neighbours
     std::vector<double> numbers_;
     std::vector<double> neighbours_; ///< of each row the earlier and the later, as quaternions

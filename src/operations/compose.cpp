@@ -14,12 +14,13 @@ PairFunction function_of(const Composition& composition) {
 class Compose final : public AttitudeOperation {
 public:
     Compose(const Composition& composition, const PairedRows& rows, bool continuous)
-        : AttitudeOperation(composition.to(), continuous), composition_(composition), by_key_(rows.by_key) {
+        : AttitudeOperation(composition.to(), continuous), composition_(composition),
+          columns_(rows.columns(composition.first(), composition.second())) {
         if (rows.interpolates) {
             between_.emplace(
                 function_of(composition),
                 function_of(Composition(composition.first(), Spec{}, composition.to(), composition.settings())),
-                composition.first().size(), composition.second(), composition.settings());
+                columns_, composition.second(), composition.settings());
         }
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compose>(*this); }
@@ -28,17 +29,15 @@ public:
         const auto rest = rest_of(out);
         if (between_) {
             between_->run(rows.numbers, out, reports, rest);
-        } else if (by_key_) {
-            composition_.run(without_keys(rows.numbers, composition_.first().size(), composition_.second().size()), out,
-                             reports, rest);
         } else {
-            composition_.run(rows.numbers, out, reports, rest);
+            composition_.run(without_keys(rows.numbers, columns_, attitudes_), out, reports, rest);
         }
     }
 
 private:
     Composition composition_;
-    bool by_key_;
+    stream::PairColumns columns_;
+    std::vector<double> attitudes_;
     std::optional<Between> between_; ///< where the reference is interpolated
 };
 

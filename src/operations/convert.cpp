@@ -1,3 +1,4 @@
+#include "between.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
@@ -38,17 +39,17 @@ std::vector<std::string> joined(std::vector<std::string> names, const std::vecto
     return names;
 }
 
-std::vector<double> without_keys(std::span<const double> rows, std::size_t n, std::size_t m) {
-    std::vector<double> numbers;
-    numbers.reserve(rows.size());
-    for (auto at = rows.begin(); at != rows.end();) {
-        for (const std::size_t size : {n, m}) {
-            const auto end = at + 1 + static_cast<std::ptrdiff_t>(size);
-            numbers.insert(numbers.end(), at + 1, end);
-            at = end;
-        }
+std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
+                                     std::vector<double>& room) {
+    if (!columns.by_key) {
+        return rows;
     }
-    return numbers;
+    room.clear();
+    for (; !rows.empty(); rows = rows.subspan(columns.width())) {
+        append(room, rows.subspan(columns.first(), columns.first_size));
+        append(room, rows.subspan(columns.second(), columns.second_size));
+    }
+    return room;
 }
 
 stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key) {

@@ -8,31 +8,22 @@ namespace {
 
 class Identify final : public stream::RowOperation {
 public:
-    Identify(const IdentificationRows& rows, std::function<Identification&()> identification,
-             std::vector<std::size_t>& positions)
-        : rows_(rows), identification_(std::move(identification)), positions_(&positions) {
+    Identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification)
+        : rows_(rows), identification_(std::move(identification)) {
         names = {"angle"};
         in_order = true;
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Identify>(*this); }
 
     void run(const stream::NumberRows& rows, std::span<double> /*out*/, std::vector<RowReport>& reports) override {
-        Identification& identification = identification_();
-        if (rows_.by_key) {
-            identification.add(without_keys(rows.numbers, identification.count(), rows_.known.size()), rows.lines,
-                               reports);
-        } else {
-            identification.add(rows.numbers, rows.lines, reports);
-        }
-    }
-    void take_positions(const std::vector<std::size_t>& positions) override {
-        positions_->assign(positions.begin() + (rows_.by_key ? 1 : 0), positions.end());
+        const stream::PairColumns columns{identification_->count(), rows_.known.size(), rows_.by_key};
+        identification_->add(without_keys(rows.numbers, columns, attitudes_), rows.lines, reports);
     }
 
 private:
     IdentificationRows rows_;
-    std::function<Identification&()> identification_;
-    std::vector<std::size_t>* positions_;
+    std::shared_ptr<Identification> identification_;
+    std::vector<double> attitudes_;
 };
 
 } // namespace
@@ -53,9 +44,8 @@ stream::RowNumbers identification_numbers(const IdentificationRows& rows) {
     return numbers;
 }
 
-Operation identify(const IdentificationRows& rows, std::function<Identification&()> identification,
-                   std::vector<std::size_t>& positions) {
-    return std::make_shared<Identify>(rows, std::move(identification), positions);
+Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification) {
+    return std::make_shared<Identify>(rows, std::move(identification));
 }
 
 } // namespace rotconv::operations

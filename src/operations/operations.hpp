@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <span>
@@ -24,7 +22,6 @@
 #include <rotconv/survey.hpp>
 
 #include "../methods/method_conversion.hpp"
-#include "../stream/file.hpp"
 #include "../stream/row_operation.hpp"
 #include "angle_statistics.hpp"
 
@@ -40,8 +37,9 @@ using Operation = std::shared_ptr<stream::RowOperation>;
 [[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
 [[nodiscard]] std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others);
 
-/// Rows of a key, n numbers, another key and m numbers, without the keys.
-[[nodiscard]] std::vector<double> without_keys(std::span<const double> rows, std::size_t n, std::size_t m);
+/// The numbers of both attitudes of each row, one after the other; `room` for them where they have keys.
+[[nodiscard]] std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
+                                                   std::vector<double>& room);
 
 /// An operation whose results are attitudes; `continuous`, here and below: each follows the motion, see
 /// ContinuousNumbers.
@@ -121,14 +119,22 @@ struct PropagationRows {
 /// The rows of a sampler, from their indices.
 [[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings);
 
-/// Adds the attitudes to a survey, which must outlive the operation. The results of the rows are not used.
-[[nodiscard]] Operation survey(const Spec& from, const ConversionSettings& settings, Survey& survey);
+/// The survey of attitudes, from rows of quaternions.
+struct SurveyFold final : stream::Fold {
+    void add(const stream::AnsweredRows& rows) override;
+
+    Survey survey{};
+};
 
 /// Where the second attitude of a pair is.
 struct PairedRows {
     bool paired = false;       ///< it comes from a reference, otherwise it follows the first in the row
     bool by_key = false;       ///< each of the two has its key before it
     bool interpolates = false; ///< by key: it lies between two of the reference, see stream::Pairing
+
+    [[nodiscard]] stream::PairColumns columns(const Spec& first, const Spec& second) const noexcept {
+        return {first.size(), second.size(), by_key, interpolates};
+    }
 };
 /// The numbers that rows of the stream have: of both attitudes, or those of the first.
 [[nodiscard]] stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows);
@@ -137,24 +143,12 @@ struct PairedRows {
 [[nodiscard]] Operation compose(const Composition& composition, const PairedRows& rows, bool continuous);
 
 struct ComparisonRows : PairedRows {
-    bool as_numbers = false; ///< rows are those of ComparedPair, for a sink
+    bool with_attitudes = false; ///< both follow the angle, as quaternions
     std::size_t delta = 0;   ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
     std::string_view unit{}; ///< of angles
 };
-/// For a sink: the angle and both attitudes as quaternions. An angle of nan is none. With a delta there are no
-/// attitudes.
-inline constexpr std::size_t numbers_of_pair = 9;
-
-/// A sink for such rows: what the pairs that have an angle are like together.
-struct PairStatistics final : stream::Sink {
-    int write(std::string_view rows) override;
-
-    AngleStatistics angles{};
-    bool finds_turns = true; ///< those that bring each attitude to its reference...
-    MeanTurn left{};         ///< ...from the left...
-    MeanTurn right{};        ///< ...and from the right
-    std::optional<Alignment> alignment{};
-};
+/// The angles between the two attitudes of rows; nan where there is none.
+[[nodiscard]] Operation compare(const Comparison& comparison, const ComparisonRows& rows);
 
 /// A pair among those that differ most: the worst are first, of equals the earlier.
 struct WorstPair {
@@ -182,33 +176,42 @@ struct PairLimit {
     }
 };
 
-/// Looks at all pairs, from several threads: which differ most, and how many by more than each limit.
-class PairWatch {
+/// What pairs are like together, those without an angle left out.
+class PairFold final : public stream::Fold {
 public:
     /// @param most as many of the worst are kept
-    PairWatch(std::size_t most, std::vector<PairLimit> limits) : most_(most), limits_(std::move(limits)) {}
+    PairFold(const stream::PairColumns& columns, std::size_t most, std::vector<PairLimit> limits)
+        : columns_(columns), most_(most), limits_(std::move(limits)) {}
 
-    /// @param attitudes the numbers of both attitudes of each row, of which the first has `size`
-    /// @param by_key the numbers of a row begin with its key, and its partner's stands before the second attitude
-    /// @param results of `width` numbers for each row, of which the first is the angle
-    void add(const stream::NumberRows& rows, std::span<const double> attitudes, std::size_t size, bool by_key,
-             std::span<const double> results, std::size_t width);
-    using Worst = std::set<WorstPair>;
-    [[nodiscard]] const Worst& worst() const noexcept { return worst_; }
-    [[nodiscard]] std::size_t pairs() const noexcept { return pairs_; }
+    void add(const stream::AnsweredRows& rows) override;
+
+    [[nodiscard]] std::size_t pairs() const noexcept { return angles_.count(); }
+    [[nodiscard]] const AngleStatistics& angles() const noexcept { return angles_; }
+    [[nodiscard]] const std::set<WorstPair>& worst() const noexcept { return worst_; }
     [[nodiscard]] const std::vector<PairLimit>& limits() const noexcept { return limits_; }
+    /// The turn that brings each attitude to its reference from the left, and from the right; of rows with attitudes.
+    [[nodiscard]] const MeanTurn& left() const noexcept { return left_; }
+    [[nodiscard]] const MeanTurn& right() const noexcept { return right_; }
 
 private:
-    std::mutex mutex_;
+    void keep(const stream::AnsweredRows& rows, std::size_t row);
+
+    stream::PairColumns columns_;
     std::size_t most_;
     std::vector<PairLimit> limits_;
-    Worst worst_;
-    std::size_t pairs_ = 0;
+    AngleStatistics angles_;
+    MeanTurn left_;
+    MeanTurn right_;
+    std::set<WorstPair> worst_;
 };
 
-/// The angles between the two attitudes of rows, each of which the watch sees.
-[[nodiscard]] Operation compare(const Comparison& comparison, const ComparisonRows& rows,
-                                std::shared_ptr<PairWatch> watch);
+/// The constant turns between the attitudes of pairs, from rows with attitudes.
+struct AlignmentFold final : stream::Fold {
+    explicit AlignmentFold(AlignedSide side) : alignment(side) {}
+    void add(const stream::AnsweredRows& rows) override;
+
+    Alignment alignment;
+};
 
 struct IdentificationRows {
     std::size_t count = 0; ///< unknown numbers; 0: not yet known
@@ -216,10 +219,8 @@ struct IdentificationRows {
     bool paired = false; ///< see ComparisonRows
     bool by_key = false;
 };
-/// Adds rows, each of unknown numbers and then the known attitude, to the identification that the function returns.
-/// The results of the rows are not used. `positions` becomes the fields that hold the unknown numbers.
+/// Adds rows, each of unknown numbers and then the known attitude, to an identification. The results are not used.
 [[nodiscard]] stream::RowNumbers identification_numbers(const IdentificationRows& rows);
-[[nodiscard]] Operation identify(const IdentificationRows& rows, std::function<Identification&()> identification,
-                                 std::vector<std::size_t>& positions);
+[[nodiscard]] Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification);
 
 } // namespace rotconv::operations

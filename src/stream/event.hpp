@@ -16,6 +16,7 @@
 #include "column_list.hpp"
 #include "key.hpp"
 #include "number_text.hpp"
+#include "row_operation.hpp"
 
 namespace rotconv::stream {
 
@@ -87,9 +88,28 @@ struct Unpaired {
     }
 };
 
-/// What a block of rows became: bytes to write and then events to report, both in the order of the rows.
+/// Grows without setting what is then read.
+using Numbers = fmt::basic_memory_buffer<double, 64>;
+
+/// Rows that were answered together, for a fold.
+struct AnsweredBatch {
+    Numbers numbers;
+    std::vector<std::size_t> lines;
+    std::vector<std::size_t> reference_lines;
+    std::vector<std::string_view> kept; ///< in the texts of the block
+    std::vector<double> results;
+    std::vector<RowReport> reports;
+
+    [[nodiscard]] AnsweredRows rows() const noexcept {
+        return {{numbers, lines, kept, reference_lines}, results, reports};
+    }
+};
+
+/// What a block of rows became: bytes to write, rows to add to a fold, and then events to report, all in the order of
+/// the rows.
 struct Output {
     Buffer bytes;
+    std::vector<AnsweredBatch> batches;
     std::vector<Event> events;
     std::size_t rows = 0;     ///< data rows of the stream
     std::size_t answered = 0; ///< those that have a result
@@ -98,6 +118,7 @@ struct Output {
 
     void clear() noexcept {
         bytes.clear();
+        batches.clear();
         events.clear();
         rows = 0;
         answered = 0;

@@ -37,12 +37,6 @@ public:
     virtual int write(std::string_view bytes) = 0;
 };
 
-/// A sink that forgets its bytes.
-class NullSink final : public Sink {
-public:
-    int write(std::string_view /*bytes*/) override { return 0; }
-};
-
 /// Makes sure that no file that is opened later takes the place of a standard descriptor that the caller has closed:
 /// such a descriptor is given something that fails to be read (0) or written (1), or swallows all (2).
 void guard_standard_descriptors() noexcept;

@@ -24,13 +24,7 @@ namespace rotconv::stream {
 
 enum class HeaderMode : std::uint8_t { automatic, yes, no, add };
 
-enum class Format : std::uint8_t {
-    csv,
-    json,
-    pretty,
-    f64,
-    result ///< the result's doubles and nothing else, for a sink that sums them up
-};
+enum class Format : std::uint8_t { csv, json, pretty, f64 };
 
 enum class OnError : std::uint8_t { stop, nan, skip };
 
@@ -75,18 +69,19 @@ struct Pairing {
     InputOptions reference{}; ///< how the other stream is read
     bool by_key = false;      ///< the first selected column of both, a number that increases; else by the rows' number
     KeyDistance within{};     ///< the greatest difference of two keys
-    /// The partner lies at the row's key between two rows of the reference, whose keys differ by no more than that. The
-    /// operation gets the numbers of a row, of the earlier and of the later neighbour, without the key of the later,
-    /// and how far the row is from the earlier, as a fraction; of a row whose key the reference has, both are that row.
+    /// The partner lies at the row's key between two rows of the reference, whose keys differ by no more than that. See
+    /// PairColumns.
     bool interpolates = false;
     bool needs_partner = false; ///< a row of the stream without a partner is a row error
     bool tells_partner = true;  ///< in text, rows that are paired by key have the columns partner_names
 };
 
-/// What a run does with its rows.
+/// What a run does with its rows: it writes them, adds them to a fold, or both.
 struct Options {
     InputOptions input{};
     std::shared_ptr<RowOperation> operation{};
+    bool writes_rows = true;
+    std::shared_ptr<Fold> fold{}; ///< null: there is none
     Format format = Format::csv;
     OnError on_error = OnError::stop;
     Digits digits{};                                      ///< of the numbers of the result
@@ -99,8 +94,10 @@ struct Options {
     std::optional<std::string> block{};
     std::optional<Pairing> pairing{}; ///< where the rows are paired with those of a reference
 
+    /// Other lines than those of the rows go out too.
+    [[nodiscard]] bool writes_all_lines() const noexcept { return writes_rows && format == Format::csv; }
     [[nodiscard]] bool writes_partners() const noexcept {
-        return pairing && pairing->by_key && pairing->tells_partner && format == Format::csv;
+        return pairing && pairing->by_key && pairing->tells_partner && writes_all_lines();
     }
 };
 

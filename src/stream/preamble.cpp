@@ -550,7 +550,7 @@ void Preamble::take_layout(const Line& row, std::size_t number) {
 
 void Preamble::begin_rows(Output& output) {
     has_row_ = true;
-    if (written_ == nullptr) {
+    if (written_ == nullptr || !written_->writes_rows) {
         return;
     }
     write_added_header(output.bytes, *written_, layout_);
@@ -562,7 +562,6 @@ void Preamble::begin_rows(Output& output) {
         layout_.keys =
             JsonKeys(names_, {taken.begin(), taken.end()}, [this](std::size_t at) { return !layout_.replaces(at); });
     }
-    written_->operation->take_positions(layout_.positions);
 }
 
 } // namespace rotconv::stream

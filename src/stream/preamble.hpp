@@ -73,7 +73,7 @@ private:
     [[nodiscard]] std::size_t number_of(const Line& line) const;
     /// Follows a decision; true where the last line is data, and not held any more.
     bool follow(const Beginning& beginning, Output& output);
-    [[nodiscard]] bool is_written() const noexcept { return written_ != nullptr && written_->format == Format::csv; }
+    [[nodiscard]] bool is_written() const noexcept { return written_ != nullptr && written_->writes_all_lines(); }
     /// Text that goes out as it is.
     void pass(std::string_view text, Output& output) const;
     /// The first bytes of what is held go out as they are.

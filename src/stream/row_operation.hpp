@@ -31,6 +31,24 @@ struct NumberRows {
     std::span<const std::size_t> reference_lines{}; ///< those of their partners; empty where there is no reference
 };
 
+/// Where the numbers of two attitudes stand in a row for an operation. Paired by key, each has its key before it. Where
+/// the reference is interpolated, the second is the earlier of its neighbours; the later one's numbers follow, without
+/// a key, and how far the row is from the earlier to the later, as a fraction: 0 where the reference has the row's key,
+/// and both are that row.
+struct PairColumns {
+    std::size_t first_size = 0;
+    std::size_t second_size = 0;
+    bool by_key = false;
+    bool interpolates = false;
+
+    [[nodiscard]] constexpr std::size_t first() const noexcept { return by_key ? 1 : 0; }
+    [[nodiscard]] constexpr std::size_t second_key() const noexcept { return first() + first_size; }
+    [[nodiscard]] constexpr std::size_t second() const noexcept { return second_key() + first(); }
+    [[nodiscard]] constexpr std::size_t later() const noexcept { return second() + second_size; }
+    [[nodiscard]] constexpr std::size_t fraction() const noexcept { return later() + second_size; }
+    [[nodiscard]] constexpr std::size_t width() const noexcept { return interpolates ? fraction() + 1 : later(); }
+};
+
 /// What a run makes of the numbers of its rows.
 class RowOperation {
 public:
@@ -52,9 +70,6 @@ public:
     }
     /// Makes each result follow from the one before: called after run() of the same rows, for all rows in their order.
     virtual void make_continuous(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
-    /// Called once, before the first row, with the fields that hold the numbers, from 0; none where a row is its
-    /// numbers.
-    virtual void take_positions(const std::vector<std::size_t>& /*positions*/) {}
 
     [[nodiscard]] std::size_t answers_of_row() const noexcept { return answers.empty() ? 1 : answers.size(); }
 
@@ -76,6 +91,25 @@ protected:
     RowOperation(RowOperation&&) = default;
     RowOperation& operator=(const RowOperation&) = default;
     RowOperation& operator=(RowOperation&&) = default;
+};
+
+/// Rows with what an operation answered: `results` of its names.size() numbers each, nan where a report has an error.
+struct AnsweredRows {
+    NumberRows rows;
+    std::span<const double> results;
+    std::span<const RowReport> reports;
+};
+
+/// What all rows of a run come to. The caller owns it, and looks at it after the run.
+class Fold {
+public:
+    Fold() = default;
+    Fold(const Fold&) = delete;
+    Fold& operator=(const Fold&) = delete;
+    virtual ~Fold() = default;
+
+    /// Called with all rows that have numbers, in the order of the stream, by one thread at a time.
+    virtual void add(const AnsweredRows& rows) = 0;
 };
 
 } // namespace rotconv::stream

@@ -14,9 +14,6 @@
 
 namespace rotconv::stream {
 
-/// Grows without setting what is then read.
-using Numbers = fmt::basic_memory_buffer<double, 64>;
-
 /// What was read of the rows of a batch, one after the other.
 struct RowParts {
     std::vector<std::string_view> fields; ///< of the rows whose fields were looked for

@@ -10,7 +10,7 @@
 namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
-    : options_(&options), layout_(&layout), reference_layout_(reference_layout),
+    : options_(&options), layout_(&layout),
       operation_(options.operation->in_order ? options.operation : options.operation->copy()),
       reader_(options.input, layout), writer_(options, layout),
       nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {
@@ -39,8 +39,9 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output) {
                 read(row);
             }
         }
-        answer();
+        const std::size_t answered = answer();
         write(output);
+        give_away(answered, output);
     }
 }
 
@@ -72,6 +73,7 @@ void RowTransformer::transform_all(std::string_view text, std::size_t line, bool
             rows_.erase(held, rows_.end());
         }
         write(output);
+        give_away(answered, output);
         if (is_whole) {
             waiting_ = text;
             waiting_line_ = line;
@@ -83,7 +85,7 @@ void RowTransformer::transform_all(std::string_view text, std::size_t line, bool
 
 bool RowTransformer::is_doubles_alone() const noexcept {
     return options_->input.width > 0 && options_->format == Format::f64 && !layout_->has_other_fields() &&
-           !options_->diagnostic_columns;
+           !options_->diagnostic_columns && !options_->fold;
 }
 
 void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
@@ -172,7 +174,7 @@ void RowTransformer::read(Row& row) {
             const std::size_t key = parts_.numbers.size();
             is_read = row.later_number > 0 ? read_reference(row.later, row.later_number)
                                            : read_reference(row.reference, row.reference_number);
-            if (is_read) {
+            if (is_read) { // without its key, and the fraction at the end: see PairColumns
                 std::copy(parts_.numbers.begin() + key + 1, parts_.numbers.end(), parts_.numbers.begin() + key);
                 parts_.numbers[parts_.numbers.size() - 1] = row.fraction;
                 parts_.kept.resize(kept);
@@ -229,9 +231,10 @@ double RowTransformer::norm_of(const Row& row, const RowReport& report) const {
     if (!read.attitude || read.attitude->name != RepresentationId::quat) {
         return 0.0;
     }
-    const std::size_t first = report.of_later       ? layout_->count + reference_layout_->count // without its key
-                              : report.of_reference ? layout_->count + read.kept
-                                                    : read.kept;
+    const PairColumns columns{.first_size = layout_->count - read.kept, .second_size = 4, .by_key = read.kept > 0};
+    const std::size_t first = report.of_later       ? columns.later()
+                              : report.of_reference ? columns.second()
+                                                    : columns.first();
     const auto q = numbers_of(row).subspan(first, 4);
     const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
     double squares = 0.0; // of numbers that neither overflow nor underflow
@@ -244,8 +247,7 @@ double RowTransformer::norm_of(const Row& row, const RowReport& report) const {
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
     const bool is_clean = rows_.size() == lines_.size() && reports_.empty();
-    if (is_clean && options_->format == Format::result) {
-        append_bytes(output.bytes, results_);
+    if (is_clean && !options_->writes_rows) {
         output.rows += rows_.size();
         output.answered += rows_.size();
         return;
@@ -254,7 +256,8 @@ void RowTransformer::write(Output& output) {
         return row.is_scanned() && !is_reported_before(row, (row.index + 1) * answers);
     };
     for (auto row = rows_.begin(); row != rows_.end() && !output.stopped;) {
-        const auto end = writer_.writes_results_alone() ? std::find_if_not(row, rows_.end(), stands_alone) : row;
+        const bool may_stand_alone = options_->writes_rows && writer_.writes_results_alone();
+        const auto end = may_stand_alone ? std::find_if_not(row, rows_.end(), stands_alone) : row;
         if (end != row) {
             writer_.write(output.bytes, {row, end}, results_);
             output.rows += static_cast<std::size_t>(end - row);
@@ -264,7 +267,7 @@ void RowTransformer::write(Output& output) {
         }
         if (!row->passes) {
             write_row(*row, output);
-        } else if (options_->format == Format::csv) {
+        } else if (options_->writes_all_lines()) {
             append(output.bytes, row->line.text);
             append(output.bytes, row->line.end);
         }
@@ -272,11 +275,26 @@ void RowTransformer::write(Output& output) {
     }
 }
 
+void RowTransformer::give_away(std::size_t answered, Output& output) {
+    if (!options_->fold || answered == 0) {
+        return;
+    }
+    const std::size_t width = parts_.numbers.size() / lines_.size();
+    const std::size_t kept = parts_.kept.size() / lines_.size();
+    parts_.numbers.resize(answered * width); // others come again
+    parts_.kept.resize(answered * kept);
+    lines_.resize(answered);
+    reference_lines_.resize(std::min(answered, reference_lines_.size()));
+    results_.resize(answered * operation_->answers_of_row() * operation_->names.size());
+    output.batches.push_back({std::move(parts_.numbers), std::move(lines_), std::move(reference_lines_),
+                              std::move(parts_.kept), std::move(results_), std::move(reports_)});
+}
+
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
     const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
     output.rows += is_ours ? 1 : 0;
-    const bool writes_fields = layout_->has_other_fields() && options_->format != Format::result;
+    const bool writes_fields = layout_->has_other_fields() && options_->writes_rows;
     if (is_ours && writes_fields && options_->input.width > 0) {
         make_fields(row);                                          // and other text
     } else if (writes_fields && is_ours && row.field_count == 0) { // nobody has split it
@@ -306,16 +324,18 @@ void RowTransformer::write_row(Row& row, Output& output) {
         if (failed && (output.stopped || options_->on_error != OnError::nan || !is_ours)) {
             continue; // each answer's report is passed over
         }
-        writer_.write(
-            output.bytes,
-            {.line = row.line,
-             .number = row.number,
-             .fields = std::span(parts_.fields).subspan(row.first_field, row.field_count),
-             .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
-             .report = &report,
-             .failed = failed,
-             .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i],
-             .partner = partner_});
+        if (options_->writes_rows) {
+            writer_.write(
+                output.bytes,
+                {.line = row.line,
+                 .number = row.number,
+                 .fields = std::span(parts_.fields).subspan(row.first_field, row.field_count),
+                 .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
+                 .report = &report,
+                 .failed = failed,
+                 .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i],
+                 .partner = partner_});
+        }
         if (!failed) {
             output.answered += i == 0 ? 1 : 0;
             tell_diagnostics(row, report, i, output);

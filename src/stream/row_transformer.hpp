@@ -70,6 +70,8 @@ private:
     /// Makes the first answers continuous, in turn.
     void make_continuous(std::size_t answered, Output& output, const InTurn& in_turn);
     void write(Output& output);
+    /// Hands the rows at hand over, of which the first are answered, for the fold.
+    void give_away(std::size_t answered, Output& output);
     void write_row(Row& row, Output& output);
     /// The fields of a binary row: its numbers' bytes, or text where the output is text.
     void make_fields(Row& row);
@@ -92,7 +94,6 @@ private:
 
     const Options* options_;
     const Layout* layout_;
-    const Layout* reference_layout_;          ///< or null
     std::shared_ptr<RowOperation> operation_; ///< a copy, for it may have room of its own to work in
     RowReader reader_;
     std::optional<RowReader> reference_reader_; ///< where rows are paired

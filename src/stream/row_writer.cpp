@@ -212,7 +212,6 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
     case Format::json: write_json(to, row); break;
     case Format::pretty: write_pretty(to, row); break;
     case Format::f64: write_f64(to, row); break;
-    case Format::result: append_bytes(to, row.result); break;
     }
 }
 

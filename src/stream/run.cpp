@@ -47,8 +47,8 @@ std::size_t block_size(const Options& options) {
 /// they came. Nobody waits for input while blocks are under way, so that their end is the end of the run at once.
 class Run {
 public:
-    Run(JobReader& reader, Sink& sink, const Options& options, const std::function<void(const Event&)>& report)
-        : reader_(&reader), sink_(&sink), options_(&options), report_(&report), large_(block_size(options) / 2),
+    Run(JobReader& reader, Sink* sink, const Options& options, const std::function<void(const Event&)>& report)
+        : reader_(&reader), sink_(sink), options_(&options), report_(&report), large_(block_size(options) / 2),
           most_(thread_limit(options)) {}
 
     RunResult operator()() {
@@ -234,14 +234,18 @@ private:
         }
     }
 
-    /// Writes the bytes and then reports the events; false where the run is over.
+    /// Writes the bytes, adds the rows to the fold, and then reports the events; false where the run is over.
     bool hand_on(const Output& output) {
-        if (const int error = sink_->write({output.bytes.data(), output.bytes.size()}); error != 0) {
+        const std::string_view bytes(output.bytes.data(), output.bytes.size());
+        if (const int error = sink_ == nullptr ? 0 : sink_->write(bytes); error != 0) {
             ending_.reader_left = error == EPIPE;
             if (!ending_.reader_left) {
                 ending_.error = StreamError{StreamError::What::write, 0, error, {}};
             }
             return false;
+        }
+        for (const AnsweredBatch& batch : output.batches) {
+            options_->fold->add(batch.rows());
         }
         std::ranges::for_each(output.events, *report_);
         ending_.rows += output.rows;
@@ -276,7 +280,7 @@ private:
 
 } // namespace
 
-RunResult run(Source& source, Sink& sink, const Options& options, const std::function<void(const Event&)>& report,
+RunResult run(Source& source, Sink* sink, const Options& options, const std::function<void(const Event&)>& report,
               Source* reference) {
     std::unique_ptr<JobReader> reader;
     if (reference != nullptr) {
@@ -290,6 +294,7 @@ RunResult run(Source& source, Sink& sink, const Options& options, const std::fun
     }
     result.rows += reader->unpaired()[0].rows;
     result.keys = reader->keys();
+    result.positions = reader->layout().positions;
     return result;
 }
 

@@ -65,9 +65,10 @@ struct Check {
             reach.add(name == "compare"    ? "VALUEs that are compared"
                       : name == "identify" ? "VALUEs that are identified"
                                            : "VALUEs");
-            stream::NullSink nowhere;
             stream::TextSource values(command.values);
-            stream::run(values, nowhere, command.options, [](const stream::Event&) {});
+            stream::Options options = command.options;
+            options.writes_rows = false;
+            stream::run(values, nullptr, options, [](const stream::Event&) {});
         }
     }
     void operator()(const std::string& text) const {

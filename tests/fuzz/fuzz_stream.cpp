@@ -96,32 +96,39 @@ private:
     std::set<std::thread::id> threads_;
 };
 
-/// Keeps the bytes, and hands them on.
-class Text final : public Sink {
-public:
-    explicit Text(Sink* next = nullptr) : next_(next) {}
+/// Keeps the bytes.
+struct Text final : Sink {
     int write(std::string_view bytes) override {
         text += bytes;
-        return next_ == nullptr ? 0 : next_->write(bytes);
+        return 0;
     }
     std::string text;
-
-private:
-    Sink* next_;
 };
 
-/// The angles of pairs, from rows of operations::numbers_of_pair.
-std::vector<double> angles_of(std::string_view pairs) {
-    std::vector<double> angles;
-    for (; !pairs.empty(); pairs.remove_prefix(operations::numbers_of_pair * sizeof(double))) {
-        double angle = 0.0;
-        std::memcpy(&angle, pairs.data(), sizeof angle);
-        if (!std::isnan(angle)) {
-            angles.push_back(angle);
+/// Keeps the results, of pairs also the angles, and hands the rows on.
+struct Results final : Fold {
+    explicit Results(std::shared_ptr<Fold> to) : next(std::move(to)) {}
+    void add(const AnsweredRows& rows) override {
+        const std::size_t width = rows.results.size() / rows.rows.lines.size();
+        auto report = rows.reports.begin();
+        for (std::size_t row = 0; row < rows.rows.lines.size(); ++row) {
+            const bool is_reported = report != rows.reports.end() && report->row == row;
+            if (is_reported && (report++)->error != Error::none) {
+                continue;
+            }
+            const auto result = rows.results.subspan(row * width, width);
+            bytes.append(reinterpret_cast<const char*>(result.data()),
+                         result.size_bytes()); // NOLINT(*-reinterpret-cast)
+            if (!std::isnan(result[0])) {
+                angles.push_back(result[0]);
+            }
         }
+        next->add(rows);
     }
-    return angles;
-}
+    std::shared_ptr<Fold> next;
+    std::string bytes;
+    std::vector<double> angles;
+};
 
 struct Result {
     std::string bytes;
@@ -155,10 +162,8 @@ struct Program {
     [[nodiscard]] const RowOperation& operation() const { return *options().operation; }
     [[nodiscard]] bool is_paired() const { return options().pairing.has_value(); }
     [[nodiscard]] bool is_by_key() const { return is_paired() && options().pairing->by_key; }
-    /// Its rows go nowhere.
-    [[nodiscard]] bool has_text_alone() const {
-        return options().format == Format::result && command.conclusion && operation().in_order;
-    }
+    /// Its rows go nowhere, and to no fold that knows pairs.
+    [[nodiscard]] bool has_text_alone() const { return !options().writes_rows && !command.is_check; }
     /// It serves one run.
     [[nodiscard]] bool remembers() const {
         return operation().in_order || operation().is_continuous || options().input.take_count != nullptr ||
@@ -181,8 +186,8 @@ std::optional<Program> program_of(const std::vector<std::string>& words) {
         if (rows == nullptr || rows->has_values) {
             return std::nullopt;
         }
-        const bool reports = rows->options.format == Format::result && rows->conclusion->is_check() &&
-                             std::ranges::any_of(words, is_about_report);
+        const bool reports =
+            !rows->options.writes_rows && rows->is_check && std::ranges::any_of(words, is_about_report);
         return Program{std::move(*rows), reports};
     } catch (const cli::Usage&) {
         return std::nullopt;
@@ -214,14 +219,16 @@ bool run_first_pass(const Input& input, Program& own, Result& result) {
     cli::FirstPass& first = *own.command.first_pass;
     Options options = own.options();
     options.operation = first.operation;
-    options.format = Format::result;
+    const auto results = std::make_shared<Results>(first.fold);
+    options.fold = results;
+    options.writes_rows = false;
     TextSource text(input.text);
     TextSource reference(input.reference);
-    Text sink(first.rows.get());
     const RunResult ending = run(
-        text, sink, options, [](const Event&) {}, own.is_paired() ? &reference : nullptr);
+        text, nullptr, options, [](const Event&) {}, own.is_paired() ? &reference : nullptr);
     if (ending.error || ending.stopped) {
-        own.command.conclusion = std::make_shared<cli::Conclusion>();
+        own.command.options.writes_rows = false;
+        own.command.conclude = nullptr;
         own.reports = false;
         return true;
     }
@@ -230,9 +237,9 @@ bool run_first_pass(const Input& input, Program& own, Result& result) {
         result.error = *wrong;
         return false;
     }
-    own.command.options.operation = std::get<cli::FirstPass::Operation>(found);
+    own.command.options.operation = std::get<cli::Operation>(found);
     result.aligned = own.operation().copy();
-    result.angles_before = angles_of(sink.text);
+    result.angles_before = results->angles;
     return true;
 }
 
@@ -246,7 +253,9 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     }
     TextSource text(input.text);
     Pieces source(own.command.source ? *own.command.source : text, input.piece);
-    Text sink(own.reports ? own.command.conclusion->rows() : nullptr);
+    Text sink;
+    const auto results = options.fold ? std::make_shared<Results>(options.fold) : nullptr;
+    options.fold = results;
     std::string notes_of_reference;
     const auto report = [&result, &notes_of_reference](const Event& event) {
         if (const auto* error = std::get_if<RowError>(&event)) {
@@ -263,10 +272,12 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     };
     TextSource reference_text(input.reference);
     Pieces reference(reference_text, input.piece);
-    const RunResult ending = run(source, sink, options, report, own.is_paired() ? &reference : nullptr);
-    result.angles = own.reports ? angles_of(sink.text) : std::vector<double>();
-    result.bytes = own.has_text_alone() ? std::string() : std::move(sink.text);
+    const RunResult ending =
+        run(source, options.writes_rows ? &sink : nullptr, options, report, own.is_paired() ? &reference : nullptr);
+    result.angles = own.reports ? results->angles : std::vector<double>();
     result.to_the_end = !ending.stopped && !ending.error;
+    const bool has_results = own.command.is_check && result.to_the_end; // else some may come of rows after an error
+    result.bytes = options.writes_rows ? std::move(sink.text) : has_results ? results->bytes : "";
     if (result.to_the_end && !notes_of_reference.empty()) { // in a run that stops, how much of it is read is not said
         result.notes += " of the reference " + notes_of_reference;
     }
@@ -281,9 +292,11 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         result.unpaired.at(2 * i + 1) = ending.unpaired.at(i).first_line;
     }
     result.threads = source.threads();
-    if ((own.has_text_alone() || own.reports) && result.to_the_end && result.answered > 0) {
-        static_cast<void>(own.command.conclusion->look_again()); // which decides; as of a pipe, no row is read again
-        const auto answer = own.command.conclusion->answer({ending, cli::ExitCode::done, result.failed.size()});
+    if (own.command.conclude && (own.has_text_alone() || own.reports) && result.to_the_end && result.answered > 0) {
+        if (own.command.look_again) {
+            static_cast<void>(own.command.look_again()); // which decides; as of a pipe, no row is read again
+        }
+        const auto answer = own.command.conclude({ending, cli::ExitCode::done, result.failed.size()});
         result.conclusion = answer.text;
         result.holds = answer.holds;
     }
@@ -665,7 +678,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     const std::string command = name_of_command(words);
     const bool compares = command == "compare";
     const bool composes = command == "compose";
-    const bool sums_up = program.options().format == Format::result;
+    const bool sums_up = !program.options().writes_rows;
     const std::string format = sums_up ? "result" : argument_of(words, "--format", "csv");
     const std::string to = compares ? "" : argument_of(words, "--to");
     const int precision = std::atoi(argument_of(words, "--precision", "0").c_str());
@@ -762,6 +775,9 @@ void compare_with_model(const Input& input, const std::vector<std::string>& word
     if (outcome->refused_line > 0) {
         const auto what = outcome->refused_width ? StreamError::What::columns : StreamError::What::names;
         right.error = fmt::format("{} {}", static_cast<int>(what), outcome->refused_line);
+    }
+    if (!program.options().writes_rows && !right.to_the_end) {
+        outcome->bytes.clear();
     }
     right.bytes = is_json && fuzz::json_agrees(result.bytes, *outcome, *rules) ? result.bytes : outcome->bytes;
     for (std::size_t i = 0; i < 2 && right.to_the_end; ++i) {

@@ -1068,7 +1068,7 @@ private:
         } else {
             ++outcome_.answered;
         }
-        if (!answer.failed || rules_.on_error == "nan") {
+        if (!answer.failed || (rules_.on_error == "nan" && rules_.format != "result")) {
             write_answer(line, number, fields, answer);
         }
         if (partners_.contains(at)) {

@@ -28,9 +28,7 @@ InputOptions keyed() {
 
 Options keyed_pairs(const std::string& within) {
     return {.input = keyed(),
-            .operation =
-                operations::compare(Comparison(Spec{}, Spec{}), {{.paired = true, .by_key = true}},
-                                    std::make_shared<operations::PairWatch>(1, std::vector<operations::PairLimit>())),
+            .operation = operations::compare(Comparison(Spec{}, Spec{}), {{.paired = true, .by_key = true}}),
             .pairing = Pairing{.reference = keyed(), .by_key = true, .within = read_distance(within)}};
 }
 

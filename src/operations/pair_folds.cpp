@@ -1,0 +1,71 @@
+#include <cmath>
+#include <iterator>
+
+#include "../stream/fmt.hpp"
+#include "between.hpp"
+#include "operations.hpp"
+
+namespace rotconv::operations {
+
+void PairFold::add(const stream::AnsweredRows& rows) {
+    const std::size_t count = rows.rows.lines.size();
+    const std::size_t width = rows.results.size() / count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* const pair = rows.results.data() + i * width;
+        const double angle = pair[0];
+        if (std::isnan(angle)) {
+            continue;
+        }
+        angles_.add(angle);
+        if (width > 1) {
+            const Rotation inverse = rotation_at(pair + 1).inverse();
+            const Rotation reference = rotation_at(pair + 5);
+            left_.add(reference * inverse);
+            right_.add(inverse * reference);
+        }
+        const std::size_t line = rows.rows.lines[i];
+        for (PairLimit& limit : limits_) {
+            if (angle > limit.angle) {
+                limit.first_beyond = limit.beyond++ == 0 ? line : std::min(limit.first_beyond, line);
+            }
+        }
+        if (worst_.size() < most_ || WorstPair{.angle = angle, .line = line} < *worst_.rbegin()) {
+            keep(rows, i);
+        }
+    }
+}
+
+void PairFold::keep(const stream::AnsweredRows& rows, std::size_t row) {
+    const auto row_of = [row, count = rows.rows.lines.size()](std::span<const double> numbers) {
+        return numbers.subspan(row * (numbers.size() / count), numbers.size() / count);
+    };
+    const auto numbers = row_of(rows.rows.numbers);
+    const auto result = row_of(rows.results);
+    WorstPair pair{.angle = result[0],
+                   .line = rows.rows.lines[row],
+                   .reference_line = rows.rows.reference_lines.empty() ? 0 : rows.rows.reference_lines[row]};
+    const bool is_between = columns_.interpolates && result.size() > 1;
+    append(pair.attitudes[0], numbers.subspan(columns_.first(), columns_.first_size));
+    append(pair.attitudes[1], is_between ? result.last(4) : numbers.subspan(columns_.second(), columns_.second_size));
+    for (const std::size_t side : {0U, 1U}) {
+        if (columns_.by_key) {
+            const double key = numbers[side == 0 ? 0 : columns_.second_key()];
+            pair.keys.at(side) = rows.rows.kept.empty() ? fmt::format("{}", key) : rows.rows.kept[2 * row + side];
+        }
+    }
+    worst_.insert(std::move(pair));
+    if (worst_.size() > most_) {
+        worst_.erase(std::prev(worst_.end()));
+    }
+}
+
+void AlignmentFold::add(const stream::AnsweredRows& rows) {
+    const std::size_t width = rows.results.size() / rows.rows.lines.size();
+    for (auto rest = rows.results; !rest.empty(); rest = rest.subspan(width)) {
+        if (!std::isnan(rest[0])) {
+            alignment.add(rotation_at(rest.data() + 1), rotation_at(rest.data() + 5));
+        }
+    }
+}
+
+} // namespace rotconv::operations
