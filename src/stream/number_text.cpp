@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <system_error>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -24,13 +25,6 @@ static_assert(std::endian::native == std::endian::little, "f64 is little-endian,
 
 __extension__ using Uint128 = unsigned __int128;
 
-constexpr auto powers_of_ten = [] {
-    std::array<std::uint64_t, 18> powers{1};
-    for (std::size_t i = 1; i < powers.size(); ++i) {
-        powers[i] = 10 * powers[i - 1];
-    }
-    return powers;
-}();
 constexpr int most_digits = 17;
 
 // Numbers of attitudes and angles have a form without an exponent, if they are no smaller than
@@ -230,12 +224,19 @@ char* write_fixed(char* to, double value, int decimals) {
     return to + decimals;
 }
 
+/// Not by scan_number(): most such texts are too short for it.
 bool scan_whole(std::string_view text, double& value) noexcept {
     const char* const end = text.data() + text.size();
-    return !text.empty() && scan_number(text.data(), end, value) == end;
+    const auto [stop, error] = fast_float::from_chars(text.data(), end, value);
+    return error != std::errc::invalid_argument && stop == end;
 }
 
 } // namespace
+
+const char* scan_any_number(const char* begin, const char* end, double& value) noexcept {
+    const auto [stop, error] = fast_float::from_chars(begin, end, value); // later versions tell what is out of range
+    return error == std::errc::invalid_argument ? nullptr : stop;
+}
 
 std::string_view trimmed(std::string_view text) noexcept {
     const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };

@@ -73,7 +73,8 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     const Delimiter delimiter = layout_->delimiter;
     const bool has_other_fields = !layout_->positions.empty();
     const char* begin = text.data();
-    const char* end = begin + text.size();
+    const char* const text_end = begin + text.size();
+    const char* end = text_end;
     Line line;
     if (has_other_fields) {
         line = next_line(text);
@@ -94,7 +95,7 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     const std::size_t first = to.numbers.size();
     to.numbers.resize(first + layout_->count);
     const char* const at =
-        scan_numbers(begin, end, delimiter.text(), layout_->number_of_field, std::span(to.numbers).subspan(first));
+        scan_numbers(begin, text_end, delimiter.text(), layout_->number_of_field, std::span(to.numbers).subspan(first));
     bool is_plain = at != nullptr;
     if (is_plain && has_other_fields) {
         const bool ends_here = at == end;
