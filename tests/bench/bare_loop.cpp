@@ -1,6 +1,6 @@
 // bare_loop dcm|rotvec|rpy|quat [libraries]: quaternions to matrices or rotation vectors, matrices to roll, pitch and
-// yaw in degrees, or these to quaternions, in plain double, from stdin to stdout, read by the program's library, with
-// no check, no other field and no line counted. Numbers are printed as the program prints them or, with `libraries`, by
+// yaw in degrees, or these to quaternions, in plain double, from stdin to stdout, with no check, no other field and no
+// line counted. Numbers are read and printed as the program does it or, with `libraries`, by fast_float and by
 // Dragonbox, with an exponent each.
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <cstring>
 #include <iterator>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,7 @@
 
 #include <Eigen/Geometry>
 #include <dragonbox/dragonbox_to_chars.h>
+#include <fast_float/fast_float.h>
 
 #include "stream/number_text.hpp"
 #include "stream/scan_number.hpp"
@@ -24,6 +26,16 @@ namespace {
 using rotconv::stream::Buffer;
 
 constexpr double degree = std::numbers::pi / 180.0;
+
+/// @return the place after the row
+template <bool by_libraries> const char* scan(const char* at, const char* end, std::span<double> numbers) {
+    for (double& number : numbers) {
+        at = (by_libraries ? fast_float::from_chars(at, end, number).ptr
+                           : rotconv::stream::scan_number(at, end, number)) +
+             1;
+    }
+    return at;
+}
 
 template <bool by_libraries> void print(Buffer& out, std::span<const double> numbers) {
     if constexpr (by_libraries) {
@@ -88,7 +100,9 @@ int main(int argc, char** argv) {
     if (loop == std::end(loops)) {
         return 2;
     }
-    const auto convert = loop->convert[argc > 2 ? 1 : 0];
+    const bool by_libraries = argc > 2;
+    const auto convert = loop->convert[by_libraries ? 1 : 0];
+    const auto scan_row = by_libraries ? scan<true> : scan<false>;
     const std::size_t size = loop->size;
     std::vector<char> block(std::size_t{64} << 10U);
     Buffer out;
@@ -103,9 +117,7 @@ int main(int argc, char** argv) {
         const char* at = block.data();
         while (at < block.data() + end) {
             double numbers[9];
-            for (std::size_t i = 0; i < size; ++i) {
-                at = rotconv::stream::scan_number(at, block.data() + end, numbers[i]) + 1;
-            }
+            at = scan_row(at, block.data() + end, {numbers, size});
             convert(out, numbers);
         }
         held = filled - end;

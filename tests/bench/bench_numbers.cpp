@@ -34,11 +34,12 @@ const std::vector<double>& numbers() {
     return made;
 }
 
-const std::vector<std::string>& texts() {
+/// One text, with a comma after each number.
+const std::string& text() {
     static const auto made = [] {
-        std::vector<std::string> all;
+        std::string all;
         for (const double number : numbers()) {
-            all.push_back(fmt::format("{:.17g}", number));
+            all += fmt::format("{:.17g},", number);
         }
         return all;
     }();
@@ -56,15 +57,17 @@ template <class Print> void time_printing(benchmark::State& state, const Print& 
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(numbers().size()));
 }
 
+/// `read` returns the place after the number.
 template <class Read> void time_reading(benchmark::State& state, const Read& read) {
     double number = 0.0;
     for (auto _ : state) {
-        for (const std::string& text : texts()) {
-            read(text.data(), text.data() + text.size(), number);
+        const char* const end = text().data() + text().size();
+        for (const char* at = text().data(); at != end; ++at) {
+            at = read(at, end, number);
             benchmark::DoNotOptimize(number);
         }
     }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(texts().size()));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(numbers().size()));
 }
 
 void print_fmt(benchmark::State& state) {
@@ -86,18 +89,26 @@ void print_dragonbox(benchmark::State& state) {
 }
 
 void read_std(benchmark::State& state) {
-    time_reading(state,
-                 [](const char* begin, const char* end, double& number) { std::from_chars(begin, end, number); });
+    time_reading(state, [](const char* begin, const char* end, double& number) {
+        return std::from_chars(begin, end, number).ptr;
+    });
+}
+
+void read_fast_float(benchmark::State& state) {
+    time_reading(state, [](const char* begin, const char* end, double& number) {
+        return fast_float::from_chars(begin, end, number).ptr;
+    });
 }
 
 /// As the program reads.
-void read_fast_float(benchmark::State& state) { time_reading(state, rotconv::stream::scan_number); }
+void read_rotconv(benchmark::State& state) { time_reading(state, rotconv::stream::scan_number); }
 
 BENCHMARK(print_fmt);
 BENCHMARK(print_std);
 BENCHMARK(print_dragonbox);
 BENCHMARK(read_std);
 BENCHMARK(read_fast_float);
+BENCHMARK(read_rotconv);
 
 #ifdef HAS_DOUBLE_CONVERSION
 void print_double_conversion(benchmark::State& state) {
@@ -112,10 +123,12 @@ void print_double_conversion(benchmark::State& state) {
 BENCHMARK(print_double_conversion);
 
 void read_double_conversion(benchmark::State& state) {
-    const double_conversion::StringToDoubleConverter converter(0, 0.0, 0.0, "inf", "nan");
+    using Converter = double_conversion::StringToDoubleConverter;
+    const Converter converter(Converter::ALLOW_TRAILING_JUNK, 0.0, 0.0, "inf", "nan");
     time_reading(state, [&converter](const char* begin, const char* end, double& number) {
         int used = 0;
         number = converter.StringToDouble(begin, static_cast<int>(end - begin), &used);
+        return begin + used;
     });
 }
 BENCHMARK(read_double_conversion);
