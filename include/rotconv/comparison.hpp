@@ -43,9 +43,6 @@ public:
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const;
 
 private:
-    void run_batch(const double* in, std::size_t first, std::size_t rows, double* out,
-                   std::vector<RowReport>& reports) const;
-
     Spec from_;
     Spec reference_;
     ComparisonSettings settings_;

@@ -61,8 +61,6 @@ struct ConversionSettings {
                                              bool decimal = false);
 
 struct Codec;
-struct ConversionBatch;
-class InputBatch;
 
 /// The conversion from one representation to another, resolved once and then run over batches of rows.
 /// Thread-safe: run() changes nothing in it.
@@ -91,14 +89,6 @@ public:
              std::span<double> rest = {}) const;
 
 private:
-    /// At most `batch_rows` rows, beginning with row `first` of the run.
-    void run_batch(const ConversionBatch& batch, const double* in, std::size_t first, std::size_t rows, double* out,
-                   double* rest, std::vector<RowReport>& reports) const;
-    void report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
-                double* out, std::vector<RowReport>& reports) const;
-    /// See RowReport::openness; 0 if the condition is not above `few_digits_condition`.
-    [[nodiscard]] double openness(const InputBatch& input, std::size_t row) const noexcept;
-
     Spec from_;
     Spec to_;
     ConversionSettings settings_;

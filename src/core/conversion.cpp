@@ -32,6 +32,17 @@ bool any_remarkable(const InputBatch& input, const DiagnosticSet* diagnostics, s
     return defects != 0 || errors != 0 || !kinds.empty() || input.any_unusual(rows);
 }
 
+/// See RowReport::openness; 0 if the condition is not above `few_digits_condition`.
+double openness(const InputBatch& input, const Spec& from, const Spec& to, std::size_t row) noexcept {
+    if (input.attitudes.error[row] != Error::none) {
+        return 0.0;
+    }
+    const std::span numbers(input.own() + row * from.size(), from.size());
+    const double condition = codec_of(to.name).sensitivity(to, input.attitudes.at(row)).condition;
+    return condition > few_digits_condition ? condition * attitude_error(from, numbers, 0.5 * last_place(numbers))
+                                            : 0.0;
+}
+
 std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn) noexcept {
     return turn ? std::optional(turn->inverse()) : std::nullopt;
 }
@@ -104,79 +115,49 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     const Turns turns = to_.passive ? turns_of(inverse_of(settings_.right), inverse_of(settings_.left))
                                     : turns_of(settings_.left, settings_.right);
     const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
-    const std::size_t rows = checked_rows(in.size(), from_.size(), out.size(), to_.size());
-    check_size(rest.empty() ? out.size() : rest.size(), rows * to_.size());
-    for (std::size_t first = 0; first < rows; first += batch_rows) {
-        run_batch(batch, in.data() + first * from_.size(), first, std::min(batch_rows, rows - first),
-                  out.data() + first * to_.size(), rest.empty() ? nullptr : rest.data() + first * to_.size(), reports);
-    }
-}
-
-void Conversion::run_batch(const ConversionBatch& batch, const double* in, std::size_t first, std::size_t rows,
-                           double* out, double* rest, std::vector<RowReport>& reports) const {
-    InputBatch input(from_, in, rows, from_.size());
-    std::array<DiagnosticSet, batch_rows> diagnostics;
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
-    if (to_.is_reordered()) { // such a representation has no Codec::nearest, which alone wants `rest`
-        std::array<double, batch_rows * most_numbers> own;
-        convert(batch, input.own(), rows, input.attitudes, own.data(), nullptr, diagnostics.data());
-        to_written_order(to_, own.data(), rows, out);
-    } else {
-        convert(batch, input.own(), rows, input.attitudes, out, rest, diagnostics.data());
-        std::for_each_n(out, rows * to_.size(), [](double& number) { number += 0.0; }); // -0 becomes 0
-    }
-    if (looks_at_digits_) {
-        const NumberRange range = out_codec_->well_conditioned(to_);
-        const auto is_outside = [&range](double number) { return number < range.least || number > range.greatest; };
-        for (std::size_t i = 0; i < rows; ++i) {
-            const std::span numbers(out + i * to_.size() + range.first, range.count);
-            if (std::ranges::any_of(numbers, is_outside) && !is_convention(diagnostics[i])) {
-                diagnostics[i] |= {DiagnosticKind::few_digits, openness(input, i) > reported_openness};
-            }
-        }
-    }
-    report(input, diagnostics.data(), first, rows, out, reports);
-}
-
-void Conversion::report(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t first, std::size_t rows,
-                        double* out, std::vector<RowReport>& reports) const {
-    const AttitudeBatch<double>& attitudes = input.attitudes;
-    if (!any_remarkable(input, diagnostics, rows, InputBatch::largest_unreported(settings_))) {
-        return;
-    }
     const std::size_t width = to_.size();
-    for (std::size_t i = 0; i < rows; ++i) {
-        if (diagnostics[i].empty() && !input.is_remarkable(i, settings_)) {
-            continue;
-        }
-        RowReport found = input.report(i, settings_);
-        if (found.error != Error::none) {
-            std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
+    check_size(rest.empty() ? out.size() : rest.size(), in.size() / from_.size() * width);
+    const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t first) {
+        InputBatch input(from_, numbers, rows, from_.size());
+        std::array<DiagnosticSet, batch_rows> diagnostics;
+        if (to_.is_reordered()) { // such a representation has no Codec::nearest, which alone wants `rest`
+            std::array<double, batch_rows * most_numbers> own;
+            convert(batch, input.own(), rows, input.attitudes, own.data(), nullptr, diagnostics.data());
+            to_written_order(to_, own.data(), rows, written);
         } else {
-            if (settings_.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
-                found.sensitivity = out_codec_->sensitivity(to_, attitudes.at(i));
-            }
-            found.diagnostics |= diagnostics[i];
-            if (found.diagnostics.has(DiagnosticKind::few_digits)) {
-                found.openness = openness(input, i);
-            }
-            if (!settings_.sensitivity && found.diagnostics.empty()) {
-                continue;
+            convert(batch, input.own(), rows, input.attitudes, written, rest.empty() ? nullptr : &rest[first * width],
+                    diagnostics.data());
+            std::for_each_n(written, rows * width, [](double& number) { number += 0.0; }); // -0 becomes 0
+        }
+        if (looks_at_digits_) {
+            const NumberRange range = out_codec_->well_conditioned(to_);
+            const auto is_outside = [&range](double number) { return number < range.least || number > range.greatest; };
+            for (std::size_t i = 0; i < rows; ++i) {
+                const std::span chosen(written + i * width + range.first, range.count);
+                if (std::ranges::any_of(chosen, is_outside) && !is_convention(diagnostics[i])) {
+                    diagnostics[i] |= {DiagnosticKind::few_digits, openness(input, from_, to_, i) > reported_openness};
+                }
             }
         }
-        found.row = first + i;
-        reports.push_back(found);
-    }
-}
-
-double Conversion::openness(const InputBatch& input, std::size_t row) const noexcept {
-    if (input.attitudes.error[row] != Error::none) {
-        return 0.0;
-    }
-    const std::span numbers(input.own() + row * from_.size(), from_.size());
-    const double condition = out_codec_->sensitivity(to_, input.attitudes.at(row)).condition;
-    return condition > few_digits_condition ? condition * attitude_error(from_, numbers, 0.5 * last_place(numbers))
-                                            : 0.0;
+        if (!any_remarkable(input, diagnostics.data(), rows, InputBatch::largest_unreported(settings_))) {
+            return;
+        }
+        report_rows(
+            first, rows, written, width, settings_.sensitivity, reports,
+            [&](std::size_t i) { return !diagnostics[i].empty() || input.is_remarkable(i, settings_); },
+            [&](std::size_t i) { return input.report(i, settings_); },
+            [&](std::size_t i, RowReport& found) {
+                if (settings_.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
+                    found.sensitivity = out_codec_->sensitivity(to_, input.attitudes.at(i));
+                }
+                found.diagnostics |= diagnostics[i];
+                if (found.diagnostics.has(DiagnosticKind::few_digits)) {
+                    found.openness = openness(input, from_, to_, i);
+                }
+            });
+    };
+    for_each_batch(in, from_.size(), out, width, run_batch);
 }
 
 } // namespace rotconv

@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <rotconv/conversion.hpp>
 
+#include "checks.hpp"
 #include "representations/codec.hpp"
 
 namespace rotconv {
@@ -90,6 +94,42 @@ private:
     bool may_be_unusual_;
     std::array<double, batch_rows * most_numbers> own_order_;
 };
+
+/// Calls run(in, rows, out, first) for batches of rows of so many numbers; `first`: the first row of the batch.
+/// @throw std::invalid_argument as checked_rows()
+template <class Run> void for_each_batch(std::span<const double> in, std::size_t inputs, std::span<double> out,
+                                         std::size_t outputs, const Run& run) {
+    const std::size_t rows = checked_rows(in.size(), inputs, out.size(), outputs);
+    for (std::size_t first = 0; first < rows; first += batch_rows) {
+        run(in.data() + first * inputs, std::min(batch_rows, rows - first), out.data() + first * outputs, first);
+    }
+}
+
+/// Appends the reports on rows of a batch whose results are in `out`; the numbers of a row with an error become nan.
+/// @param all rows without an error or diagnostic are reported too
+/// @param is_remarkable whether there may be something to report of a row
+/// @param report_of its report, of what was read
+/// @param complete adds to it what there is to report of the result
+template <class IsRemarkable, class ReportOf, class Complete>
+void report_rows(std::size_t first, std::size_t rows, double* out, std::size_t width, bool all,
+                 std::vector<RowReport>& reports, const IsRemarkable& is_remarkable, const ReportOf& report_of,
+                 const Complete& complete) {
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (!is_remarkable(i)) {
+            continue;
+        }
+        RowReport found = report_of(i);
+        if (found.error != Error::none) {
+            std::fill_n(out + i * width, width, std::numeric_limits<double>::quiet_NaN());
+        } else {
+            complete(i, found);
+        }
+        if (all || found.error != Error::none || !found.diagnostics.empty()) {
+            found.row = first + i;
+            reports.push_back(found);
+        }
+    }
+}
 
 /// The report on a row of two attitudes: the first error, or what there is to tell of both.
 [[nodiscard]] RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std::size_t row,

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
-#include "checks.hpp"
 #include "input_batch.hpp"
 #include "kernels.hpp"
 #include "numerics/power_of_two.hpp"
@@ -13,15 +10,9 @@
 namespace rotconv {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// Calls run(in, rows, out, first) for batches of rows of so many numbers.
-template <class Run> void for_each_batch(std::span<const double> in, std::size_t inputs, std::span<double> out,
-                                         std::size_t outputs, const Run& run) {
-    const std::size_t rows = checked_rows(in.size(), inputs, out.size(), outputs);
-    for (std::size_t first = 0; first < rows; first += batch_rows) {
-        run(in.data() + first * inputs, std::min(batch_rows, rows - first), out.data() + first * outputs, first);
-    }
+/// Of numbers of the SPEC that mean the attitude.
+Sensitivity sensitivity_of(const Spec& spec, const Rotation& attitude) noexcept {
+    return codec_of(spec.name).sensitivity(spec, spec.passive ? attitude.inverse() : attitude);
 }
 
 } // namespace
@@ -63,24 +54,17 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
                                 own.data(), rest.empty() ? nullptr : rest.data() + begin * to_.size(),
                                 diagnostics.data());
         to_written_order(to_, own.data(), rows, written);
-        for (std::size_t i = 0; i < rows; ++i) {
-            if (diagnostics[i].empty() && !first.is_remarkable(i, settings_) && !second.is_remarkable(i, settings_)) {
-                continue;
-            }
-            RowReport found = report_of_pair(first, second, i, settings_);
-            if (found.error != Error::none) {
-                std::fill_n(written + i * to_.size(), to_.size(), nan);
-            } else {
+        report_rows(
+            begin, rows, written, to_.size(), settings_.sensitivity, reports,
+            [&](std::size_t i) {
+                return !diagnostics[i].empty() || first.is_remarkable(i, settings_) ||
+                       second.is_remarkable(i, settings_);
+            },
+            [&](std::size_t i) { return report_of_pair(first, second, i, settings_); },
+            [&](std::size_t i, RowReport& found) {
                 found.diagnostics |= diagnostics[i];
-                if (!settings_.sensitivity && found.diagnostics.empty()) {
-                    continue;
-                }
-                found.sensitivity =
-                    codec_of(to_.name).sensitivity(to_, to_.passive ? product.at(i).inverse() : product.at(i));
-            }
-            found.row = begin + i;
-            reports.push_back(found);
-        }
+                found.sensitivity = sensitivity_of(to_, product.at(i));
+            });
     };
     for_each_batch(in, width, out, to_.size(), run_batch);
 }
@@ -98,30 +82,23 @@ void VectorRotation::run(std::span<const double> in, std::span<double> out, std:
             std::copy_n(numbers + i * width + from_.size(), 3, vectors.data() + 3 * i);
         }
         kernel_table().rotate(from_, input.own(), vectors.data(), rows, input.attitudes, written);
-        for (std::size_t i = 0; i < rows; ++i) {
-            const std::span vector(vectors.data() + 3 * i, 3);
-            const std::span rotated(written + 3 * i, 3);
-            std::ranges::for_each(rotated, [](double& number) { number += 0.0; }); // -0 becomes 0
-            const bool is_finite = all_finite(rotated.data(), 3);
-            if (is_finite && !input.is_remarkable(i, settings_)) {
-                continue;
-            }
-            RowReport found = input.report(i, settings_);
-            if (found.error == Error::none && !is_finite) {
-                found = {.error = all_finite(vector.data(), 3) ? Error::overflow : Error::not_finite};
-            }
-            if (found.error != Error::none) {
-                std::ranges::fill(rotated, nan);
-            } else if (settings_.sensitivity) {
-                const Rotation attitude = input.attitudes.at(i);
-                found.sensitivity =
-                    codec_of(from_.name).sensitivity(from_, from_.passive ? attitude.inverse() : attitude);
-            } else if (found.diagnostics.empty()) {
-                continue;
-            }
-            found.row = begin + i;
-            reports.push_back(found);
-        }
+        std::for_each_n(written, 3 * rows, [](double& number) { number += 0.0; }); // -0 becomes 0
+        const auto is_finite = [written](std::size_t i) { return all_finite(written + 3 * i, 3); };
+        report_rows(
+            begin, rows, written, 3, settings_.sensitivity, reports,
+            [&](std::size_t i) { return !is_finite(i) || input.is_remarkable(i, settings_); },
+            [&](std::size_t i) {
+                RowReport found = input.report(i, settings_);
+                if (found.error == Error::none && !is_finite(i)) {
+                    found = {.error = all_finite(&vectors[3 * i], 3) ? Error::overflow : Error::not_finite};
+                }
+                return found;
+            },
+            [&](std::size_t i, RowReport& found) {
+                if (settings_.sensitivity) {
+                    found.sensitivity = sensitivity_of(from_, input.attitudes.at(i));
+                }
+            });
     };
     for_each_batch(in, width, out, 3, run_batch);
 }
