@@ -12,10 +12,10 @@
 
 #include "../core/numerics/row_batch.hpp"
 #include "event.hpp"
+#include "gathered_rows.hpp"
 #include "job.hpp"
 #include "layout.hpp"
 #include "options.hpp"
-#include "row_reader.hpp"
 #include "row_writer.hpp"
 
 namespace rotconv::stream {
@@ -31,12 +31,7 @@ public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
     /// What follows has rows of these widths, in the stream and the reference.
-    void expect(const std::array<RowWidth, 2>& widths) noexcept {
-        reader_.expect(widths[0]);
-        if (reference_reader_) {
-            reference_reader_->expect(widths[1]);
-        }
-    }
+    void expect(const std::array<RowWidth, 2>& widths) noexcept { gathered_.expect(widths); }
     /// Adds what the rows of `text`, whole lines of which the first is line `line`, become. An operation that is
     /// continuous has its turn once, with all rows of the text; at once without turns.
     void transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn = {});
@@ -58,58 +53,34 @@ private:
     /// Doubles in and nothing but the result out: as many rows are written at once as there is nothing to tell of.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
     void transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn);
-    [[nodiscard]] bool interpolates() const noexcept { return options_->pairing && options_->pairing->interpolates; }
-    /// Reads a batch of rows off the text, under `stop` none after an error.
-    void gather(std::string_view& text, std::size_t& line, std::size_t limit);
-    void clear() noexcept;
-    /// Reads the numbers of a row, and of its partner.
-    void read(Row& row);
-    [[nodiscard]] bool read_reference(std::string_view text, std::size_t line);
     /// Answers the rows that have numbers, or only the first of them, see RowOperation::run_ahead().
-    std::size_t answer(bool flush = false);
+    std::size_t answer(bool flush);
     /// Makes the first answers continuous, in turn.
     void make_continuous(std::size_t answered, Output& output, const InTurn& in_turn);
     void write(Output& output);
-    /// Hands the rows at hand over, of which the first are answered, for the fold.
+    /// Hands over the rows at hand and their answers, if there is a fold.
     void give_away(std::size_t answered, Output& output);
     void write_row(Row& row, Output& output);
-    /// The fields of a binary row: its numbers' bytes, or text where the output is text.
-    void make_fields(Row& row);
     /// Whether the report that comes next is of one of the row's answers before that index.
     [[nodiscard]] bool is_reported_before(const Row& row, std::size_t answer) const noexcept {
         return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < answer;
     }
     /// What is to be told of the row's answer of that index; to be asked of each in turn.
     [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer) noexcept;
-    /// Of a row, and of its partner.
-    [[nodiscard]] std::span<const double> numbers_of(const Row& row) const noexcept;
-    /// `given`: the row as it was read.
-    void tell_error(const Row& row, std::string_view given, const RowReport& report, Output& output);
     /// Has the output say with which row it is paired. `given`: the row as it was read.
     void find_partner(const Row& row, std::string_view given);
-    /// Of the row's answer of that number.
-    void tell_diagnostics(const Row& row, const RowReport& report, std::size_t answer, Output& output);
-    /// Of the quaternion of a row, or of its partner; 0 if it is not a quaternion.
-    [[nodiscard]] double norm_of(const Row& row, const RowReport& report) const;
 
     const Options* options_;
     const Layout* layout_;
     std::shared_ptr<RowOperation> operation_; ///< a copy, for it may have room of its own to work in
-    RowReader reader_;
-    std::optional<RowReader> reference_reader_; ///< where rows are paired
+    GatheredRows gathered_;
     RowWriter writer_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
     std::size_t waiting_line_ = 0; ///< ...and the first one's line
-    // One batch, reused: nothing is allocated per row once they have grown.
-    std::vector<Row> rows_;
-    RowParts parts_;
-    std::vector<RowError> errors_;
-    std::vector<std::size_t> lines_; ///< of the rows with numbers
-    std::vector<std::size_t> reference_lines_;
+    // Of one batch, reused.
     std::vector<double> results_;
     std::vector<RowReport> reports_; ///< of the remarkable rows...
     std::size_t next_report_ = 0;    ///< ...of which this is the first that is not yet written
-    Buffer made_;                    ///< the text of a binary row
     std::string partner_;            ///< what the output says of the row's partner
     RowParts key_parts_;             ///< of both
     std::vector<double> nans_;       ///< the result of a row that failed

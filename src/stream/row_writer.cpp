@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "json.hpp"
+#include "row_events.hpp"
 
 namespace rotconv::stream {
 namespace {

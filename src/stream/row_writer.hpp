@@ -79,39 +79,4 @@ private:
     bool is_plain_;                         ///< text, and nothing but the result is added to it
 };
 
-/// What a diagnostic of the row, and of a part of its result, says beside its kind.
-[[nodiscard]] inline double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind kind) noexcept {
-    switch (kind) {
-    case DiagnosticKind::normalized: return std::max(report.unusual.defect, report.reference_unusual.defect);
-    case DiagnosticKind::large_angle: return std::max(report.unusual.angle, report.reference_unusual.angle);
-    case DiagnosticKind::near_gimbal_lock: return part.sensitivity.condition;
-    case DiagnosticKind::method_error:
-    case DiagnosticKind::coarse_step:
-    case DiagnosticKind::beyond: return report.deviation;
-    case DiagnosticKind::few_digits: return part.openness;
-    default: return part.sensitivity.margin;
-    }
-}
-
-/// The diagnostics of a row, whose result may be attitudes, in order of kind, with their figures.
-template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line,
-                                                const std::vector<Spec>& attitudes, const Visit& visit) {
-    if (report.diagnostics.empty()) {
-        return;
-    }
-    for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
-        const auto kind = static_cast<DiagnosticKind>(i);
-        if (report.diagnostics.has(kind)) {
-            const auto part = std::ranges::find_if(
-                report.parts, [kind](const PartReport& each) { return each.diagnostics.has(kind); });
-            const bool is_of_part = part != report.parts.end();
-            const auto index = is_of_part ? static_cast<std::size_t>(part - report.parts.begin()) : 0;
-            const PartReport of =
-                is_of_part ? *part : PartReport{report.diagnostics, report.sensitivity, report.openness};
-            visit(Diagnostic{line, kind, figure_of(report, of, kind),
-                             index < attitudes.size() ? attitudes[index].name : RepresentationId::quat});
-        }
-    }
-}
-
 } // namespace rotconv::stream

@@ -1,0 +1,186 @@
+#include "gathered_rows.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+namespace rotconv::stream {
+
+GatheredRows::GatheredRows(const Options& options, const Layout& layout, const Layout* reference_layout)
+    : options_(&options), layout_(&layout), reader_(options.input, layout) {
+    if (reference_layout != nullptr) {
+        reference_reader_.emplace(options.pairing->reference, *reference_layout);
+    }
+}
+
+void GatheredRows::expect(const std::array<RowWidth, 2>& widths) noexcept {
+    reader_.expect(widths[0]);
+    if (reference_reader_) {
+        reference_reader_->expect(widths[1]);
+    }
+}
+
+void GatheredRows::clear() noexcept {
+    rows_.clear();
+    parts_.clear();
+    errors_.clear();
+    lines_.clear();
+    reference_lines_.clear();
+}
+
+void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes) {
+    clear();
+    const std::size_t width = options_->input.width;
+    const std::size_t size = text.size();
+    while (!text.empty() && rows_.size() < most_rows && size - text.size() < most_bytes) {
+        const auto scanned = options_->input.is_comment(text) ? std::nullopt : reader_.scan(text, parts_);
+        if (scanned) {
+            Row& row = rows_.emplace_back(scanned->line, line++);
+            row.numbers = scanned->numbers;
+            row.index = lines_.size();
+            lines_.push_back(row.number);
+            text.remove_prefix(row.line.text.size() + row.line.end.size());
+            continue;
+        }
+        Row& row = rows_.emplace_back(next_row(text, width), line++);
+        row.passes = width == 0 && !options_->input.is_row(row.line.text);
+        if (!row.passes) {
+            read(row);
+        }
+        if (row.error != Row::no_error && options_->on_error == OnError::stop) {
+            return;
+        }
+    }
+}
+
+void GatheredRows::add(const Row& pair, const std::vector<RowError>& errors_of_pairs) {
+    Row& row = rows_.emplace_back(pair);
+    if (row.error != Row::no_error) {
+        errors_.push_back(errors_of_pairs[row.error]);
+        row.error = errors_.size() - 1;
+    } else if (!row.passes) {
+        read(row);
+    }
+}
+
+void GatheredRows::add_doubles(std::string_view doubles, std::size_t line) {
+    const std::size_t count = doubles.size() / sizeof(double);
+    parts_.numbers.resize(count);
+    std::memcpy(parts_.numbers.data(), doubles.data(), doubles.size());
+    lines_.resize(count / layout_->count);
+    std::iota(lines_.begin(), lines_.end(), line);
+}
+
+const char* GatheredRows::drop_from(std::size_t index) {
+    const auto first =
+        std::ranges::find_if(rows_, [index](const Row& row) { return row.has_numbers() && row.index == index; });
+    const char* const begin = first->line.text.data();
+    rows_.erase(first, rows_.end());
+    return begin;
+}
+
+void GatheredRows::read(Row& row) {
+    const std::size_t first_number = parts_.numbers.size();
+    const std::size_t first_kept = parts_.kept.size();
+    row.index = lines_.size();
+    row.first_field = parts_.fields.size();
+    const bool is_pair = row.reference_number > 0; // others were not to be scanned
+    const auto scanned = is_pair ? reader_.scan(row.line.text, parts_) : std::nullopt;
+    row.numbers = scanned ? scanned->numbers : std::string_view();
+    const bool is_own_read = scanned || reader_.read(row.line.text, parts_);
+    row.field_count = parts_.fields.size() - row.first_field;
+    parts_.error.line = row.number;
+    if (is_own_read && (!is_pair || read_partner(row))) {
+        lines_.push_back(row.number);
+        if (is_pair) {
+            reference_lines_.push_back(row.reference_number);
+        }
+        return;
+    }
+    parts_.numbers.resize(first_number);
+    parts_.kept.resize(first_kept);
+    row.error = errors_.size();
+    errors_.push_back(std::move(parts_.error));
+}
+
+bool GatheredRows::read_partner(const Row& row) {
+    if (!read_reference(row.reference, row.reference_number)) {
+        return false;
+    }
+    if (!options_->pairing->interpolates) {
+        return true;
+    }
+    const std::size_t kept = parts_.kept.size();
+    const std::size_t key = parts_.numbers.size();
+    const bool has_later = row.later_number > 0;
+    if (!read_reference(has_later ? row.later : row.reference, has_later ? row.later_number : row.reference_number)) {
+        return false;
+    }
+    std::copy(parts_.numbers.begin() + key + 1, parts_.numbers.end(), parts_.numbers.begin() + key); // without the key
+    parts_.numbers[parts_.numbers.size() - 1] = row.fraction;
+    parts_.kept.resize(kept);
+    return true;
+}
+
+bool GatheredRows::read_reference(std::string_view text, std::size_t line) {
+    if (reference_reader_->scan(text, parts_) || reference_reader_->read(text, parts_)) {
+        return true;
+    }
+    parts_.error.line = line;
+    parts_.error.of_reference = true;
+    return false;
+}
+
+std::span<const double> GatheredRows::numbers_of(const Row& row) const noexcept {
+    const std::size_t size = parts_.numbers.size() / lines_.size();
+    return std::span<const double>(parts_.numbers).subspan(row.index * size, size);
+}
+
+void GatheredRows::split(Row& row) {
+    if (options_->input.width > 0) {
+        split_doubles(row);
+    } else if (row.field_count == 0) {
+        row.first_field = parts_.fields.size();
+        static_cast<void>(layout_->delimiter.split(row.line.text, parts_.fields));
+        row.field_count = parts_.fields.size() - row.first_field;
+    }
+}
+
+void GatheredRows::split_doubles(Row& row) {
+    const std::string_view bytes = row.line.text;
+    constexpr std::size_t room = 40; // of a number and the delimiter, so that nothing moves
+    const std::size_t width = options_->input.width;
+    parts_.fields.clear();
+    row.first_field = 0;
+    row.field_count = width;
+    made_.clear();
+    made_.reserve(room * (width + 1));
+    for (std::size_t i = 0; i < width; ++i) {
+        const std::string_view field = bytes.substr(i * sizeof(double), sizeof(double));
+        if (options_->format == Format::f64) {
+            parts_.fields.push_back(field);
+            continue;
+        }
+        if (i > 0) {
+            made_.push_back(layout_->delimiter.text());
+        }
+        double number = 0.0;
+        std::memcpy(&number, field.data(), sizeof(double));
+        const std::size_t begin = made_.size();
+        append_number(made_, number, {});
+        parts_.fields.emplace_back(made_.data() + begin, made_.size() - begin);
+    }
+    if (options_->format != Format::f64) {
+        row.line.text = {made_.data(), made_.size()};
+    }
+}
+
+void GatheredRows::move_to(AnsweredBatch& batch) {
+    batch.numbers = std::move(parts_.numbers);
+    batch.lines = std::move(lines_);
+    batch.reference_lines = std::move(reference_lines_);
+    batch.kept = std::move(parts_.kept);
+}
+
+} // namespace rotconv::stream

@@ -1,0 +1,98 @@
+#include "row_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace rotconv::stream {
+
+double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind kind) noexcept {
+    switch (kind) {
+    case DiagnosticKind::normalized: return std::max(report.unusual.defect, report.reference_unusual.defect);
+    case DiagnosticKind::large_angle: return std::max(report.unusual.angle, report.reference_unusual.angle);
+    case DiagnosticKind::near_gimbal_lock: return part.sensitivity.condition;
+    case DiagnosticKind::method_error:
+    case DiagnosticKind::coarse_step:
+    case DiagnosticKind::beyond: return report.deviation;
+    case DiagnosticKind::few_digits: return part.openness;
+    default: return part.sensitivity.margin;
+    }
+}
+
+namespace {
+
+/// Of the quaternion of a row, or of its partner; 0 if it is not a quaternion.
+double norm_of(const Row& row, const RowReport& report, const GatheredRows& rows, const Options& options,
+               const Layout& layout) {
+    if (report.of_reference && row.reference_number == 0) {
+        return 0.0; // the second attitude of a row
+    }
+    const RowNumbers& read = report.of_reference ? options.pairing->reference.numbers : options.input.numbers;
+    if (!read.attitude || read.attitude->name != RepresentationId::quat) {
+        return 0.0;
+    }
+    const PairColumns columns{.first_size = layout.count - read.kept, .second_size = 4, .by_key = read.kept > 0};
+    const std::size_t first = report.of_later       ? columns.later()
+                              : report.of_reference ? columns.second()
+                                                    : columns.first();
+    const auto q = rows.numbers_of(row).subspan(first, 4);
+    const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
+    double squares = 0.0; // of numbers that neither overflow nor underflow
+    for (const double number : q) {
+        squares += (number / largest) * (number / largest);
+    }
+    return largest * std::sqrt(squares);
+}
+
+} // namespace
+
+RowError error_of(const Row& row, std::string_view given, const RowReport& report, const GatheredRows& rows,
+                  const Options& options, const Layout& layout) {
+    if (!row.has_numbers()) {
+        return rows.error_of(row);
+    }
+    if (row.later_number > 0 && report.error == Error::past_half_turn) {
+        return {.line = row.number, .what = RowError::What::no_partner, .text = std::string(given)};
+    }
+    const bool of_reference = report.of_reference && row.reference_number > 0;
+    const bool of_later = report.of_later && row.later_number > 0;
+    return {.line = of_later       ? row.later_number
+                    : of_reference ? row.reference_number
+                                   : row.number,
+            .what = RowError::What::attitude,
+            .text = of_reference ? rows.reference_reader().selected_text(of_later ? row.later : row.reference)
+                                 : rows.reader().selected_text(given),
+            .error = report.error,
+            .defect = report.defect,
+            .norm = report.error == Error::defect ? norm_of(row, report, rows, options, layout) : 0.0,
+            .of_reference = of_reference};
+}
+
+void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t answer,
+                     const RowOperation& operation) {
+    for_each_diagnostic(report, row.number, operation.attitudes, [&](Diagnostic diagnostic) {
+        if (diagnostic.kind == DiagnosticKind::method_error && !operation.answers.empty()) {
+            diagnostic.answer = operation.answers[answer];
+        } else if (answer > 0) {
+            return; // that is the row's, and told
+        }
+        diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
+        const bool is_angle = diagnostic.kind == DiagnosticKind::large_angle;
+        if (row.reference_number == 0 || !(is_angle || diagnostic.kind == DiagnosticKind::normalized)) {
+            events.emplace_back(diagnostic);
+            return;
+        }
+        for (const bool of_reference : {true, false}) { // of either, or of both
+            const auto& [defect, angle] = of_reference ? report.reference_unusual : report.unusual;
+            const double figure = is_angle ? angle : defect;
+            if (figure > 0.0) {
+                events.emplace_back(Diagnostic{.line = of_reference ? row.reference_number : row.number,
+                                               .kind = diagnostic.kind,
+                                               .figure = figure,
+                                               .of_reference = of_reference});
+            }
+        }
+    });
+}
+
+} // namespace rotconv::stream

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "event.hpp"
+#include "gathered_rows.hpp"
+#include "job.hpp"
+#include "options.hpp"
+
+/// What is told of a row that was answered.
+namespace rotconv::stream {
+
+/// What a diagnostic of the row, and of a part of its result, says beside its kind.
+[[nodiscard]] double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind kind) noexcept;
+
+/// The diagnostics of a row, whose result may be attitudes, in order of kind, with their figures.
+template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line,
+                                                const std::vector<Spec>& attitudes, const Visit& visit) {
+    if (report.diagnostics.empty()) {
+        return;
+    }
+    for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
+        const auto kind = static_cast<DiagnosticKind>(i);
+        if (report.diagnostics.has(kind)) {
+            const auto part = std::ranges::find_if(
+                report.parts, [kind](const PartReport& each) { return each.diagnostics.has(kind); });
+            const bool is_of_part = part != report.parts.end();
+            const auto index = is_of_part ? static_cast<std::size_t>(part - report.parts.begin()) : 0;
+            const PartReport of =
+                is_of_part ? *part : PartReport{report.diagnostics, report.sensitivity, report.openness};
+            visit(Diagnostic{line, kind, figure_of(report, of, kind),
+                             index < attitudes.size() ? attitudes[index].name : RepresentationId::quat});
+        }
+    }
+}
+
+/// Why a row has no result. `given`: the row as it was read.
+[[nodiscard]] RowError error_of(const Row& row, std::string_view given, const RowReport& report,
+                                const GatheredRows& rows, const Options& options, const Layout& layout);
+
+/// Adds the diagnostics of the row's answer of that number; those of a row and its partner one by one.
+/// @param operation outlives the events
+void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t answer,
+                     const RowOperation& operation);
+
+} // namespace rotconv::stream
