@@ -66,6 +66,10 @@ class Nothing final : public stream::RowOperation {
 public:
     Nothing() { names = {"nothing"}; }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Nothing>(*this); }
+    std::size_t run(const stream::NumberRows& rows, std::span<double> /*out*/,
+                    std::vector<RowReport>& /*reports*/) override {
+        return rows.lines.size();
+    }
 };
 
 /// Whether the text has rows, and the numbers of all of them can be read.

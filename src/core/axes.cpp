@@ -32,13 +32,13 @@ FixedRotation AxesChange::turn() const noexcept {
 
 std::string message(const AxesError& error) {
     using What = AxesError::What;
-    const std::string sets = "n s e w u d, f b l r u d, or x y z, with - if against them";
+    const std::string letters = "n s e w u d, f b l r u d, or x y z, with - if against them";
     const std::string text = "'" + error.text + "'";
     const std::string triple = text + ": '" + error.triple + "'";
     switch (error.what) {
     case What::form:
-        return text + " is not FROM:TO, such as ned:enu: where x, y and z point, in three letters of " + sets;
-    case What::mixed_sets: return text + ": the letters must be of one set: " + sets;
+        return text + " is not FROM:TO, such as ned:enu: where x, y and z point, in three letters of " + letters;
+    case What::mixed_sets: return text + ": the letters must be of one set: " + letters;
     case What::same_direction: return triple + " has one direction twice";
     case What::opposite_directions: return triple + " has opposite directions, but x, y and z are perpendicular";
     }

@@ -100,7 +100,7 @@ public:
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compare>(*this); }
 
-    void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         const bool has_room = names.size() == comparison_.outputs();
         compared_.resize(has_room ? 0 : rows.lines.size() * comparison_.outputs());
         const std::span<double> compared = has_room ? out : std::span(compared_);
@@ -112,6 +112,7 @@ public:
         if (turns_) {
             turns_->compare(compared, out, names.size(), reports);
         }
+        return rows.lines.size();
     }
 
 private:

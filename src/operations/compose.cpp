@@ -25,13 +25,14 @@ public:
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compose>(*this); }
 
-    void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         const auto rest = rest_of(out);
         if (between_) {
             between_->run(rows.numbers, out, reports, rest);
         } else {
             composition_.run(without_keys(rows.numbers, columns_, attitudes_), out, reports, rest);
         }
+        return rows.lines.size();
     }
 
 private:

@@ -10,8 +10,9 @@ public:
         : AttitudeOperation(conversion.to(), continuous), conversion_(conversion) {}
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Convert>(*this); }
 
-    void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         conversion_.run(rows.numbers, out, reports, rest_of(out));
+        return rows.lines.size();
     }
 
 private:

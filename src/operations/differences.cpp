@@ -35,12 +35,10 @@ public:
         : clock_(settings.time_power), size_(settings.spec.size()), composition_(composition_of(settings)) {
         names = velocity_names(settings.degrees);
         in_order = true;
-        looks_ahead = true;
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Differences>(*this); }
 
-    std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
-                          std::vector<RowReport>& reports) override {
+    std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         reports.clear();
         const std::size_t count = rows.lines.size();
         steps_.resize(count);
@@ -54,7 +52,7 @@ public:
             compare(rows);
         }
         bool starts = last_.empty();
-        const bool waits = starts && !flush && steps_.size() == 1; // the first row has the answer of the second
+        const bool waits = starts && !rows.are_last && steps_.size() == 1; // the first row has the answer of the second
         const std::size_t answered = waits ? steps_.front().row : count;
         auto found = found_.cbegin();
         for (std::size_t row = 0, step = 0; row < answered; ++row) {

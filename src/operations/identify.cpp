@@ -15,9 +15,11 @@ public:
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Identify>(*this); }
 
-    void run(const stream::NumberRows& rows, std::span<double> /*out*/, std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> /*out*/,
+                    std::vector<RowReport>& reports) override {
         const stream::PairColumns columns{identification_->count(), rows_.known.size(), rows_.by_key};
         identification_->add(without_keys(rows.numbers, columns, attitudes_), rows.lines, reports);
+        return rows.lines.size();
     }
 
 private:

@@ -18,8 +18,9 @@ public:
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Methods>(*this); }
 
-    void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         conversion_.run(rows.numbers, out, angles_, reports, !answers.empty());
+        return rows.lines.size();
     }
 
 private:

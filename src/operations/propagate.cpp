@@ -26,12 +26,11 @@ public:
           stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
           conversion_(conversion_to(rows.to, rows.conversion)) {
         in_order = true;
-        looks_ahead = rows.settings.interpolation == Interpolation::cubic;
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Propagate>(*this); }
 
-    std::size_t run_ahead(const NumberRows& rows, bool flush, std::span<double> out,
-                          std::vector<RowReport>& reports) override {
+    std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+        bool flush = rows.are_last;
         answered_ = 0;
         quaternions_.clear();
         reports.clear();

@@ -12,8 +12,9 @@ public:
         return std::make_unique<RatesOfNumbers>(*this);
     }
 
-    void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         rates_.run(rows.numbers, out, reports);
+        return rows.lines.size();
     }
 
 private:

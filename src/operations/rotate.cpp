@@ -11,8 +11,9 @@ public:
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Rotate>(*this); }
 
-    void run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         rotation_.run(rows.numbers, out, reports);
+        return rows.lines.size();
     }
 
 private:

@@ -21,7 +21,6 @@ public:
             names = joined(names, each->names);
             attitudes.insert(attitudes.end(), each->attitudes.begin(), each->attitudes.end());
             in_order = in_order || each->in_order;
-            looks_ahead = looks_ahead || each->looks_ahead;
             is_continuous = is_continuous || each->is_continuous;
             parts_.push_back({.operation = std::move(each)});
         }
@@ -34,15 +33,14 @@ public:
         return std::make_unique<Several>(std::move(parts));
     }
 
-    std::size_t run_ahead(const stream::NumberRows& rows, bool flush, std::span<double> out,
-                          std::vector<RowReport>& reports) override {
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         reports.clear();
         std::size_t answered = rows.lines.size(); // by all alike
         std::size_t first = 0;
         for (Part& part : parts_) {
             const std::size_t width = part.operation->names.size();
             part.out.resize(rows.lines.size() * width);
-            answered = part.operation->run_ahead(rows, flush, part.out, part.reports);
+            answered = part.operation->run(rows, part.out, part.reports);
             copy_columns(part.out, 0, width, out, first, names.size(), width);
             merge(part.reports, static_cast<std::size_t>(&part - parts_.data()), reports);
             first += width;

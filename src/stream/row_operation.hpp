@@ -29,6 +29,7 @@ struct NumberRows {
     /// The texts of the numbers that are kept, row by row; empty where rows are doubles.
     std::span<const std::string_view> kept{};
     std::span<const std::size_t> reference_lines{}; ///< those of their partners; empty where there is no reference
+    bool are_last = true;                           ///< no answer is to wait for later rows
 };
 
 /// Where the numbers of two attitudes stand in a row for an operation. Paired by key, each has its key before it. Where
@@ -58,16 +59,11 @@ public:
     [[nodiscard]] virtual std::unique_ptr<RowOperation> copy() const = 0;
 
     /// Answers rows with names.size() numbers each, or as many for each of the answers. `reports` becomes those of the
-    /// rows of which there is something to report, in their order. An operation has this or run_ahead().
-    virtual void run(const NumberRows& /*rows*/, std::span<double> /*out*/, std::vector<RowReport>& /*reports*/) {}
-    /// In its place where an answer may depend on the rows after it: answers as many of the first rows as it can, or
-    /// all with `flush`. The others come first in the next call.
+    /// rows of which there is something to report, in their order. Where an answer may depend on the rows after it,
+    /// only as many of the first rows are answered as can be, or all with `rows.are_last`; the others come first in the
+    /// next call.
     /// @return how many are answered
-    virtual std::size_t run_ahead(const NumberRows& rows, bool /*flush*/, std::span<double> out,
-                                  std::vector<RowReport>& reports) {
-        run(rows, out, reports);
-        return rows.lines.size();
-    }
+    virtual std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) = 0;
     /// Makes each result follow from the one before: called after run() of the same rows, for all rows in their order.
     virtual void make_continuous(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
 
@@ -82,8 +78,7 @@ public:
     /// Seconds between the first two times, if these are numbers, and the line of the second.
     std::pair<double, std::size_t> first_step{};
     std::string_view unit{};    ///< of the angles that are beyond a limit
-    bool in_order = false;      ///< all rows must come to it in their order; else each copy may answer any of them
-    bool looks_ahead = false;   ///< by run_ahead()
+    bool in_order = false;      ///< all rows must come to it in their order; else each copy answers any of them whole
     bool is_continuous = false; ///< by make_continuous()
 
 protected:

@@ -28,7 +28,7 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output) {
         for (; next != pairs.rows.end() && gathered_.rows().size() < batch_rows; ++next) {
             gathered_.add(*next, pairs.errors);
         }
-        const std::size_t answered = answer(false);
+        const std::size_t answered = answer(true);
         write(output);
         give_away(answered, output);
     }
@@ -80,7 +80,7 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
     while (!text.empty() && !output.stopped) {
         const std::size_t rows = std::min(rows_at_once(), text.size() / row_size);
         gathered_.add_doubles(text.substr(0, rows * row_size), line);
-        answer(false);
+        answer(true);
         make_continuous(rows, output, in_turn);
         next_report_ = 0;
         std::size_t next = 0;
@@ -107,7 +107,9 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
 
 std::size_t RowTransformer::answer(bool flush) {
     results_.resize(gathered_.count() * operation_->answers_of_row() * operation_->names.size());
-    return operation_->run_ahead(gathered_.numbers(), flush, results_, reports_);
+    NumberRows rows = gathered_.numbers();
+    rows.are_last = flush;
+    return operation_->run(rows, results_, reports_);
 }
 
 void RowTransformer::make_continuous(std::size_t answered, Output& output, const InTurn& in_turn) {
@@ -116,7 +118,7 @@ void RowTransformer::make_continuous(std::size_t answered, Output& output, const
     }
     const auto results = std::span(results_).first(answered * operation_->answers_of_row() * operation_->names.size());
     const auto what = [&] { operation_->make_continuous(results, reports_); };
-    if (in_turn && !operation_->looks_ahead) { // such rows are for one thread
+    if (in_turn && !operation_->in_order) { // such rows are for one thread
         output.stopped = !in_turn(what);
     } else {
         what();

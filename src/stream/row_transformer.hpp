@@ -47,13 +47,13 @@ private:
     /// Rows that are answered together. Where answers depend on the rows after them, a row that has none yet, and what
     /// follows it, wait for the next call, up to `most_waiting` bytes.
     [[nodiscard]] std::size_t rows_at_once() const noexcept {
-        return operation_->is_continuous && !operation_->looks_ahead ? every_row : batch_rows;
+        return operation_->is_continuous && !operation_->in_order ? every_row : batch_rows;
     }
     void transform_all(std::string_view text, std::size_t line, bool is_end, Output& output, const InTurn& in_turn);
     /// Doubles in and nothing but the result out: as many rows are written at once as there is nothing to tell of.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
     void transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn);
-    /// Answers the rows that have numbers, or only the first of them, see RowOperation::run_ahead().
+    /// Answers the rows that have numbers, or only the first of them, see RowOperation::run().
     std::size_t answer(bool flush);
     /// Makes the first answers continuous, in turn.
     void make_continuous(std::size_t answered, Output& output, const InTurn& in_turn);

@@ -595,7 +595,7 @@ fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Progra
         }
         const std::size_t line = 1;
         std::vector<RowReport> reports;
-        operation->run_ahead({numbers, {&line, 1}, kept_texts}, true, answer.numbers, reports);
+        operation->run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
         if (operation->is_continuous) {
             operation->make_continuous(answer.numbers, reports);
         }
@@ -684,8 +684,9 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     const int precision = std::atoi(argument_of(words, "--precision", "0").c_str());
     const bool fixed = !argument_of(words, "--decimals").empty();
     const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
+    const bool waits = has(words, "--differences") || argument_of(words, "--interpolation") == "cubic";
     if (format == "pretty" || format == "f64" || program.options().input.width > 0 || program.has_text_alone() ||
-        !operation.answers.empty() || operation.looks_ahead || ((precision > 0 || fixed) && is_euler)) {
+        !operation.answers.empty() || waits || ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
     }
     // Nor are names that are kept, and rows of a product that lack a partner.
