@@ -97,8 +97,8 @@ std::string advice_on_print(std::string_view text, const std::vector<stream::Lin
         return "messages that are parted by --- are printed as rows by ros2 topic echo --csv";
     }
     Values values = values_of({std::string(text)}, std::nullopt);
-    if (input.numbers.names.size() == 9) {
-        take_rotation_of_pose(values);
+    if (input.numbers.attitude) {
+        take_attitude(values, *input.numbers.attitude);
     }
     Fields fields;
     static_cast<void>(values.delimiter.split(values.row, fields));
@@ -395,7 +395,7 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
         }
     }
     try_kinds();
-    found = found.empty() ? advice_on_print(beginning, lines, input, name) : found;
+    found = found.empty() && input.columns.empty() ? advice_on_print(beginning, lines, input, name) : found;
     return found.empty() ? of_header : found;
 }
 

@@ -38,8 +38,8 @@ std::string no_such_count(std::size_t all, const operations::IdentificationRows&
     std::erase_if(legal, [](std::size_t each) { return !Identification::is_count(each); });
     const std::string known =
         rows.paired ? "" : fmt::format(" where {} has {}", representation(rows.known.name).text, rows.known.size());
-    return fmt::format("{}{}: {} unknown (legal: {})", counted(all, "number"), known, unknown_of(all, rows),
-                       fmt::join(legal, " "));
+    return fmt::format("{}{}: {} unknown (legal: {}){}", counted(all, "number"), known, unknown_of(all, rows),
+                       fmt::join(legal, " "), rows.paired ? "" : "; or the known ones are in a second FILE");
 }
 
 /// A constant turn of the axes that options name, xyz:yx-z and the like, or of others.

@@ -18,9 +18,11 @@ public:
     std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
 };
 
-/// Such as -90deg and -pi/2, which are not options.
+/// Such as -90deg and -pi/2, which are not options, nor are dashes before a blank or line end: "---\nx: 0".
 bool resembles_number(std::string_view word) {
-    return word.find_first_of("0123456789.") == 1 || word.starts_with("-pi");
+    const auto after = word.find_first_not_of('-');
+    return word.find_first_of("0123456789.") == 1 || word.starts_with("-pi") ||
+           (after != std::string_view::npos && word.find_first_of(" \t\r\n") == after);
 }
 
 } // namespace

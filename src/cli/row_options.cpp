@@ -435,9 +435,8 @@ RowsCommand RowOptions::rows_command(const stream::RowNumbers& numbers, operatio
         stream::InputOptions& in = command.options.input;
         Values given = values_of(values, in.delimiter);
         const auto& spec = in.numbers.attitude;
-        if (spec && spec->name == RepresentationId::dcm && in.numbers.names.size() == spec->size() &&
-            in.columns.empty()) {
-            take_rotation_of_pose(given);
+        if (spec && in.numbers.names.size() == spec->size() && in.columns.empty()) {
+            take_attitude(given, *spec);
         }
         command.values = std::move(given.row);
         in.delimiter = given.delimiter;

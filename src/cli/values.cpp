@@ -2,22 +2,24 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
+#include "column_names.hpp"
 #include "words.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-constexpr std::string_view brackets = "[](){}";
-constexpr std::string_view opening = "[({\"'";
-constexpr std::string_view separators = ",; \t\r\n[](){}\"'";
+constexpr std::string_view brackets = "[](){}<>";
+constexpr std::string_view opening = "[({<\"'";
+constexpr std::string_view separators = ",; \t\r\n[](){}<>\"'";
 
 /// Numbers without words.
 Values row_of_numbers(std::string text, stream::Delimiter given) {
-    if (text.find_first_of("[](){};\r\n") == std::string::npos) {
+    if (text.find_first_of("[](){}<>;\r\n") == std::string::npos) {
         return {std::move(text), given, {}};
     }
     const std::string around = fmt::format("{}; \t\r\n{}", brackets, given.text());
@@ -83,11 +85,12 @@ bool may_be_label(std::string_view word) {
 }
 
 /// A letter, a digit, a byte beyond ASCII, or the sign of a number, which no list has before each.
-bool means_something(const Token& token) {
-    return (token.text.size() == 1 && std::string_view("+-*/").find(token.text[0]) != std::string_view::npos &&
-            !token.is_first) ||
-           std::ranges::any_of(
-               token.text, [](char c) { return is_alphanumeric(c) || (static_cast<unsigned char>(c) & 0x80U) != 0; });
+bool means_something(const Token& token, bool before_number) {
+    const bool is_sign =
+        token.text.size() == 1 && std::string_view("+-*/").find(token.text[0]) != std::string_view::npos;
+    return (is_sign && before_number && !token.is_first) || std::ranges::any_of(token.text, [](char c) {
+               return is_alphanumeric(c) || (static_cast<unsigned char>(c) & 0x80U) != 0;
+           });
 }
 
 /// A quote right after a number that stands in none: minutes and seconds of arc.
@@ -136,8 +139,10 @@ std::optional<Values> row_of_words(const std::string& text, stream::Delimiter de
         } else if (token.is_number) {
             fields.push_back(token.text);
             values.labels.emplace_back(std::exchange(label, {}));
-        } else if (!is_call && means_something(token)) { // Quaternion(...) is a call
-            fields.push_back(token.text);                // which is not a number
+        } else if (!is_call && means_something(token, before_number) &&
+                   !(fields.empty() && !before_number &&
+                     may_be_label(token.text))) { // in Quaternion [...] // Quaternion(...) is a call
+            fields.push_back(token.text);         // which is not a number
             values.labels.emplace_back();
         }
     }
@@ -160,10 +165,10 @@ std::optional<Values> row_of_words(const std::string& text, stream::Delimiter de
 } // namespace
 
 bool is_value(std::string_view word) {
-    const std::size_t first = std::min(word.find_first_not_of("[](){} \t\r\n"), word.size());
+    const std::size_t first = std::min(word.find_first_not_of("[](){}<> \t\r\n"), word.size());
     const bool has_bracket = word.substr(0, first).find_first_of(brackets) != std::string_view::npos;
     word.remove_prefix(first);
-    return stream::is_number(word.substr(0, word.find_first_of(",; \t\r\n[](){}"))) ||
+    return stream::is_number(word.substr(0, word.find_first_of(",; \t\r\n[](){}<>"))) ||
            (has_bracket && word.find_first_of("0123456789+-.") == 0);
 }
 
@@ -183,7 +188,7 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
     return values ? *values : row_of_words(text, *given, false).value_or(Values());
 }
 
-void take_rotation_of_pose(Values& values) {
+void take_attitude(Values& values, const Spec& spec) {
     std::vector<std::string_view> fields;
     static_cast<void>(values.delimiter.split(values.row, fields));
     const auto is = [&fields](std::size_t at, double expected) {
@@ -191,16 +196,23 @@ void take_rotation_of_pose(Values& values) {
         return stream::read_number(stream::trimmed(fields[at]), value) == stream::NumberError::none &&
                value == expected;
     };
-    if (fields.size() != 16 || !is(12, 0.0) || !is(13, 0.0) || !is(14, 0.0) || !is(15, 1.0)) {
-        return;
+    const bool is_pose = spec.name == RepresentationId::dcm && fields.size() == 16 && is(12, 0.0) && is(13, 0.0) &&
+                         is(14, 0.0) && is(15, 1.0);
+    std::vector<std::size_t> places;
+    if (is_pose) {
+        places = {0, 1, 2, 4, 5, 6, 8, 9, 10};
+    } else if (fields.size() > spec.size() && values.labels.size() == fields.size() &&
+               std::set(values.labels.begin(), values.labels.end()).size() == fields.size()) {
+        const auto known = find_names(spec, values.labels);
+        places = known && !known->is_numbered ? known->places : places;
+        std::ranges::sort(places); // another order is told as such
     }
-    std::vector<std::string_view> rotation;
-    for (const std::size_t first : {0U, 4U, 8U}) {
-        rotation.insert(rotation.end(), fields.begin() + static_cast<std::ptrdiff_t>(first),
-                        fields.begin() + static_cast<std::ptrdiff_t>(first + 3));
+    if (!places.empty()) {
+        const auto kept = mapped(places, [&fields](std::size_t place) { return fields[place]; });
+        values.row = fmt::format("{}", fmt::join(kept, std::string(1, values.delimiter.text())));
+        values.labels = is_pose ? std::vector<std::string>()
+                                : mapped(places, [&values](std::size_t place) { return values.labels[place]; });
     }
-    values = {.row = fmt::format("{}", fmt::join(rotation, std::string(1, values.delimiter.text()))),
-              .delimiter = values.delimiter};
 }
 
 } // namespace rotconv::cli

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <rotconv/spec.hpp>
+
 #include "../stream/delimiter.hpp"
 
 /// Numbers as people type them, and as programs print them.
@@ -29,7 +31,8 @@ struct Values {
 /// without a number, a word before the first number alone, and marks without letters and digits are left out.
 [[nodiscard]] Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given);
 
-/// Leaves the rotation of a pose of sixteen numbers, a matrix of 4x4 row by row whose last row is 0 0 0 1.
-void take_rotation_of_pose(Values& values);
+/// Leaves the attitude of a pose: the rotation of a matrix of 4x4, row by row, whose last row is 0 0 0 1; of more
+/// numbers than the SPEC has, each with a label of its own, those with the names of the SPEC's.
+void take_attitude(Values& values, const Spec& spec);
 
 } // namespace rotconv::cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -528,6 +529,13 @@ void Preamble::keep_names(const HeaderLine& header) {
     for (std::size_t i = layout_.count - count; i < layout_.count; ++i) {
         const std::size_t at = layout_.positions.empty() ? i : layout_.positions[i];
         layout_.kept_names.emplace_back(at < header.fields.size() ? trimmed(header.fields[at]) : "");
+    }
+    std::set<std::string> keys;
+    for (const std::string_view column : result_columns(*written_, layout_)) {
+        if (!keys.insert(json_string(header.delimiter.unquoted(column))).second && written_->format == Format::json) {
+            layout_.kept_names.clear(); // no key twice
+            return;
+        }
     }
 }
 
