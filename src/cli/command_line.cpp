@@ -61,12 +61,16 @@ void check(const CommandOptions& operands, std::size_t most_files, std::span<con
     const bool has_input = operands.input.given();
     for (const std::string& file : operands.files) {
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
+            if (&file != operands.files.data() && most_files == 1) {
+                break; // two FILEs
+            }
             throw Usage(messages::no_operand(file, error, mapped(commands, &CommandEntry::name)));
         }
     }
     const std::string file = operands.files.empty() ? "" : "the FILE " + quoted(operands.files[0]);
     if (operands.files.size() > 1 && most_files == 1) {
-        throw Usage("{} and {} are two FILEs, but one is read; cat joins them: cat A B | rotconv ...",
+        throw Usage("{} and {} are two FILEs, but one is read (-o names the one to write); cat joins them: cat A B | "
+                    "rotconv ...",
                     quoted(operands.files[0]), quoted(operands.files[1]));
     }
     if (operands.files.size() > most_files) {
