@@ -18,8 +18,7 @@ int main() {
     const Conversion conversion(eigen_matrix, {.name = RepresentationId::rotvec});
     Eigen::Matrix3Xd vectors(3, matrices.cols());
     std::vector<RowReport> reports; // only of the rows that have something to say
-    conversion.run({matrices.data(), static_cast<std::size_t>(matrices.size())},
-                   {vectors.data(), static_cast<std::size_t>(vectors.size())}, reports);
+    conversion.run(numbers_of(matrices), numbers_of(vectors), reports);
     std::cout << vectors.transpose() << '\n';
     for (const RowReport& report : reports) {
         std::cout << "row " << report.row << ": " << message(report.error) << ", " << report.defect << '\n';

@@ -60,6 +60,14 @@ struct ConversionSettings {
 [[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect = 0.0,
                                              bool decimal = false);
 
+/// All numbers of a matrix of Eigen, as they are stored: one column after the other, except for Eigen::RowMajor.
+template <class Derived> [[nodiscard]] std::span<double> numbers_of(Eigen::PlainObjectBase<Derived>& matrix) noexcept {
+    return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+template <class Derived> std::span<const double> numbers_of(const Eigen::PlainObjectBase<Derived>& matrix) noexcept {
+    return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+
 struct Codec;
 
 /// The conversion from one representation to another, resolved once and then run over batches of rows.
@@ -82,9 +90,9 @@ public:
     /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run()
     /// @throw std::invalid_argument if `in` is not whole rows, or `out` or `rest` has no room for the results
     ///
-    /// Eigen stores matrices by columns and quaternions as x y z w. data() of an Eigen::Matrix<double, 9,
-    /// Eigen::Dynamic> whose columns are matrices, or of a vector of Eigen::Matrix3d, is of the Spec `eigen_matrix`:
-    ///     Conversion(eigen_matrix, to).run({m.data(), static_cast<std::size_t>(m.size())}, out, reports);
+    /// Eigen stores matrices by columns and quaternions as x y z w. The columns of an Eigen::Matrix<double, 9,
+    /// Eigen::Dynamic> that holds matrices are rows of the Spec `eigen_matrix`, and so is a vector of Eigen::Matrix3d:
+    ///     Conversion(eigen_matrix, eigen_quaternion).run(numbers_of(matrices), numbers_of(quaternions), reports);
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
              std::span<double> rest = {}) const;
 

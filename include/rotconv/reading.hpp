@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -64,8 +65,8 @@ public:
     /// Error::none if there is a rotation.
     [[nodiscard]] Error error() const noexcept { return error_; }
     /// How far the numbers were from describing a rotation exactly: | |q| - 1 | of a quaternion, the largest singular
-    /// value of M - (polar factor of M) of a matrix, and 0 of other representations. Up to `reported_defect` it may be
-    /// an upper bound.
+    /// value of M - (polar factor of M) of a matrix, and 0 of other representations and of other errors than
+    /// Error::defect. Up to `reported_defect` it may be an upper bound.
     [[nodiscard]] double defect() const noexcept { return defect_; }
 
 private:
@@ -91,6 +92,13 @@ enum class DiagnosticKind : std::uint8_t {
     few_digits
 };
 inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::few_digits) + 1;
+inline constexpr auto all_diagnostic_kinds = [] {
+    std::array<DiagnosticKind, diagnostic_kind_count> kinds{};
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        kinds.at(i) = static_cast<DiagnosticKind>(i);
+    }
+    return kinds;
+}();
 
 /// The kind's name in the `notes` column, such as "gimbal-lock".
 [[nodiscard]] std::string_view name_of(DiagnosticKind kind) noexcept;

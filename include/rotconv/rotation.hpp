@@ -109,7 +109,7 @@ private:
     std::array<double, 4> q_{1.0, 0.0, 0.0, 0.0};
 };
 
-/// The components w, x, y, z, between blanks, with the canonical sign and not normalised.
+/// The unit quaternion w x y z, with the canonical sign.
 std::ostream& operator<<(std::ostream& out, const Rotation& rotation);
 
 /// The angle in [0, pi], in radians, of the rotation from `b` to `a`. Max error: 4 eps of the angle, and the rounding

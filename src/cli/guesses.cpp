@@ -270,7 +270,7 @@ std::string no_operand(std::string_view word, int error, const std::vector<std::
 
 std::string explain(const SpecError& error) {
     using What = SpecError::What;
-    const std::string said = message(SpecError{error.what, shortened(error.text), error.in});
+    std::string said = message(SpecError{error.what, shortened(error.text), error.in});
     const auto legal = error.in == nullptr ? Legal() : words_of(error.in->modifiers);
     const std::string list = fmt::format("legal: {} and the presets of rotconv list presets", fmt::join(legal, " "));
     switch (error.what) {

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "../core/split.hpp"
 #include "../stream/file.hpp"
 #include "../stream/utf8.hpp"
 
@@ -45,25 +46,11 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-std::vector<std::string_view> items_of(std::string_view list) {
-    std::vector<std::string_view> items{list.substr(0, list.find(','))};
-    while (items.back().end() != list.end()) {
-        list.remove_prefix(items.back().size() + 1);
-        items.push_back(list.substr(0, list.find(',')));
-    }
-    return items;
-}
+std::vector<std::string_view> items_of(std::string_view list) { return split(list, ','); }
 
 std::vector<std::string> words_in(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find(' ', at), text.size());
-        if (end > at) {
-            words.emplace_back(text.substr(at, end - at));
-        }
-        at = end + 1;
-    }
-    return words;
+    const auto words = filtered(split(text, ' '), [](std::string_view word) { return !word.empty(); });
+    return {words.begin(), words.end()};
 }
 
 std::string lower(std::string_view text) {

@@ -51,11 +51,12 @@ std::variant<AxesChange, AxesError> parse_axes(std::string_view text) {
     const std::array<std::string_view, 2> triples{text.substr(0, colon), text.substr(std::min(colon + 1, text.size()))};
     const std::array<std::string, 2> letters{letters_of(triples[0]), letters_of(triples[1])};
     const std::string all = letters[0] + letters[1];
-    if (letters[0].size() != 3 || letters[1].size() != 3 || all.find_first_not_of("nsewudfblrxXyYzZ") != all.npos) {
+    if (letters[0].size() != 3 || letters[1].size() != 3 ||
+        all.find_first_not_of("nsewudfblrxXyYzZ") != std::string::npos) {
         return AxesError{What::form, std::string(text)};
     }
-    const auto* const set =
-        std::ranges::find(sets, all.npos, [&](std::string_view legal) { return all.find_first_not_of(legal); });
+    const auto* const set = std::ranges::find(sets, std::string::npos,
+                                              [&](std::string_view legal) { return all.find_first_not_of(legal); });
     if (set == sets.end()) {
         return AxesError{What::mixed_sets, std::string(text)};
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "split.hpp"
+
 namespace rotconv {
 namespace {
 
@@ -129,18 +131,6 @@ constexpr auto project_table = std::to_array<Project>({
 constexpr auto preset_count =
     static_cast<std::size_t>(std::ranges::find(project_table, "opk", &Project::text) - project_table.begin()) + 1;
 
-/// Whether a word is one of those in a text, which has blanks between them.
-bool has_word(std::string_view text, std::string_view word) noexcept {
-    while (!text.empty()) {
-        const auto end = std::min(text.find(' '), text.size());
-        if (text.substr(0, end) == word) {
-            return true;
-        }
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return false;
-}
-
 } // namespace
 
 std::span<const Project> projects() noexcept { return project_table; }
@@ -148,8 +138,9 @@ std::span<const Project> projects() noexcept { return project_table; }
 std::span<const Project> presets() noexcept { return std::span(project_table).first(preset_count); }
 
 const Project* find_project(std::string_view name) noexcept {
-    const auto* const found = std::ranges::find_if(
-        project_table, [name](const Project& each) { return each.text == name || has_word(each.others, name); });
+    const auto* const found = std::ranges::find_if(project_table, [name](const Project& each) {
+        return each.text == name || std::ranges::count(split(each.others, ' '), name) != 0;
+    });
     return name.empty() || found == project_table.end() ? nullptr : found;
 }
 

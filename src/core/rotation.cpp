@@ -1,4 +1,4 @@
-#include <rotconv/rotation.hpp>
+#include <rotconv/quaternion.hpp>
 
 #include <ostream>
 
@@ -12,8 +12,8 @@ Rotation Rotation::scaled(double w, double x, double y, double z) noexcept {
 }
 
 std::ostream& operator<<(std::ostream& out, const Rotation& rotation) {
-    const auto q = rotation.canonical().components();
-    return out << q[0] << ' ' << q[1] << ' ' << q[2] << ' ' << q[3];
+    const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
+    return out << q.w() + 0.0 << ' ' << q.x() + 0.0 << ' ' << q.y() + 0.0 << ' ' << q.z() + 0.0; // never -0
 }
 
 double Rotation::vector_length() const noexcept {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <ostream>
-#include <vector>
 
 #include "representations/codec.hpp"
+#include "split.hpp"
 
 namespace rotconv {
 namespace {
@@ -17,28 +17,15 @@ void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
     spec.positive = spec.positive || modifiers.has(Modifier::positive);
 }
 
-/// What stands between the marks, which may be nothing.
-std::vector<std::string_view> split(std::string_view text, char mark) {
-    std::vector<std::string_view> parts{text.substr(0, text.find(mark))};
-    while (parts.back().end() != text.end()) {
-        text.remove_prefix(parts.back().size() + 1);
-        parts.push_back(text.substr(0, text.find(mark)));
-    }
-    return parts;
-}
-
 } // namespace
 
 const Representation& representation(RepresentationId name) noexcept { return codec_of(name).representation; }
 
 const Representation* find_representation(std::string_view text) noexcept {
-    for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
-        if (!text.empty() && (text == entry.text || std::ranges::count(entry.aliases, text) != 0)) {
-            return &entry;
-        }
-    }
-    return nullptr;
+    const auto* const found = std::ranges::find_if(all_representations, [text](RepresentationId id) {
+        return text == representation(id).text || std::ranges::count(representation(id).aliases, text) != 0;
+    });
+    return text.empty() || found == all_representations.end() ? nullptr : &representation(*found);
 }
 
 PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept {

@@ -167,8 +167,8 @@ TEST_CASE("the manual explains every project with its SPECs, names and axes") {
 // Catches a kind of diagnostic that was added, or renamed, in the code alone.
 TEST_CASE("the manual explains every kind of diagnostic") {
     const auto items = items_of_manual();
-    for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
-        INFO(name_of(static_cast<DiagnosticKind>(i)));
-        CHECK(explained(items, {name_of(static_cast<DiagnosticKind>(i))}));
+    for (const DiagnosticKind kind : all_diagnostic_kinds) {
+        INFO(name_of(kind));
+        CHECK(explained(items, {name_of(kind)}));
     }
 }

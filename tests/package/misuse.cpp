@@ -94,8 +94,8 @@ int main() {
     check(stepper.step(0.1, rates) == Error::ended && !stepper.attitude(), "a step before start()");
     check(!message(Error::defect).empty(), "message");
     std::ostringstream printed;
-    printed << eigen_matrix << ' ' << Rotation::near_unit(-1, 0, 0, 0.5);
-    check(printed.str().starts_with("dcm:col 1 "), "operator<<");
+    printed << eigen_matrix << ' ' << Rotation::near_unit(-0.75, 0, 0, 1);
+    check(printed.str() == "dcm:col 0.6 0 0 -0.8", "operator<<");
     const auto half = interpolate(Rotation(), turned, 0.5);
     check(half && std::fabs(angle_between(*half, Rotation()) - 0.35) < 1e-14, "interpolate");
 #ifdef __cpp_exceptions
