@@ -1,0 +1,37 @@
+#!/bin/sh
+# release_test.sh SOURCE BUILD: what src/package/archives makes of BUILD has the same bytes when it is made again, in another time
+# zone and with another mask; its tarball has those of build/release, which quickstart built of the same sources in another folder
+# and by other targets; lintian passes the packages. Catches times, owners, orders and paths that get into the files, and what
+# Debian's archive would refuse. That src/package/release builds in a clean clone what it hands to archives, it does not show.
+set -eu
+source=$1
+build=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+fail() {
+    echo "FAILED: $*"
+    exit 1
+}
+SOURCE_DATE_EPOCH=1000000000
+export SOURCE_DATE_EPOCH
+made() { # BUILD NAME
+    mkdir "$work/$2"
+    "$source/src/package/archives" "$1" "$work/$2" > "$work/log" 2>&1 || fail "$(cat "$work/log")"
+}
+made "$build" once
+(umask 077 && TZ=Asia/Tokyo && export TZ && made "$build" again)
+for file in "$work"/once/*; do
+    cmp "$file" "$work/again/${file##*/}" || fail "made twice, ${file##*/} has other bytes"
+done
+tarball=$(echo "$work"/once/*.tar.gz)
+tar -tzf "$tarball" > "$work/names"
+LC_ALL=C sort -c "$work/names" || fail "the order of the tarball is that of the file system"
+if [ -x "$source/build/release/rotconv" ]; then
+    made "$source/build/release" elsewhere
+    cmp "$tarball" "$work/elsewhere/${tarball##*/}" || fail "built twice, ${tarball##*/} has other bytes"
+fi
+command -v lintian > /dev/null || {
+    echo "lintian is not installed, and is left out"
+    exit 0
+}
+lintian --allow-root --fail-on error,warning "$work"/once/*.deb || fail "lintian"
