@@ -21,8 +21,7 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
     if (report.diagnostics.empty()) {
         return;
     }
-    for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
-        const auto kind = static_cast<DiagnosticKind>(i);
+    for (const DiagnosticKind kind : all_diagnostic_kinds) {
         if (report.diagnostics.has(kind)) {
             const auto part = std::ranges::find_if(
                 report.parts, [kind](const PartReport& each) { return each.diagnostics.has(kind); });
