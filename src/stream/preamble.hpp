@@ -6,45 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "beginning.hpp"
+#include "header_line.hpp"
 #include "io_block.hpp"
 #include "layout.hpp"
 #include "options.hpp"
 
 namespace rotconv::stream {
-
-/// A line as a header: its fields, behind the mark of a comment and blanks if it has them.
-struct HeaderLine {
-    HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view comment = {});
-
-    /// The same with another mark before the first name, such as the % of "%time", in the prefix. A mark is made of
-    /// characters other than letters, digits, _ and quotes.
-    [[nodiscard]] HeaderLine without_mark() const;
-    /// The first field is such a mark and nothing else.
-    [[nodiscard]] bool begins_with_mark() const;
-    /// The number of names, without empty ones at the end.
-    [[nodiscard]] std::size_t width() const { return delimiter.count(fields); }
-    [[nodiscard]] std::string name(std::size_t at) const;
-    [[nodiscard]] std::vector<std::string> names() const;
-
-    Line line;
-    std::string_view prefix; ///< the mark and the blanks before the first name
-    Delimiter delimiter;
-    std::vector<std::string_view> fields;
-    bool is_closed; ///< no quote is left open
-};
-
-/// What the lines before the first data row are.
-struct Beginning {
-    bool is_decided = false; ///< else a later line tells, unless there is an error
-    std::optional<HeaderLine> header{};
-    bool is_data = false;                 ///< the last line is the first data row, or an error in its place
-    std::vector<std::size_t> positions{}; ///< of columns that are selected by name
-    std::optional<StreamError> error{};   ///< its line is an index among the lines, from 0
-};
-
-/// Decides on lines that begin a stream, of which the last is a row, neither blank nor a comment. `is_end`: none
-/// follows, and the last may be anything.
-[[nodiscard]] Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bool is_end);
 
 /// Reads and writes what stands before the first data row: comments, blank rows, the header. Where only a later row
 /// tells whether a line is the header, that line waits, and what follows it, up to 64 KiB.

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "event.hpp"
+#include "header_line.hpp"
 #include "io_block.hpp"
 #include "job.hpp"
 #include "layout.hpp"
 #include "options.hpp"
-#include "preamble.hpp"
 
 namespace rotconv::stream {
 

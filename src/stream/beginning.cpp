@@ -1,0 +1,283 @@
+#include "beginning.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+#include <variant>
+
+#include "number_text.hpp"
+
+namespace rotconv::stream {
+namespace {
+
+using Lookup = std::variant<std::vector<std::size_t>, ColumnError>;
+
+/// A word for a missing number, in any case.
+bool is_missing(std::string_view text) noexcept {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+    constexpr std::array<std::string_view, 9> words{"", "na", "n/a", "null", "none", "nil", "-", "?", "."};
+    return std::ranges::any_of(words, [&](std::string_view word) { return std::ranges::equal(text, word, {}, lower); });
+}
+
+/// A number with a comma for its point.
+bool has_decimal_comma(std::string text) noexcept {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos) {
+        return false;
+    }
+    text[comma] = '.';
+    return is_number(text);
+}
+
+/// Lines of other programs that may look like a header: COMMENT, KEY = value, FMT.
+bool is_remark(const HeaderLine& row) noexcept {
+    const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
+    return first == "FMT" || first == "COMMENT" ||
+           std::ranges::any_of(row.fields, [](auto field) { return trimmed(field) == "="; });
+}
+
+/// An object with keys, or an array of objects or of numbers between commas; not "[INFO]" or a matrix of NumPy.
+bool begins_json(std::string_view text) noexcept {
+    if (!text.starts_with('{') && !text.starts_with('[')) {
+        return false;
+    }
+    const std::string_view inside = trimmed(text.substr(std::min(text.find_first_not_of("{[ \t"), text.size())));
+    const std::size_t end = std::min(inside.find_first_not_of("0123456789+-.eE"), inside.size());
+    const std::string_view after = trimmed(inside.substr(end));
+    return after.empty() || (end == 0 ? after.front() == '"' : text.starts_with('[') && after.front() == ',') ||
+           after.front() == ']' || after.front() == '}';
+}
+
+/// The decision on one list of lines.
+class Decision {
+public:
+    Decision(const std::vector<Line>& lines, const InputOptions& options) : lines_(lines), options_(options) {}
+
+    [[nodiscard]] Beginning by_index() const {
+        const Line& row = lines_.back();
+        if (is_json(row)) {
+            return error({.what = StreamError::What::json}, lines_.size() - 1);
+        }
+        HeaderLine fields(row, delimiter_of(row.text));
+        const bool must_be = options_.header == HeaderMode::yes;
+        const bool may_be = is_header(fields);
+        if (must_be ? are_numbers(fields) : !may_be) {
+            if (auto comment = comment_of(fields)) {
+                return {.is_decided = true, .header = std::move(comment), .is_data = true};
+            }
+        }
+        if (must_be || may_be) {
+            return {.is_decided = true, .header = fields.begins_with_mark() ? fields.without_mark() : fields};
+        }
+        return {.is_decided = true, .is_data = true};
+    }
+
+    /// The header is the last line that has all names. With `is_end` the last line may be it, otherwise that is the
+    /// first data row.
+    [[nodiscard]] Beginning by_name(bool is_end) const {
+        const Line& row = lines_.back();
+        std::optional<Delimiter> delimiter;
+        if (!is_end) {
+            if (has_all(find_names(row, {}).second)) {
+                return {};
+            }
+            const Delimiter own = delimiter_of(row.text);
+            if (HeaderLine(row, own).fields.size() > 1) { // else it does not tell what delimits
+                delimiter = own;
+            }
+        }
+        std::optional<std::pair<HeaderLine, Lookup>> last;
+        std::size_t at = 0;
+        for (std::size_t i = 0; i + (is_end ? 0 : 1) < lines_.size(); ++i) {
+            if (is_blank(lines_[i].text)) {
+                continue;
+            }
+            // A comment is split by the delimiter of the data, so that prose is not taken for names.
+            auto found = find_names(lines_[i], options_.is_comment(lines_[i].text) ? delimiter : std::nullopt);
+            if (has_all(found.second)) {
+                last = std::move(found);
+                at = i;
+            }
+        }
+        if (!last) {
+            if (is_end) {
+                return {};
+            }
+            return is_json(row) ? error({.what = StreamError::What::json}, lines_.size() - 1) : lacking(row);
+        }
+        auto& [header, found] = *last;
+        if (const auto* ambiguous = std::get_if<ColumnError>(&found)) {
+            return error({.what = StreamError::What::columns, .column = *ambiguous}, at, is_end);
+        }
+        return {.is_decided = true,
+                .header = std::move(header),
+                .is_data = !is_end,
+                .positions = std::get<std::vector<std::size_t>>(std::move(found))};
+    }
+
+private:
+    static Beginning error(StreamError error, std::size_t line, bool is_end = false) {
+        error.line = line;
+        return {.is_data = !is_end, .error = std::move(error)};
+    }
+
+    [[nodiscard]] Delimiter delimiter_of(std::string_view row) const noexcept {
+        return options_.delimiter.value_or(Delimiter::of_row(row));
+    }
+
+    /// Not one of the names is missing, whatever else is wrong with them.
+    static bool has_all(const Lookup& found) noexcept {
+        const auto* error = std::get_if<ColumnError>(&found);
+        return error == nullptr || error->what != ColumnError::What::missing;
+    }
+
+    [[nodiscard]] std::size_t count() const noexcept { return options_.numbers.names.size(); }
+
+    /// The texts of the selected fields; nothing if one is not there.
+    [[nodiscard]] std::optional<std::vector<std::string>> selected(const HeaderLine& header) const {
+        if (options_.columns.empty()) {
+            auto names = header.names();
+            names.resize(header.width());
+            return count() == 0 || names.size() == count() ? std::optional(std::move(names)) : std::nullopt;
+        }
+        std::vector<std::string> texts;
+        for (const std::size_t position : options_.columns.positions()) {
+            if (position >= header.fields.size()) {
+                return std::nullopt;
+            }
+            texts.push_back(header.name(position));
+        }
+        return texts;
+    }
+
+    [[nodiscard]] bool are_numbers(const HeaderLine& row) const {
+        const auto texts = selected(row);
+        return texts && std::ranges::all_of(*texts, is_number);
+    }
+
+    /// None of the selected fields is a number or a word for a missing one.
+    [[nodiscard]] bool is_header(const HeaderLine& header) const {
+        const auto texts = selected(header);
+        const std::string_view text = header.prefix.empty() ? header.line.text : "";
+        const bool has_mark = text.starts_with("//") || text.starts_with('%'); // a remark, unless it has the names
+        return header.is_closed && texts && !has_mark && !is_remark(header) &&
+               std::ranges::none_of(*texts, [](const auto& name) {
+                   return is_number(name) || is_missing(name) || has_decimal_comma(name);
+               });
+    }
+
+    /// The row is the beginning of JSON, and nothing that can be converted.
+    [[nodiscard]] bool is_json(const Line& row) const {
+        if (!begins_json(trimmed(row.text)) || !options_.refuses_json || options_.header != HeaderMode::automatic) {
+            return false;
+        }
+        return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
+    }
+
+    /// The last comment; an empty line where there is none.
+    [[nodiscard]] Line last_comment() const {
+        const auto found = std::find_if(lines_.rbegin(), lines_.rend(),
+                                        [this](const Line& line) { return options_.is_comment(line.text); });
+        return found == lines_.rend() ? Line{} : *found;
+    }
+
+    /// The last comment, split as the row is, or at its commas where blanks part the row and then the width is the
+    /// same.
+    [[nodiscard]] HeaderLine above(const HeaderLine& row) const {
+        const Line comment = last_comment();
+        HeaderLine with_commas(comment, Delimiter::character(','), options_.comment);
+        return row.delimiter.is_blanks() && with_commas.width() == row.width()
+                   ? with_commas
+                   : HeaderLine(comment, row.delimiter, options_.comment);
+    }
+
+    /// The last comment, if it is the header of a row; under HeaderMode::yes as many fields are enough.
+    [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
+        HeaderLine header = above(row);
+        auto names = selected(header);
+        if (header.line.text.empty() || !header.is_closed || header.width() != row.width() || !names) {
+            return std::nullopt;
+        }
+        if (options_.header == HeaderMode::yes) {
+            return header;
+        }
+        if (std::ranges::any_of(header.names(), is_number)) {
+            return std::nullopt;
+        }
+        if (row.delimiter.is_blanks() && count() > 0) { // then a remark may well have as many words
+            const auto kept = static_cast<std::ptrdiff_t>(options_.numbers.kept);
+            names = options_.own_names ? options_.own_names(std::move(*names)) : names;
+            const auto& own = options_.numbers.names;
+            if (!std::is_permutation(names->begin() + kept, names->end(), own.begin() + kept, own.end())) {
+                return std::nullopt;
+            }
+        }
+        return header;
+    }
+
+    /// Looks the names up under each delimiter, or the one given, until they are all there; commas may part those of a
+    /// comment where blanks part the rows. A mark before the first name is no part of it where they are not there as
+    /// they stand.
+    [[nodiscard]] std::pair<HeaderLine, Lookup> find_names(const Line& line, std::optional<Delimiter> delimiter) const {
+        if (!delimiter) {
+            delimiter = options_.delimiter;
+        }
+        const bool is_comment = options_.is_comment(line.text);
+        const std::string_view text = line.text.substr(is_comment ? options_.comment.size() : 0);
+        std::vector<Delimiter> tried{delimiter.value_or(Delimiter::blanks())};
+        if (delimiter && delimiter->is_blanks() && is_comment) {
+            tried.insert(tried.begin(), Delimiter::character(','));
+        }
+        for (const char c : {';', '\t', ','}) {
+            if (!delimiter && text.find(c) != std::string_view::npos) {
+                tried.push_back(Delimiter::character(c));
+            }
+        }
+        for (;; tried.pop_back()) {
+            const HeaderLine header(line, tried.back(), options_.comment);
+            const bool has_mark = header.begins_with_mark();
+            for (const bool is_without : {has_mark, !has_mark}) {
+                HeaderLine each = is_without ? header.without_mark() : header;
+                auto found = options_.columns.positions(is_remark(each) ? std::vector<std::string>() : each.names());
+                if (has_all(found) || (tried.size() == 1 && is_without != has_mark)) {
+                    return {std::move(each), std::move(found)};
+                }
+            }
+        }
+    }
+
+    /// Which names a row has and lacks, with what the columns are called.
+    [[nodiscard]] Beginning lacking(const Line& line) const {
+        const HeaderLine row(line, delimiter_of(line.text));
+        ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);
+        column.text = line.text;
+        const HeaderLine comment = above(row);
+        for (const HeaderLine* header : {&row, &comment}) {
+            if (header->is_closed && header->width() == row.width() && !is_remark(*header) &&
+                std::ranges::none_of(header->names(), is_number)) {
+                column.header = header->names();
+                break;
+            }
+        }
+        return error({.what = StreamError::What::columns, .column = std::move(column)}, lines_.size() - 1);
+    }
+
+    const std::vector<Line>& lines_;
+    const InputOptions& options_;
+};
+
+} // namespace
+
+Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bool is_end) {
+    if (lines.empty()) {
+        return {};
+    }
+    const Decision decision(lines, options);
+    if (options.columns.has_names()) {
+        return decision.by_name(is_end);
+    }
+    return is_end ? Beginning{} : decision.by_index();
+}
+
+} // namespace rotconv::stream

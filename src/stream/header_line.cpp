@@ -1,0 +1,56 @@
+#include "header_line.hpp"
+
+#include <algorithm>
+
+namespace rotconv::stream {
+namespace {
+
+/// A character of a mark before the first name. Letters beyond ASCII are not.
+bool is_mark(char c) noexcept {
+    return (static_cast<unsigned char>(c) & 0x80U) == 0U && (c < '0' || c > '9') && (c < 'A' || c > 'Z') &&
+           (c < 'a' || c > 'z') && c != '_' && c != '"' && c != '\'';
+}
+
+} // namespace
+
+HeaderLine::HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view comment)
+    : line(line_), delimiter(delimiter_) {
+    const bool is_comment = !comment.empty() && line.text.starts_with(comment);
+    const std::size_t size =
+        is_comment ? std::min(line.text.find_first_not_of(" \t", comment.size()), line.text.size()) : 0;
+    prefix = line.text.substr(0, size);
+    is_closed = delimiter.split(line.text.substr(size), fields);
+}
+
+bool HeaderLine::begins_with_mark() const {
+    return !fields.empty() && !fields.front().empty() && std::ranges::all_of(fields.front(), is_mark);
+}
+
+HeaderLine HeaderLine::without_mark() const {
+    HeaderLine made = *this;
+    const std::string_view rest = line.text.substr(prefix.size());
+    const auto is_part = [this](char c) { return is_mark(c) && (delimiter.is_blanks() || c != delimiter.text()); };
+    auto size = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_part) - rest.begin());
+    if (const auto blank = rest.find(' '); size == 0 && blank != std::string_view::npos && rest[blank - 1] == ':') {
+        size = std::min(rest.find_first_not_of(' ', blank), rest.size()); // a title: "COLUMN_HEADERS: phi1, PHI"
+    }
+    made.prefix = line.text.substr(0, prefix.size() + size);
+    made.fields.clear();
+    made.is_closed = delimiter.split(line.text.substr(made.prefix.size()), made.fields);
+    return made;
+}
+
+std::string HeaderLine::name(std::size_t at) const {
+    return std::string(trimmed(delimiter.unquoted(trimmed(fields[at]))));
+}
+
+std::vector<std::string> HeaderLine::names() const {
+    std::vector<std::string> names;
+    names.reserve(fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        names.push_back(name(i));
+    }
+    return names;
+}
+
+} // namespace rotconv::stream

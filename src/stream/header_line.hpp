@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "delimiter.hpp"
+#include "io_block.hpp"
+
+namespace rotconv::stream {
+
+/// A line as a header: its fields, behind the mark of a comment and blanks if it has them.
+struct HeaderLine {
+    HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view comment = {});
+
+    /// The same with another mark before the first name, such as the % of "%time", in the prefix. A mark is made of
+    /// characters other than letters, digits, _ and quotes.
+    [[nodiscard]] HeaderLine without_mark() const;
+    /// The first field is such a mark and nothing else.
+    [[nodiscard]] bool begins_with_mark() const;
+    /// The number of names, without empty ones at the end.
+    [[nodiscard]] std::size_t width() const { return delimiter.count(fields); }
+    [[nodiscard]] std::string name(std::size_t at) const;
+    [[nodiscard]] std::vector<std::string> names() const;
+
+    Line line;
+    std::string_view prefix; ///< the mark and the blanks before the first name
+    Delimiter delimiter;
+    std::vector<std::string_view> fields;
+    bool is_closed; ///< no quote is left open
+};
+
+} // namespace rotconv::stream
