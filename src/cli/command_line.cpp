@@ -13,41 +13,13 @@
 namespace rotconv::cli {
 namespace {
 
-std::vector<std::string> lines_of(std::string_view text) {
-    std::vector<std::string> lines;
-    for (; !text.empty(); text.remove_prefix(std::min(text.find('\n') + 1, text.size()))) {
-        lines.emplace_back(text.substr(0, text.find('\n')));
-    }
-    return lines;
-}
-
-/// The help of a command's options: those of which the conversion's help says the same are only named.
-std::string options_help(const OptionSet& options, const OptionSet& of_conversion) {
-    const auto told = lines_of(of_conversion.help());
-    std::string text;
-    std::string shared;
-    for (const std::string& line : lines_of(options.help() + "\n")) {
-        if (line.starts_with("  -") && !line.starts_with("  -h") && std::ranges::count(told, line) != 0) {
-            const auto begin = line.find("--");
-            shared += ' ' + line.substr(begin, line.find(' ', begin) - begin);
-            continue;
-        }
-        if (line.empty() && !shared.empty()) { // the end of a group
-            text += fmt::format("  shared:{}\n", shared);
-            shared.clear();
-        }
-        text += line + '\n';
-    }
-    text.pop_back();
-    const bool has_shared = text.find("\n  shared:") != std::string::npos;
-    return text + (has_shared ? "\nrotconv --help explains the options that are shared.\n" : "");
-}
-
 std::string help(const CommandEntry& entry, const OptionSet& options, const OptionSet& of_conversion,
                  std::span<const CommandEntry> commands) {
     std::string text = fmt::format("{}\n{}", entry.about, entry.usage);
     if (!entry.name.empty()) {
-        return text + options_help(options, of_conversion);
+        text += options.help(&of_conversion);
+        const bool has_shared = text.find("\n  shared:") != std::string::npos;
+        return text + (has_shared ? "\nrotconv --help explains the options that are shared.\n" : "");
     }
     text += options.help() + "\nCommands:\n";
     for (const CommandEntry& each : commands) {

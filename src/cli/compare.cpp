@@ -69,22 +69,14 @@ struct CompareOptions final : RowOptions {
         rows.with_attitudes = !as_rows;
         rows.delta = count_of(delta, 1'000'000);
         rows.unit = check.unit.text;
-        messages::Subject subject = rows.paired
-                                        ? messages::subject_of(read, comparing.reading.tolerance)
-                                        : messages::subject_of_two(read, reference, comparing.reading.tolerance);
         const auto pairs = std::make_shared<operations::PairFold>(
             rows.columns(read, reference), std::max<std::size_t>(check.worst, 1), std::move(pair_limits));
         check.pairs = pairs;
-        RowsCommand made = rows_command(operations::pair_numbers(read, reference, rows),
-                                        operations::compare(comparison, rows), std::move(subject));
+        RowsCommand made = pairs_command(read, reference, operations::compare(comparison, rows));
         made.options.append = as_rows;
         made.options.writes_rows = as_rows;
         made.options.fold = pairs;
         made.allow_failed = check.allow_failed;
-        if (rows.paired) {
-            pair(made, operations::attitude_numbers(reference, rows.by_key),
-                 messages::subject_of(reference, comparing.reading.tolerance));
-        }
         if (read.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees) {
             tell_radians(check.limits, made);
         }

@@ -27,19 +27,14 @@ struct ComposeOptions final : RowOptions {
         const std::vector<Spec> written = specs_of(to);
         const ConversionSettings turns = attitude_settings();
         const operations::PairedRows rows = paired_rows();
-        messages::Subject subject = rows.paired ? messages::subject_of(first, turns.tolerance)
-                                                : messages::subject_of_two(first, second, turns.tolerance);
         const auto product_as = [&](const Spec& spec) {
             return operations::compose(Composition(first, second, spec, turns), rows, continuous.given());
         };
-        RowsCommand made = rows_command(operations::pair_numbers(first, second, rows),
-                                        operations::several(mapped(written, product_as)), std::move(subject));
+        RowsCommand made = pairs_command(first, second, operations::several(mapped(written, product_as)));
         made.allow_unpaired =
             allow_unpaired.given() && one_of<bool>(fmt::format("kind of rows for {}", allow_unpaired.name()),
                                                    allow_unpaired, {{"reference", true}});
         if (rows.paired) {
-            pair(made, operations::attitude_numbers(second, rows.by_key),
-                 messages::subject_of(second, turns.tolerance));
             made.options.pairing->needs_partner = true;
             made.options.pairing->tells_partner = false;
         }

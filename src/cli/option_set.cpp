@@ -12,10 +12,31 @@
 namespace rotconv::cli {
 namespace {
 
-/// Of the parts of CLI11's help those that it knows: the options.
+/// Of the parts of CLI11's help those that it knows: the options. Those of which another help says the same are only
+/// named.
 class Formatter : public CLI::Formatter {
 public:
+    Formatter(const OptionSet& own, const OptionSet* other) : own_(&own), other_(other) {}
+
     std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
+    std::string make_group(std::string group, bool is_positional,
+                           std::vector<const CLI::Option*> options) const override {
+        std::string shared;
+        std::erase_if(options, [&](const CLI::Option* option) {
+            const std::string name = option->get_name();
+            const Option* const own = own_->find(name);
+            const Option* const other = other_ == nullptr || name == "--help" ? nullptr : other_->find(name);
+            const bool is_shared = other != nullptr && other->argument == own->argument && other->about == own->about;
+            shared += is_shared ? " " + name : "";
+            return is_shared;
+        });
+        return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options)) +
+               (shared.empty() ? "" : fmt::format("  shared:{}\n", shared));
+    }
+
+private:
+    const OptionSet* own_;
+    const OptionSet* other_;
 };
 
 /// Such as -90deg and -pi/2, which are not options, nor are dashes before a blank or line end: "---\nx: 0".
@@ -39,10 +60,10 @@ Option* OptionSet::find(std::string_view name) const {
     return found == options_.end() ? nullptr : *found;
 }
 
-std::string OptionSet::help() const {
+std::string OptionSet::help(const OptionSet* other) const {
     CLI::App app; // it only prints: to define all options takes it as long as the rest of a start
     app.set_help_flag();
-    app.formatter(std::make_shared<Formatter>());
+    app.formatter(std::make_shared<Formatter>(*this, other));
     std::string unused;
     for (const Option* option : options_) {
         app.option_defaults()->group(std::string(option->group));

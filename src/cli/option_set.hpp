@@ -71,7 +71,8 @@ public:
     [[nodiscard]] const std::vector<Option*>& all() const noexcept { return options_; }
     /// By one of its names, or null.
     [[nodiscard]] Option* find(std::string_view name) const;
-    [[nodiscard]] std::string help() const;
+    /// @param other if given, options of which its help says the same are only named
+    [[nodiscard]] std::string help(const OptionSet* other = nullptr) const;
 
     /// Reads words from the one at `begin` on, and keeps what is given. A word that is_value() is a VALUE, except where
     /// an option awaits its argument. Any other word that is not an option is a FILE, or ends the reading if it comes

@@ -446,6 +446,18 @@ RowsCommand RowOptions::rows_command(const stream::RowNumbers& numbers, operatio
     return command;
 }
 
+RowsCommand RowOptions::pairs_command(const Spec& first, const Spec& second, operations::Operation operation) const {
+    const double most = most_defect();
+    const operations::PairedRows rows = paired_rows();
+    RowsCommand command =
+        rows_command(operations::pair_numbers(first, second, rows), std::move(operation),
+                     rows.paired ? messages::subject_of(first, most) : messages::subject_of_two(first, second, most));
+    if (rows.paired) {
+        pair(command, operations::attitude_numbers(second, rows.by_key), messages::subject_of(second, most));
+    }
+    return command;
+}
+
 void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers, messages::Subject subject) const {
     const bool has_own_columns = reference_columns.given();
     const SelectedColumns selected =

@@ -162,6 +162,10 @@ struct RowOptions : CommandOptions {
     /// @throw Usage
     [[nodiscard]] RowsCommand rows_command(const stream::RowNumbers& numbers, operations::Operation operation,
                                            messages::Subject subject) const;
+    /// That of an operation of pairs of attitudes, where the second follows in the row or comes from the REFERENCE.
+    /// @throw Usage
+    [[nodiscard]] RowsCommand pairs_command(const Spec& first, const Spec& second,
+                                            operations::Operation operation) const;
     /// Has the command's rows paired with those of the REFERENCE.
     /// @throw Usage
     void pair(RowsCommand& command, stream::RowNumbers numbers, messages::Subject subject) const;

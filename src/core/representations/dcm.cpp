@@ -90,7 +90,7 @@ double defect_of(const SingularValues& scaled, const PowerOfTwo& scale) noexcept
 
 } // namespace
 
-Error read_far_matrix(const double* matrix, double* q, double& defect) noexcept {
+Error polar_factor(const double* matrix, double* factor, double& defect) noexcept {
     const Eigen::Map<const RowMajor> given(matrix);
     const auto scale = PowerOfTwo::to_unit(given.cwiseAbs().maxCoeff());
     if (determinant_sign(matrix) <= 0) {
@@ -108,16 +108,7 @@ Error read_far_matrix(const double* matrix, double* q, double& defect) noexcept 
     const Vector3d u2 = singular.left.col(1) / values[1];
     const Vector3d v1 = singular.right.col(0);
     const Vector3d v2 = singular.right.col(1);
-    const RowMajor factor = u1 * v1.transpose() + u2 * v2.transpose() + u1.cross(u2) * v1.cross(v2).transpose();
-    // NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay)
-    double m[9];
-    double near[4];
-    std::copy_n(factor.data(), 9, m);
-    const Davenport<double> k(m);
-    k.take_pivot_column(near);
-    k.take_power_step(near);
-    std::copy_n(near, 4, q);
-    // NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
+    Eigen::Map<RowMajor>{factor} = u1 * v1.transpose() + u2 * v2.transpose() + u1.cross(u2) * v1.cross(v2).transpose();
     return Error::none;
 }
 

@@ -134,7 +134,10 @@ Error read_unclean_matrix(const double (&m)[9], double square, double (&q)[4], d
     const double bound = 3.0 * root(square);
     is_far = !(bound <= near_rotation);
     if (is_far) {
-        return read_far_matrix(m, q, defect);
+        double factor[9] = {};
+        const Error error = polar_factor(m, factor, defect);
+        read_clean(factor, q);
+        return error;
     }
     const Davenport<double> k(m);
     double remaining = bound * bound;

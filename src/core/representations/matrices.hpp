@@ -12,10 +12,10 @@ inline constexpr double clean_square = 0x1p-58;
 /// A bound on that defect.
 inline constexpr double clean_defect = 0x1p-27;
 
-/// A quaternion near that of the polar factor of a finite matrix of any size, nine numbers row by row, and the matrix's
-/// defect. Errors: not_proper, where the determinant, whose sign is exact, is not above 0; rank_deficient, where the
-/// two smaller singular values are together below 1e-12 of the largest, so that nothing tells how far the matrix turns.
-[[nodiscard]] Error read_far_matrix(const double* matrix, double* q, double& defect) noexcept;
+/// The polar factor of a finite matrix of any size, both nine numbers row by row, and the matrix's defect. Errors:
+/// not_proper, where the determinant, whose sign is exact, is not above 0; rank_deficient, where the two smaller
+/// singular values are together below 1e-12 of the largest, so that nothing tells how far the matrix turns.
+[[nodiscard]] Error polar_factor(const double* matrix, double* factor, double& defect) noexcept;
 
 /// Largest singular value of M - (polar factor of M); see dcm::defect().
 [[nodiscard]] double defect_of_matrix(const double* matrix) noexcept;
