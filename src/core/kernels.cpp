@@ -210,6 +210,18 @@ void set_rounded(const Careful (&q)[4], std::size_t row, AttitudeBatch<double>& 
 
 // The functions of the table.
 
+/// The attitudes of plain rows, or their inverses, turned. Of matrices whose axes were moved `numbers` become those;
+/// returns the turns that are left.
+template <class T> Turns read_plainly(const Spec& spec, bool inverse, const Turns& all, const double*& numbers,
+                                      std::size_t rows, double (&moved)[2][9 * batch_rows],
+                                      AttitudeBatch<T>& attitudes) noexcept {
+    const Turns turns = move_axes(spec, inverse, all, numbers, rows, moved);
+    batch_kernel_of<T>(spec.name).read(spec, numbers, rows, attitudes);
+    invert_if(inverse, attitudes, rows);
+    turn(turns, attitudes, rows);
+    return turns;
+}
+
 template <class T> void convert(const ConversionBatch& batch, const double* in, std::size_t rows,
                                 AttitudeBatch<double>& rounded, double* out, double* rest,
                                 DiagnosticSet* diagnostics) noexcept {
@@ -217,11 +229,8 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     const Spec& to = *batch.to;
     const bool inverse = from.passive != to.passive;
     double moved[2][9 * batch_rows];
-    const Turns turns = move_axes(from, inverse, *batch.turns, in, rows, moved);
     AttitudeBatch<T> attitudes;
-    batch_kernel_of<T>(from.name).read(from, in, rows, attitudes);
-    invert_if(inverse, attitudes, rows);
-    turn(turns, attitudes, rows);
+    const Turns turns = read_plainly(from, inverse, *batch.turns, in, rows, moved, attitudes);
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
     round(attitudes, rows, rounded);
     for_each_careful_row(from, in, attitudes, rows, [&](std::size_t i) {
@@ -236,14 +245,84 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     });
 }
 
+bool convert_first(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
+                   double* out, bool* open) noexcept {
+    const Spec& from = *batch.from;
+    const Spec& to = *batch.to;
+    const bool inverse = from.passive != to.passive;
+    const auto leave_open = [&](std::size_t i) { open[i] = true; };
+    const auto read_first = kernel_of(from.name).read_first;
+    if (to.name == RepresentationId::quat && read_first != nullptr && !batch.turns->has_left &&
+        !batch.turns->has_right) {
+        read_first(from, in, rows, rounded, open);
+        invert_if(inverse, rounded, rows);
+        for (std::size_t i = 0; i < rows; ++i) {
+            double q[4];
+            rounded.get(i, q);
+            const double sign = canonical_sign(q);
+            for (std::size_t k = 0; k < 4; ++k) {
+                out[4 * i + k] = sign * q[k];
+            }
+        }
+        for_each_careful_row(from, in, rounded, rows, leave_open);
+        return true;
+    }
+    const auto write_first = kernel_of(to.name).write_first;
+    if (write_first == nullptr) {
+        return false;
+    }
+    double moved[2][9 * batch_rows];
+    AttitudeBatch<DoubleDouble> attitudes;
+    read_plainly(from, inverse, *batch.turns, in, rows, moved, attitudes);
+    write_first(to, batch.lock_margin, attitudes, rows, out, open);
+    for_each_careful_row(from, in, attitudes, rows, leave_open);
+    round(attitudes, rows, rounded);
+    return true;
+}
+
+/// The rows that the first phase leaves open, together.
+void convert_in_phases(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
+                       double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
+    bool open[batch_rows];
+    if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
+        convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
+        return;
+    }
+    const std::size_t from_size = batch.from->size();
+    const std::size_t to_size = batch.to->size();
+    std::size_t places[batch_rows + 1];
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+        places[count] = i;
+        count += open[i] && rounded.error[i] == Error::none ? 1U : 0U;
+    }
+    if (count == 0) {
+        return;
+    }
+    double numbers[most_numbers * batch_rows];
+    double results[most_numbers * batch_rows];
+    AttitudeBatch<double> attitudes;
+    DiagnosticSet found[batch_rows];
+    for (std::size_t k = 0; k < count * from_size; ++k) {
+        numbers[k] = in[places[k / from_size] * from_size + k % from_size];
+    }
+    convert<DoubleDouble>(batch, numbers, count, attitudes, results, nullptr, found);
+    for (std::size_t k = 0; k < count * to_size; ++k) {
+        out[places[k / to_size] * to_size + k % to_size] = results[k];
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        double q[4];
+        attitudes.get(k, q);
+        rounded.set(places[k], q);
+        diagnostics[places[k]] = found[k];
+    }
+}
+
 /// The attitudes that rows describe, turned, to 106 bits.
 void read_upright(const Spec& spec, const Turns& all, const double* numbers, std::size_t rows,
                   AttitudeBatch<DoubleDouble>& attitudes) noexcept {
     double moved[2][9 * batch_rows];
-    const Turns turns = move_axes(spec, spec.passive, all, numbers, rows, moved);
-    kernel_of(spec.name).exact.read(spec, numbers, rows, attitudes);
-    invert_if(spec.passive, attitudes, rows);
-    turn(turns, attitudes, rows);
+    const Turns turns = read_plainly(spec, spec.passive, all, numbers, rows, moved, attitudes);
     for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
         Careful q[4];
         read_carefully(spec, numbers + i * spec.size(), spec.passive, turns, q);
@@ -396,7 +475,8 @@ DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[
 
 extern const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET);
 constinit const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET){.target = ROTCONV_DETAIL_TEXT(ROTCONV_TARGET),
-                                                               .convert = convert<DoubleDouble>,
+                                                               .convert = convert_in_phases,
+                                                               .convert_first = convert_first,
                                                                .convert_fast = convert<double>,
                                                                .read = read,
                                                                .relate = relate_rounded,

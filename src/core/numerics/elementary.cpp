@@ -46,7 +46,7 @@ ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, DoubleDouble /*scalar*
 }
 
 /// The same to 2^-100 or, where more than 40 digits cancel, as many fewer.
-ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, double /*scalar*/) noexcept {
+template <class T> ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, T /*scalar*/) noexcept {
     const double count = (angle.hi * 0x1.45f306dc9c883p+4 + rounding) - rounding;
     const DoubleDouble first = two_prod(count, step_parts[0]);
     // both differences are exact: where the count is not 0 all are multiples of 2^-58, and the rest is below 2^-5
@@ -161,6 +161,32 @@ ROTCONV_INLINE SineCosine<double> turned(const SineCosine<DoubleDouble>& steps, 
             cosine + ((steps.cosine.lo - sine * beyond) + (cosine * less - sine * r))};
 }
 
+/// With u = 2^-53 and r <= pi/128: the term of the third degree, r^3/6, is rounded four times, and its sum with the low
+/// parts three times. So the vector of cosine and sine is off by 7u r^3/6 <= 0x1.3p-69. Where the sine or the cosine is
+/// nearest to 0, but not r alone, it is of size r, and off by 7u r^2/6 <= 2^-63 of itself.
+ROTCONV_INLINE SineCosine<Approximate> turned(const SineCosine<DoubleDouble>& steps, DoubleDouble rest,
+                                              Approximate /*scalar*/) noexcept {
+    const double r = rest.hi;
+    const DoubleDouble z = two_prod(r, r);
+    const double sine_3 = __builtin_fma(z.hi, 0x1.71de3a556c734p-19, -0x1.a01a01a01a01ap-13);
+    const double sine_1 = __builtin_fma(z.hi, __builtin_fma(z.hi, sine_3, 0x1.1111111111111p-7), -0x1.5555555555555p-3);
+    const double cosine_3 = __builtin_fma(z.hi, 0x1.a01a01a01a01ap-16, -0x1.6c16c16c16c17p-10);
+    const double cosine_2 = __builtin_fma(z.hi, cosine_3, 0x1.5555555555555p-5);
+    const Approximate sine{r, __builtin_fma(r * z.hi, sine_1, rest.lo)};
+    const Approximate less{-0.5 * z.hi, __builtin_fma(z.hi * z.hi, cosine_2, -__builtin_fma(r, rest.lo, 0.5 * z.lo))};
+    // a + a less + b sine, a the larger or 0
+    const auto sum = [&](DoubleDouble a, DoubleDouble b) {
+        const DoubleDouble first = two_prod(b.hi, sine.hi);
+        const DoubleDouble second = two_prod(a.hi, less.hi);
+        const DoubleDouble one = fast_two_sum(a.hi, first.hi);
+        const DoubleDouble two = fast_two_sum(one.hi, second.hi);
+        const double low =
+            __builtin_fma(b.hi, sine.lo, b.lo * sine.hi) + (a.lo + __builtin_fma(a.hi, less.lo, a.lo * less.hi));
+        return normalized({two.hi, ((one.lo + two.lo) + (first.lo + second.lo)) + low});
+    };
+    return {sum(steps.sine, steps.cosine), sum(steps.cosine, -steps.sine)};
+}
+
 ROTCONV_INLINE const SineCosine<DoubleDouble>& sine_cosine_of_steps(double count) noexcept {
     return turn_table.values[static_cast<unsigned>(static_cast<std::int64_t>(count)) & 127U];
 }
@@ -210,6 +236,24 @@ ROTCONV_INLINE DoubleDouble rest_of_arc_tangent(const Tangent<double>& t) noexce
     return {tangent, tangent * s *
                          (-0x1.5555555555555p-2 +
                           s * (0x1.999999999999ap-3 + s * (-0x1.2492492492492p-3 + s * 0x1.c71c71c71c71cp-4)))};
+}
+/// With the part beside the tangent's double only as a double, s = t^2:
+///     atan(t + rest) = t + (rest (1 - s) + t s (-1/3 + s/5 - s^2/7 + s^3/9))
+/// For |t| <= 2^-7 the series ends 2^-73 |t| early. The term of the third degree is below 2^-15.5 |t|, and rounded five
+/// times, with its sum: to 2^-66 |t| in all, and |t| is at most the angle.
+ROTCONV_INLINE DoubleDouble rest_of_arc_tangent(const Tangent<Approximate>& t) noexcept {
+    const double c = t.count * 0x1p-6;
+    const double near = __builtin_fma(-c, t.far.hi, t.near.hi); // exact: c has 7 bits, and this is below far/64
+    const double far = __builtin_fma(c, t.near.hi, t.far.hi);
+    const double far_low = __builtin_fma(c, t.near.hi, t.far.hi - far) + __builtin_fma(c, t.near.lo, t.far.lo);
+    const double inverse = 1.0 / far;
+    const double tangent = near * inverse;
+    const double near_low = __builtin_fma(-tangent, far, near) + __builtin_fma(-c, t.far.lo, t.near.lo);
+    const double low = __builtin_fma(-tangent, far_low, near_low) * inverse;
+    const double s = tangent * tangent;
+    const double third = __builtin_fma(s, 0x1.c71c71c71c71cp-4, -0x1.2492492492492p-3);
+    const double first = __builtin_fma(s, __builtin_fma(s, third, 0x1.999999999999ap-3), -0x1.5555555555555p-2);
+    return {tangent, __builtin_fma(tangent * s, first, __builtin_fma(-low, s, low))};
 }
 
 /// The angle of (x, y), from the one that is counted from the nearer axis.
@@ -367,6 +411,10 @@ template <class T> void angles_of(const Column<T>& x, const Column<T>& y, std::s
 ROTCONV_FOR_SCALAR(double)
 ROTCONV_FOR_SCALAR(DoubleDouble)
 #undef ROTCONV_FOR_SCALAR
+template void sine_cosine(const Column<DoubleDouble>&, std::size_t, AngleUnit, Column<Approximate>&,
+                          Column<Approximate>&) noexcept;
+template void angles_of(const Column<Approximate>&, const Column<Approximate>&, std::size_t, AngleUnit,
+                        Column<DoubleDouble>&) noexcept;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

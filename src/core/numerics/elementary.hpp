@@ -4,12 +4,13 @@
 
 #include <rotconv/angle.hpp>
 
+#include "approximate.hpp"
 #include "row_batch.hpp"
 #include "scaled_double_double.hpp"
 #include "trigonometric_tables.hpp"
 
 // The project's own sine, cosine and arc tangent: plain sums and products of doubles, the same bits on every machine. T
-// is the scalar of their accuracy, double or DoubleDouble.
+// is the scalar of their accuracy: double, DoubleDouble or, for batches, Approximate.
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
@@ -33,7 +34,8 @@ inline constexpr DoubleDouble exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x
 /// 90 degrees are exact.
 template <class T> [[nodiscard]] SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept;
 [[nodiscard]] SineCosine<ScaledDoubleDouble> sine_cosine(const ScaledDoubleDouble& angle, AngleUnit unit) noexcept;
-/// Those of a batch of rows, each angle 0 or at least 2^-300.
+/// Those of a batch of rows, each angle 0 or at least 2^-300. As Approximate, from angles that are doubles, each is
+/// right to 2^-63 of itself, and both, as a vector, to 0x1.3p-69.
 template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::size_t rows, AngleUnit unit,
                                     Column<T>& cosines, Column<T>& sines) noexcept;
 
@@ -56,7 +58,8 @@ struct SmallAngle {
 template <class T> [[nodiscard]] DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept;
 [[nodiscard]] ScaledDoubleDouble angle_of(const ScaledDoubleDouble& x, const ScaledDoubleDouble& y,
                                           AngleUnit unit) noexcept;
-/// Those of a batch of rows, of components that are 0 or between 2^-950 and 2^400.
+/// Those of a batch of rows, of components that are 0 or between 2^-950 and 2^400. From Approximate, which must be
+/// normalized(), to 2^-65 of itself.
 template <class T> void angles_of(const Column<T>& x, const Column<T>& y, std::size_t rows, AngleUnit unit,
                                   Column<DoubleDouble>& angles) noexcept;
 

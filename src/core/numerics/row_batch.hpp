@@ -11,25 +11,23 @@ namespace rotconv {
 /// Rows that are worked on together: loops over them vectorise, and what they hold stays in the first cache.
 inline constexpr std::size_t batch_rows = 128;
 
-/// One number of each row of a batch; not set at first.
-template <class T> struct Column;
+/// One number of each row of a batch, a scalar of two parts; not set at first.
+template <class T> struct Column {
+    double hi[batch_rows];
+    double lo[batch_rows];
+
+    ROTCONV_INLINE T operator[](std::size_t row) const noexcept { return {hi[row], lo[row]}; }
+    ROTCONV_INLINE void set(std::size_t row, T value) noexcept {
+        hi[row] = value.hi;
+        lo[row] = value.lo;
+    }
+};
 
 template <> struct Column<double> {
     double hi[batch_rows];
 
     ROTCONV_INLINE double operator[](std::size_t row) const noexcept { return hi[row]; }
     ROTCONV_INLINE void set(std::size_t row, double value) noexcept { hi[row] = value; }
-};
-
-template <> struct Column<DoubleDouble> {
-    double hi[batch_rows];
-    double lo[batch_rows];
-
-    ROTCONV_INLINE DoubleDouble operator[](std::size_t row) const noexcept { return {hi[row], lo[row]}; }
-    ROTCONV_INLINE void set(std::size_t row, DoubleDouble value) noexcept {
-        hi[row] = value.hi;
-        lo[row] = value.lo;
-    }
 };
 
 /// N numbers of each row.

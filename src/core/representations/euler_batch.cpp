@@ -1,3 +1,5 @@
+#include <cstdint>
+
 #include "euler_formulas.hpp"
 #include "kernel.hpp"
 
@@ -6,38 +8,105 @@ inline namespace ROTCONV_TARGET {
 namespace {
 
 struct Angles {
+    /// The sines and cosines of the halves of the angles, in the order of the turns about fixed axes.
+    template <class T> struct Halves {
+        ROTCONV_INLINE Halves(const Spec& spec, const FixedAxes& axes, const double* numbers,
+                              std::size_t rows) noexcept {
+            for (std::size_t turn = 0; turn < 3; ++turn) {
+                const std::size_t place = axes.places[turn];
+                const double half_sign = 0.5 * spec.sequence.sign(place);
+                Column<DoubleDouble> half;
+                for (std::size_t i = 0; i < rows; ++i) {
+                    half.set(i, half_sign * numbers[3 * i + place]);
+                }
+                sine_cosine(half, rows, spec.unit, cosines[turn], sines[turn]);
+            }
+        }
+        ROTCONV_INLINE void get(std::size_t i, SineCosine<T> (&turns)[3]) const noexcept {
+            for (std::size_t turn = 0; turn < 3; ++turn) {
+                turns[turn] = {sines[turn][i], cosines[turn][i]};
+            }
+        }
+
+        Columns<T, 3> cosines, sines;
+    };
+
     template <class T>
-    static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
-        const FixedAxes axes(spec.sequence);
-        Column<DoubleDouble> half;
-        const double half_signs[] = {0.5 * spec.sequence.sign(axes.places[0]), 0.5 * spec.sequence.sign(1),
-                                     0.5 * spec.sequence.sign(axes.places[2])};
-        Columns<T, 3> cosines;
-        Columns<T, 3> sines;
+    static void find_errors(const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
         for (std::size_t i = 0; i < rows; ++i) {
             attitudes.error[i] = all_finite(numbers + 3 * i, 3) ? Error::none : Error::not_finite;
             attitudes.defect[i] = 0.0;
         }
-        for (std::size_t turn = 0; turn < 3; ++turn) {
-            for (std::size_t i = 0; i < rows; ++i) {
-                half.set(i, half_signs[turn] * numbers[3 * i + axes.places[turn]]);
-            }
-            sine_cosine(half, rows, spec.unit, cosines[turn], sines[turn]);
-        }
+    }
+
+    template <class T>
+    static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
+        const FixedAxes axes(spec.sequence);
+        find_errors(numbers, rows, attitudes);
+        const Halves<T> halves(spec, axes, numbers, rows);
         Column<T>& w = attitudes.columns[0];
         Column<T>& along_i = attitudes.columns[1 + axes.i];
         Column<T>& along_j = attitudes.columns[1 + axes.j];
         Column<T>& along_k = attitudes.columns[1 + axes.k];
         for (std::size_t i = 0; i < rows; ++i) {
-            const SineCosine<T> turns[3] = {
-                {sines[0][i], cosines[0][i]}, {sines[1][i], cosines[1][i]}, {sines[2][i], cosines[2][i]}};
+            SineCosine<T> turns[3];
             T q[4];
+            halves.get(i, turns);
             product_of_turns(axes, turns, q);
             w.set(i, q[0]);
             along_i.set(i, q[1]);
             along_j.set(i, q[2]);
             along_k.set(i, q[3]);
         }
+    }
+
+    /// In Approximate. See sine_cosine() for the errors of a sine and a cosine. A component of the quaternion, which is
+    /// unit, is linear in each of the three vectors of cosine and sine, with coefficients of length 1 at most: it is
+    /// off by three times their errors, the absolute ones or, of the sizes of its products, the relative ones.
+    /// Roundings of these, and the exact kernels' errors, are below 2^-30 of that.
+    template <class Axes> static void read_first_of(const Spec& spec, const double* numbers, std::size_t rows,
+                                                    AttitudeBatch<double>& attitudes, bool* open) noexcept {
+        const Axes axes(spec.sequence);
+        find_errors(numbers, rows, attitudes);
+        const Halves<Approximate> halves(spec, axes, numbers, rows);
+        constexpr double absolute = 3 * 0x1.3p-69;
+        double doubts[batch_rows];
+        Column<double>& w = attitudes.columns[0];
+        Column<double>& along_i = attitudes.columns[1 + axes.i];
+        Column<double>& along_j = attitudes.columns[1 + axes.j];
+        Column<double>& along_k = attitudes.columns[1 + axes.k];
+        for (std::size_t i = 0; i < rows; ++i) {
+            SineCosine<Approximate> turns[3];
+            SineCosine<Magnitude> size_turns[3];
+            Approximate q[4];
+            Magnitude sizes[4];
+            halves.get(i, turns);
+            for (std::size_t turn = 0; turn < 3; ++turn) {
+                size_turns[turn] = {turns[turn].sine.hi, turns[turn].cosine.hi};
+            }
+            product_of_turns(axes, turns, q);
+            product_of_turns(axes, size_turns, sizes);
+            double doubt = 0.0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                q[k] = normalized(q[k]);
+                const double relative = 3 * 0x1p-63 * sizes[k].value;
+                doubt = rounds_alike({q[k].hi, q[k].lo}, relative < absolute ? relative : absolute) ? doubt : 1.0;
+            }
+            doubts[i] = doubt;
+            w.set(i, q[0].hi);
+            along_i.set(i, q[1].hi);
+            along_j.set(i, q[2].hi);
+            along_k.set(i, q[3].hi);
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            open[i] = doubts[i] != 0.0;
+        }
+    }
+
+    static void read_first(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
+                           bool* open) noexcept {
+        spec.sequence.proper() ? read_first_of<AxesOfKind<true>>(spec, numbers, rows, attitudes, open)
+                               : read_first_of<AxesOfKind<false>>(spec, numbers, rows, attitudes, open);
     }
 
     /// `half_angle(i)`: the sine and cosine of half of the number i.
@@ -79,66 +148,81 @@ struct Angles {
         read_by(spec, half_angle, q);
     }
 
+    /// The vectors of rows.
+    template <class T> struct Vectors {
+        template <class Axes, class Q> ROTCONV_INLINE Vectors(const Axes& axes, const AngleRanges& ranges,
+                                                              const AttitudeBatch<Q>& attitudes,
+                                                              std::size_t rows) noexcept {
+            // References: compilers do not vectorise access through an array of pointers.
+            const Column<Q>& w = attitudes.columns[0];
+            const Column<Q>& along_i = attitudes.columns[1 + axes.i];
+            const Column<Q>& along_j = attitudes.columns[1 + axes.j];
+            const Column<Q>& along_k = attitudes.columns[1 + axes.k];
+            for (std::size_t i = 0; i < rows; ++i) {
+                const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
+                const TurnVectors<T> vectors(axes, q);
+                set(i, vectors);
+                middle.set(i, {normalized(vectors.middle.x), normalized(vectors.middle.y)});
+                lengths.set(i, {vectors.cosine_length, vectors.sine_length});
+            }
+            for (std::size_t i = 0; i < rows && ranges.is_other; ++i) { // a loop of its own: branches cost the vectors
+                first.set(i, {-first[0][i], -first[1][i]});
+                last.set(i, {-last[0][i], -last[1][i]});
+            }
+        }
+        ROTCONV_INLINE void set(std::size_t i, const TurnVectors<T>& vectors) noexcept {
+            first.set(i, {normalized(vectors.first.x), normalized(vectors.first.y)});
+            last.set(i, {normalized(vectors.last.x), normalized(vectors.last.y)});
+        }
+        /// The angles, and as they are printed where no row is locked.
+        void get_angles(const Spec& spec, const FixedAxes& axes, const AngleRanges& ranges, std::size_t rows,
+                        Columns<DoubleDouble, 3>& angles, double* numbers) const noexcept {
+            angles_of(first[0], first[1], rows, spec.unit, angles[axes.places[0]]);
+            angles_of(middle[0], middle[1], rows, spec.unit, angles[1]);
+            angles_of(last[0], last[1], rows, spec.unit, angles[axes.places[2]]);
+            for (std::size_t i = 0; i < rows; ++i) {
+                angles[1].set(i, scaled(angles[1][i], ranges.middle_factor));
+            }
+            for (std::size_t i = 0; i < rows && spec.sequence.has_signs(); ++i) {
+                angles[0].set(i, scaled(angles[0][i], spec.sequence.sign(0)));
+                angles[2].set(i, scaled(angles[2][i], spec.sequence.sign(2)));
+            }
+            for (std::size_t i = 0; i < rows; ++i) {
+                numbers[3 * i] = ranges.outer(angles[0].hi[i]);
+                numbers[3 * i + 1] = angles[1].hi[i];
+                numbers[3 * i + 2] = ranges.outer(angles[2].hi[i]);
+            }
+            for (std::size_t i = 0; i < rows && spec.positive; ++i) {
+                numbers[3 * i] = ranges.positive(angles[0][i]).hi;
+                numbers[3 * i + 2] = ranges.positive(angles[2][i]).hi;
+            }
+        }
+
+        Columns<T, 2> first, middle, last, lengths;
+    };
+
     template <class T> static void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes,
                                          std::size_t rows, double* numbers, double* rest,
                                          DiagnosticSet* diagnostics) noexcept {
         const FixedAxes axes(spec.sequence);
         const LockLimit limit(lock_margin);
-        // References: compilers do not vectorise access through an array of pointers.
-        const Column<T>& w = attitudes.columns[0];
-        const Column<T>& along_i = attitudes.columns[1 + axes.i];
-        const Column<T>& along_j = attitudes.columns[1 + axes.j];
-        const Column<T>& along_k = attitudes.columns[1 + axes.k];
-        Columns<T, 2> first;
-        Columns<T, 2> middle;
-        Columns<T, 2> last;
-        Columns<T, 2> lengths;
         const AngleRanges ranges(axes, spec);
-        for (std::size_t i = 0; i < rows; ++i) {
-            const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
-            const TurnVectors<T> vectors(axes, q);
-            first.set(i, {vectors.first.x, vectors.first.y});
-            middle.set(i, {vectors.middle.x, vectors.middle.y});
-            last.set(i, {vectors.last.x, vectors.last.y});
-            lengths.set(i, {vectors.cosine_length, vectors.sine_length});
-        }
-        for (std::size_t i = 0; i < rows && ranges.is_other; ++i) { // a loop of its own, for branches cost the vectors
-            first.set(i, {-first[0][i], -first[1][i]});
-            last.set(i, {-last[0][i], -last[1][i]});
-        }
+        Vectors<T> vectors(axes, ranges, attitudes, rows);
         bool upper[batch_rows];
         for (std::size_t i = 0; i < rows; ++i) {
-            const Lock<T> lock(lengths[0][i], lengths[1][i], limit);
+            const Lock<T> lock(vectors.lengths[0][i], vectors.lengths[1][i], limit);
             diagnostics[i] = lock.diagnostics();
             upper[i] = lock.upper;
             if (lock.locked) {
-                const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
-                TurnVectors<T> vectors(axes, q);
-                vectors.give_up_one(axes, q);
-                first.set(i, {vectors.first.x, vectors.first.y});
-                last.set(i, {vectors.last.x, vectors.last.y});
+                const T q[4] = {attitudes[0][i], attitudes[1 + axes.i][i], attitudes[1 + axes.j][i],
+                                attitudes[1 + axes.k][i]};
+                TurnVectors<T> given_up(axes, q);
+                given_up.give_up_one(axes, q);
+                vectors.set(i, given_up);
             }
         }
         Columns<DoubleDouble, 3> angles;
-        angles_of(first[0], first[1], rows, spec.unit, angles[axes.places[0]]);
-        angles_of(middle[0], middle[1], rows, spec.unit, angles[1]);
-        angles_of(last[0], last[1], rows, spec.unit, angles[axes.places[2]]);
-        for (std::size_t i = 0; i < rows; ++i) {
-            angles[1].set(i, scaled(angles[1][i], ranges.middle_factor));
-        }
-        for (std::size_t i = 0; i < rows && spec.sequence.has_signs(); ++i) {
-            angles[0].set(i, scaled(angles[0][i], spec.sequence.sign(0)));
-            angles[2].set(i, scaled(angles[2][i], spec.sequence.sign(2)));
-        }
-        for (std::size_t i = 0; i < rows; ++i) {
-            numbers[3 * i] = ranges.outer(angles[0].hi[i]);
-            numbers[3 * i + 1] = angles[1].hi[i];
-            numbers[3 * i + 2] = ranges.outer(angles[2].hi[i]);
-        }
-        for (std::size_t i = 0; i < rows && spec.positive; ++i) {
-            numbers[3 * i] = ranges.positive(angles[0][i]).hi;
-            numbers[3 * i + 2] = ranges.positive(angles[2][i]).hi;
-        }
+        vectors.get_angles(spec, axes, ranges, rows, angles, numbers);
         for (std::size_t i = 0; i < rows; ++i) {
             if (diagnostics[i].has(DiagnosticKind::gimbal_lock)) {
                 angles[1].set(i, upper[i] ? ranges.upper : ranges.lower);
@@ -150,6 +234,80 @@ struct Angles {
             rest[3 * i + 1] = angles[1].lo[i];
             rest[3 * i + 2] = ranges.rest_of(angles[2][i], numbers[3 * i + 2]);
         }
+    }
+
+    /// Of w, i, j, k: whether the sums of TurnVectors that make an angle of 0 lose no digit, or only 0 is multiplied.
+    static bool zeros_are_exact(const FixedAxes& axes, const DoubleDouble (&q)[4]) noexcept {
+        bool are_doubles = true;
+        bool is_0[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            are_doubles = are_doubles && q[k].lo == 0.0;
+            is_0[k] = q[k].hi == 0.0;
+        }
+        return axes.proper || are_doubles || ((is_0[0] || is_0[2]) && (is_0[1] || is_0[3])) || (is_0[0] && is_0[2]) ||
+               (is_0[1] && is_0[3]);
+    }
+
+    /// In Approximate. With Q = |q|, so that C^2 + S^2 = 2 Q^2, and r = max(C, S)/min(C, S):
+    /// - A sum of two components is off by 2^-103 Q, from the sum of their low parts, and in the exact kernel by 2^-97
+    /// Q
+    ///   where it is cleaned to 0. A vector of length C S is off by C + S times that, and by 2^-97 C S from what its
+    ///   own sums are cleaned of; its products' errors are far below. Together that turns it by less than 2^-95 r.
+    /// - angles_of() adds 2^-65 of the angle at most, degrees and whole turns 2^-102.
+    /// An angle that rounds alike within all that has the exact kernel's number. An angle of 0 never does. It is the
+    /// exact kernel's too where sums of components are exact: their products are then near enough for it to clean.
+    template <class Axes> static void write_first_of(const Spec& spec, double lock_margin,
+                                                     const AttitudeBatch<DoubleDouble>& attitudes, std::size_t rows,
+                                                     double* numbers, bool* open) noexcept {
+        const Axes axes(spec.sequence);
+        const LockLimit limit(lock_margin);
+        const AngleRanges ranges(axes, spec);
+        const Vectors<Approximate> vectors(axes, ranges, attitudes, rows);
+        Columns<DoubleDouble, 3> angles;
+        vectors.get_angles(spec, axes, ranges, rows, angles, numbers);
+        const double unit = spec.unit == AngleUnit::degrees ? 64.0 : 1.0; // at least that of a radian
+        const double unlocked = limit.locks_all ? __builtin_inf() : limit.tangent.hi + 0x1p-16; // nor nearly locked
+        double doubts[batch_rows]; // 0, or 1 of an angle of 0, or 2: compilers vectorise no loop with bools
+        double bound[batch_rows];
+        for (std::size_t i = 0; i < rows; ++i) {
+            const double cosine = vectors.lengths[0].hi[i];
+            const double sine = vectors.lengths[1].hi[i];
+            const double larger = larger_of(cosine, sine);
+            const double smaller = -larger_of(-cosine, -sine);
+            doubts[i] = smaller > unlocked * larger ? 0.0 : 2.0; // 2 of nan too
+            bound[i] = unit * 0x1p-95 * (larger / smaller);
+        }
+        const auto find_doubts = [&](std::size_t k, auto printed) {
+            for (std::size_t i = 0; i < rows; ++i) {
+                const double size = __builtin_fabs(angles[k].hi[i]);
+                const bool rounds = rounds_alike(printed(angles[k][i]), bound[i] + 0x1p-65 * size);
+                doubts[i] = larger_of(doubts[i], size == 0.0 ? 1.0 : (rounds ? 0.0 : 2.0));
+            }
+        };
+        for (std::size_t k = 0; k < 3; ++k) {
+            find_doubts(k, [](DoubleDouble angle) { return angle; });
+        }
+        for (std::size_t k = 0; k < 3 && spec.positive; k += 2) {
+            find_doubts(k, [&](DoubleDouble angle) { return ranges.positive(angle); });
+        }
+        std::uint64_t zeros = 0;
+        for (std::size_t i = 0; i < rows; ++i) {
+            open[i] = doubts[i] == 2.0;
+            zeros |= doubts[i] == 1.0 ? 1U : 0U;
+        }
+        for (std::size_t i = 0; i < rows && zeros != 0; ++i) {
+            if (doubts[i] == 1.0) {
+                const DoubleDouble q[4] = {attitudes[0][i], attitudes[1 + axes.i][i], attitudes[1 + axes.j][i],
+                                           attitudes[1 + axes.k][i]};
+                open[i] = !zeros_are_exact(axes, q);
+            }
+        }
+    }
+
+    static void write_first(const Spec& spec, double lock_margin, const AttitudeBatch<DoubleDouble>& attitudes,
+                            std::size_t rows, double* numbers, bool* open) noexcept {
+        spec.sequence.proper() ? write_first_of<AxesOfKind<true>>(spec, lock_margin, attitudes, rows, numbers, open)
+                               : write_first_of<AxesOfKind<false>>(spec, lock_margin, attitudes, rows, numbers, open);
     }
 
     template <class T>
@@ -181,7 +339,10 @@ struct Angles {
 constexpr Kernel kernel_of_angles{.fast = {.read = Angles::read<double>, .write = Angles::write<double>},
                                   .exact = {.read = Angles::read<DoubleDouble>, .write = Angles::write<DoubleDouble>},
                                   .one = {.read = Angles::read_one, .write = Angles::write_one<double>},
-                                  .careful = {.read = Angles::read_carefully, .write = Angles::write_one<Careful>}};
+                                  .careful = {.read = Angles::read_carefully, .write = Angles::write_one<Careful>},
+                                  // elsewhere they gain nothing
+                                  .read_first = ROTCONV_HAS_FMA != 0 ? Angles::read_first : nullptr,
+                                  .write_first = ROTCONV_HAS_FMA != 0 ? Angles::write_first : nullptr};
 
 } // namespace
 

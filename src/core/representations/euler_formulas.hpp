@@ -8,7 +8,8 @@
 #include "../numerics/elementary.hpp"
 #include "../numerics/scaled_double_double.hpp"
 
-// The formulas of Euler angles for one row, over a scalar: double, DoubleDouble or ScaledDoubleDouble.
+// The formulas of Euler angles for one row, over a scalar: double, DoubleDouble, ScaledDoubleDouble or, in a first
+// phase, Approximate.
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
@@ -28,6 +29,12 @@ struct FixedAxes {
     std::size_t places[3]; ///< where the angles of the three turns stand among the numbers
     int i, j, k;
     double sign; ///< +1 where (i, j, k) is an even permutation of (x, y, z)
+};
+
+/// The same where the compiler knows the kind of the sequence, and leaves out the formula of the other.
+template <bool is_proper> struct AxesOfKind : FixedAxes {
+    using FixedAxes::FixedAxes;
+    static constexpr bool proper = is_proper;
 };
 
 /// a - b, and 0 where so much cancels that the rest is the operands' own error: 0 and gimbal lock are exact.
@@ -51,8 +58,8 @@ template <class T> ROTCONV_INLINE void row_by_row() noexcept {
 }
 
 /// The quaternion w, i, j, k of the three turns about fixed axes, of which half angles are given: their product.
-template <class T>
-ROTCONV_INLINE void product_of_turns(const FixedAxes& axes, const SineCosine<T> (&turns)[3], T (&q)[4]) noexcept {
+template <class Axes, class T>
+ROTCONV_INLINE void product_of_turns(const Axes& axes, const SineCosine<T> (&turns)[3], T (&q)[4]) noexcept {
     row_by_row<T>();
     const T cc = turns[2].cosine * turns[0].cosine;
     const T ss = turns[2].sine * turns[0].sine;
@@ -81,7 +88,7 @@ template <class T> struct Vector { T x, y; };
 /// times a common factor.
 template <class T> struct TurnVectors {
     /// @param q w, i, j, k
-    ROTCONV_INLINE TurnVectors(const FixedAxes& axes, const T (&q)[4]) noexcept {
+    template <class Axes> ROTCONV_INLINE TurnVectors(const Axes& axes, const T (&q)[4]) noexcept {
         row_by_row<T>();
         const T k = scaled(q[3], axes.sign);
         const Vector<T> ab{axes.proper ? q[0] : clean_difference(q[0], q[2]), axes.proper ? q[1] : clean_sum(q[1], k)};
@@ -91,7 +98,7 @@ template <class T> struct TurnVectors {
         const T ac = ab.x * cd.x;
         const T bd = ab.y * cd.y;
         const T bc = ab.y * cd.x;
-        const T ad = ab.x * cd.y;
+        const T ad = cd.y * ab.x; // where it equals bc, so do their factors, in this order
         first = {clean_sum(ac, bd), clean_difference(bc, ad)};
         last = {clean_difference(ac, bd), scaled(clean_sum(bc, ad), axes.proper ? 1.0 : axes.sign)};
         // a Tait-Bryan angle by its own tangent, (S^2 - C^2)/(2 S C): near 0 it keeps its digits

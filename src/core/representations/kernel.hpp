@@ -66,6 +66,14 @@ struct Kernel {
     BatchKernel<DoubleDouble> exact;
     RowKernel one;
     CarefulKernel careful;
+    // First phases, to about 2^-66, or null. They leave rows open, and must leave those that are not plain; what they
+    // make of the others is what the exact kernels make of them, and nothing to report.
+    /// BatchKernel::read() to a quaternion that is unit: each component as it is printed, except for its sign.
+    void (*read_first)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
+                       bool* open) noexcept = nullptr;
+    /// BatchKernel::write().
+    void (*write_first)(const Spec& spec, double lock_margin, const AttitudeBatch<DoubleDouble>& attitudes,
+                        std::size_t rows, double* numbers, bool* open) noexcept = nullptr;
     bool reading_is_exact = false; ///< numbers of any size, but for a power of two
 };
 

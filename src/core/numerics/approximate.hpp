@@ -1,0 +1,80 @@
+#pragma once
+
+#include "double_double.hpp"
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+
+/// A sum hi + lo that is not normalised: the scalar of a first phase, whose numbers count only where the bound on their
+/// error proves that the exact ones round to them. With u = 2^-53, |a.lo| <= 2^-50 |a| and no product out of
+/// DoubleDouble's range:
+///     a b        to 2^-99 |a b|: a.lo b.lo is left out, and the low part, below 2^-49 |a b|, is rounded three times
+///     a^2        to 2^-99 a^2
+///     a + b      to 2^-101 (|a| + |b|): of its parts only the low ones are rounded
+///     root(a)    to 2^-99 root(a)
+struct Approximate {
+    double hi = 0.0;
+    double lo = 0.0;
+
+    ROTCONV_INLINE constexpr Approximate() noexcept = default;
+    ROTCONV_INLINE constexpr Approximate(double value) noexcept : hi(value) {}
+    ROTCONV_INLINE constexpr Approximate(double high, double low) noexcept : hi(high), lo(low) {}
+    ROTCONV_INLINE constexpr Approximate(DoubleDouble value) noexcept : hi(value.hi), lo(value.lo) {}
+};
+
+ROTCONV_INLINE Approximate operator-(Approximate a) noexcept { return {-a.hi, -a.lo}; }
+ROTCONV_INLINE Approximate operator+(Approximate a, Approximate b) noexcept {
+    const DoubleDouble high = two_sum(a.hi, b.hi);
+    return {high.hi, high.lo + (a.lo + b.lo)};
+}
+ROTCONV_INLINE Approximate operator-(Approximate a, Approximate b) noexcept { return a + -b; }
+ROTCONV_INLINE Approximate operator*(Approximate a, Approximate b) noexcept {
+    const DoubleDouble high = two_prod(a.hi, b.hi);
+    return {high.hi, __builtin_fma(a.hi, b.lo, __builtin_fma(a.lo, b.hi, high.lo))};
+}
+ROTCONV_INLINE Approximate square(Approximate a) noexcept {
+    const DoubleDouble high = two_prod(a.hi, a.hi);
+    return {high.hi, __builtin_fma(a.hi + a.hi, a.lo, high.lo)};
+}
+ROTCONV_INLINE Approximate sloppy_sum(Approximate a, Approximate b) noexcept { return a + b; }
+ROTCONV_INLINE Approximate scaled(Approximate a, double power_of_two) noexcept {
+    return {a.hi * power_of_two, a.lo * power_of_two};
+}
+ROTCONV_INLINE Approximate root(Approximate a) noexcept {
+    const double high = __builtin_sqrt(a.hi);
+    return {high, (__builtin_fma(-high, high, a.hi) + a.lo) / (high + high)};
+}
+ROTCONV_INLINE Approximate select(bool condition, Approximate yes, Approximate no) noexcept {
+    return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
+}
+ROTCONV_INLINE double to_double(Approximate a) noexcept { return a.hi; }
+/// Where they differ by more than their errors.
+ROTCONV_INLINE bool is_at_most(Approximate a, Approximate b) noexcept { return a.hi <= b.hi; }
+/// What cancels is part of the bound.
+ROTCONV_INLINE Approximate clean_difference(Approximate a, Approximate b) noexcept { return a - b; }
+
+/// The same with |lo| <= ulp(hi)/2.
+ROTCONV_INLINE Approximate normalized(Approximate a) noexcept {
+    const DoubleDouble sum = fast_two_sum(a.hi, a.lo);
+    return {sum.hi, sum.lo};
+}
+/// Whether all numbers within `error` of one round to the same double.
+ROTCONV_INLINE bool rounds_alike(DoubleDouble a, double error) noexcept {
+    return a.hi + (a.lo + error) == a.hi + (a.lo - error);
+}
+template <class T> ROTCONV_INLINE T normalized(const T& a) noexcept { return a; } // DoubleDouble and double are
+
+/// The size of a number: a formula over it gives the sums of the sizes of its products.
+struct Magnitude {
+    double value = 0.0;
+
+    ROTCONV_INLINE constexpr Magnitude() noexcept = default;
+    ROTCONV_INLINE constexpr Magnitude(double number) noexcept : value(__builtin_fabs(number)) {}
+};
+ROTCONV_INLINE Magnitude operator-(Magnitude a) noexcept { return a; }
+ROTCONV_INLINE Magnitude operator*(Magnitude a, Magnitude b) noexcept { return a.value * b.value; }
+ROTCONV_INLINE Magnitude scaled(Magnitude a, double /*sign*/) noexcept { return a; }
+ROTCONV_INLINE Magnitude clean_difference(Magnitude a, Magnitude b) noexcept { return a.value + b.value; }
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv
