@@ -6,6 +6,12 @@
 #include <utility>
 
 namespace rotconv::stream {
+namespace {
+
+/// The row of a pair, with what stands behind it in the text of its block.
+std::string_view with_room(std::string_view row) noexcept { return {row.data(), row.size() + RowReader::room_behind}; }
+
+} // namespace
 
 GatheredRows::GatheredRows(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout), reader_(options.input, layout) {
@@ -86,7 +92,7 @@ void GatheredRows::read(Row& row) {
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
     const bool is_pair = row.reference_number > 0; // others were not to be scanned
-    const auto scanned = is_pair ? reader_.scan(row.line.text, parts_) : std::nullopt;
+    const auto scanned = is_pair ? reader_.scan(with_room(row.line.text), parts_) : std::nullopt;
     row.numbers = scanned ? scanned->numbers : std::string_view();
     const bool is_own_read = scanned || reader_.read(row.line.text, parts_);
     row.field_count = parts_.fields.size() - row.first_field;
@@ -124,7 +130,7 @@ bool GatheredRows::read_partner(const Row& row) {
 }
 
 bool GatheredRows::read_reference(std::string_view text, std::size_t line) {
-    if (reference_reader_->scan(text, parts_) || reference_reader_->read(text, parts_)) {
+    if (reference_reader_->scan(with_room(text), parts_) || reference_reader_->read(text, parts_)) {
         return true;
     }
     parts_.error.line = line;

@@ -44,7 +44,7 @@ struct Row {
 struct PairBlock {
     std::vector<Row> rows;                            ///< in pairs or, with an error of the key, alone
     std::vector<RowError> errors;                     ///< of those rows
-    std::vector<std::shared_ptr<const Buffer>> texts; ///< in which the rows stand
+    std::vector<std::shared_ptr<const Buffer>> texts; ///< in which the rows stand, with RowReader::room_behind
     std::size_t bytes = 0;                            ///< of the rows
 
     void clear() noexcept {

@@ -27,7 +27,10 @@ void PairReader::Side::read_block(Job& job) {
             bytes.resize(static_cast<std::size_t>(job.rest.data() - bytes.data()) + size);
             *text = std::move(bytes);
         }
-        rest = std::string_view(text->data(), text->size()).substr(text->size() - size);
+        const std::size_t end = text->size();
+        text->resize(end + RowReader::room_behind);
+        std::fill(text->begin() + end, text->end(), '\0');
+        rest = {text->data() + end - size, size};
         texts.push_back(std::move(text));
         line = job.line;
         job.rest = {};

@@ -14,6 +14,8 @@
 namespace rotconv::stream {
 namespace {
 
+static_assert(RowReader::room_behind >= NumberScan::reach);
+
 /// Flat, for fast_float is not inlined of itself where its callers stand in one source.
 /// @return the place after the last number; null if one is not finite, or something else stands in its field
 [[gnu::flatten]] const char* scan_numbers(const char* at, const char* end, char delimiter,

@@ -37,6 +37,9 @@ struct ScannedRow {
 /// Reads the numbers of a row.
 class RowReader {
 public:
+    /// Bytes that a text should have behind a row: other rows, or zeros at its end. Then scan() is quick.
+    static constexpr std::size_t room_behind = 96;
+
     RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
 
     /// From here on rows of another width are errors, unless the options take them.

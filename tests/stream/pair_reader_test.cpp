@@ -234,3 +234,25 @@ TEST_CASE("keys are the nearest to each other by all their digits") {
     CHECK(pairs_of(rows, reference('6'), 1U << 16U, "3e-18") == "1-1 1 1");
     CHECK(pairs_of("1e20,1,0,0,0\n", rows) == "!1-0 0 2");
 }
+
+// Would catch: a row of a pair with no room behind it, where the scan of its numbers looks; digits there that would
+// count as its own.
+TEST_CASE("behind each row of a pair stand the next ones of its block, then zeros") {
+    const Options options = keyed_pairs("0.5");
+    const std::string room(RowReader::room_behind, '\0');
+    for (const std::string rows : {"1,1,0,0,0\n2,1,0,0,0\r\n3,1,0,0,0\n", "1,1,0,0,0"}) {
+        Pieces source(rows, {rows.size()});
+        Pieces reference(rows, {rows.size()});
+        PairReader reader(source, reference, options, IoBlockReader::largest_block);
+        Job job;
+        while (reader.read(job)) {
+        }
+        REQUIRE(!job.pairs.rows.empty());
+        for (const Row& row : job.pairs.rows) {
+            for (const std::string_view text : {row.line.text, row.reference}) {
+                const std::string behind = rows.substr(rows.find(text) + text.size()) + room;
+                CHECK(std::string(text.data() + text.size(), room.size()) == behind.substr(0, room.size()));
+            }
+        }
+    }
+}
