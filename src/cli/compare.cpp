@@ -37,6 +37,12 @@ struct CompareOptions final : RowOptions {
     [[nodiscard]] Command command() const override {
         const Spec read = spec_of(from);
         const Spec reference = to.given() ? spec_of(to) : read;
+        const auto side = one_of<AlignedSide>(fmt::format("side of {}", align.name()), align,
+                                              {{"reference", AlignedSide::reference},
+                                               {"body", AlignedSide::body},
+                                               {"both", AlignedSide::both},
+                                               {"yaw", AlignedSide::yaw},
+                                               {"first", AlignedSide::first}});
         Check check{
             .format = one_of<Check::Format>(
                 "format of compare", format,
@@ -83,7 +89,7 @@ struct CompareOptions final : RowOptions {
         check.digits = made.options.digits;
         check.file = made.has_values ? "argument" : made.input;
         check.reference = made.reference;
-        check.aligned = align.given() ? align_first(made, comparison, rows) : nullptr;
+        check.aligned = align.given() ? align_first(made, comparison, rows, side) : nullptr;
         made.is_check = true;
         made.conclude = [check](const RowsResult& result) { return answer_of(check, result); };
         return made;
@@ -151,13 +157,8 @@ private:
     /// Has the command find the turns of --align first.
     /// @return where they will be
     [[nodiscard]] std::shared_ptr<TurnOptions> align_first(RowsCommand& made, const Comparison& comparison,
-                                                           const operations::ComparisonRows& rows) const {
-        const auto side = one_of<AlignedSide>(fmt::format("side of {}", align.name()), align,
-                                              {{"reference", AlignedSide::reference},
-                                               {"body", AlignedSide::body},
-                                               {"both", AlignedSide::both},
-                                               {"yaw", AlignedSide::yaw},
-                                               {"first", AlignedSide::first}});
+                                                           const operations::ComparisonRows& rows,
+                                                           AlignedSide side) const {
         if (made.has_values || made.input == "-" || made.reference == "-") {
             throw Usage("{} reads its input twice: give FILEs, not VALUEs or stdin", align.name());
         }

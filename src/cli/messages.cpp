@@ -1,6 +1,7 @@
 #include "messages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include "../stream/io_block.hpp"
@@ -243,7 +244,10 @@ std::string few_keys_met(const stream::KeysMet& keys) {
 
 std::string meaning(const stream::Diagnostic& diagnostic) {
     const bool is_opened = diagnostic.kind == DiagnosticKind::few_digits;
-    return fmt::format("{}{}", words_for(diagnostic.kind).meaning, is_opened ? opened(diagnostic) : "");
+    const bool is_mark =
+        diagnostic.kind == DiagnosticKind::large_angle && std::abs(diagnostic.figure - 12.56637) < 1e-4;
+    return fmt::format("{}{}{}", words_for(diagnostic.kind).meaning, is_opened ? opened(diagnostic) : "",
+                       is_mark ? "; 4 pi marks points without an attitude in .ang files" : "");
 }
 
 std::string describe(const stream::Diagnostic& diagnostic) {

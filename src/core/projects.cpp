@@ -116,7 +116,7 @@ constexpr auto project_table = std::to_array<Project>({
     {"dicom", "ImageOrientationPatient iop", "6d", "", "", "", "DICOM PS3.3, C.7.6.2.1.1", "the row's direction, then the column's; reference axes are left, posterior, superior"},
     {"nifti", "qform quatern", "quat", "a b c d", "", "", "nifti1.h", "the file has b c d: put a = sqrt(1 - b^2 - c^2 - d^2) first; reference axes are right, anterior, superior"},
     {"itk", "ants simpleitk", "euler:ZXY Euler3DTransform x y z: with --columns 3,1,2; rpy Euler3DTransform with ComputeZYX; dcm the first nine of AffineTransform", "", "", "", "ITK, itkEuler3DTransform.hxx", "reference axes are left, posterior, superior"},
-    {"opensim", "", "euler:XYZ orientation of .osim; rpy sensor_to_opensim_rotations; quat .sto", "", "", "", "OpenSim, OffsetFrame.h, IMUPlacer.h", "four numbers of a .sto are one field: tr , '\\t' < FILE, and columns 2-5 for the first sensor"},
+    {"opensim", "", "euler:XYZ orientation of .osim; rpy sensor_to_opensim_rotations; quat .sto", "", "", "", "OpenSim, OffsetFrame.h, IMUPlacer.h", "a .sto has four numbers in one field: with tabs for its commas, columns 2-5 are the first sensor's"},
     {"xsens", "mti mtw movella", "quat q0 q1 q2 q3; rpy:deg; dcm:col MT Manager", "", "enu", "", "Xsens, MTi user manual MT0605P", ""},
     {"ngimu", "", "quat:passive; dcm; rpy:deg", "", "nwu", "", "NGIMU-Software-Public, Quaternion.cs", ""},
     {"fusion", "imufusion x-imu3", "quat; rpy:deg", "", "nwu", "", "x-io Fusion, FusionMath.h", ""},
