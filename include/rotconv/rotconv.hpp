@@ -15,8 +15,8 @@
 /// | cayley          | cayley.hpp          | cayley          | Eigen::Vector3d     |
 /// | mrp             | mrp.hpp             | mrp             | Eigen::Vector3d     |
 ///
-/// Rows of numbers: parse_spec() of spec.hpp, Conversion of conversion.hpp. Two attitudes: angle_between() and
-/// interpolate() of rotation.hpp.
+/// Rows of numbers: parse_spec() of spec.hpp, Conversion of conversion.hpp, and numbers_of() there for a matrix of
+/// Eigen. Two attitudes: angle_between() and interpolate() of rotation.hpp. Errors in words: message().
 
 #include <rotconv/alignment.hpp>
 #include <rotconv/axes.hpp>
