@@ -5,6 +5,7 @@
 set -eu
 build=$1
 emulator=${2-}
+[ -z "$emulator" ] || export QEMU_LD_PREFIX="/usr/${emulator#qemu-}-linux-gnu" # the libraries of the cross compiler
 version=$($emulator "$build/rotconv" --version | cut -d ' ' -f 2)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -90,6 +91,8 @@ mkdir -p "$root/var/lib/dpkg/info" "$root/var/lib/dpkg/updates"
 in_root() {
     PATH=$PATH:/usr/sbin:/sbin dpkg --root="$root" --log=/dev/null --force-not-root "$@" > "$work/log" 2>&1
 }
+architecture=$(dpkg-deb -f "$work"/rotconv_*.deb Architecture)
+[ "$architecture" = "$(dpkg --print-architecture)" ] || in_root --add-architecture "$architecture" || fail "$(cat "$work/log")"
 ! in_root -i "$work"/rotconv_*.deb || fail "dpkg does not miss the C library"
 grep -q 'depends on libc6' "$work/log" || fail "dpkg does not say that libc6 is missing: $(cat "$work/log")"
 in_root --force-depends -i "$work"/*.deb || fail "dpkg -i: $(cat "$work/log")"
