@@ -222,6 +222,18 @@ template <class T> Turns read_plainly(const Spec& spec, bool inverse, const Turn
     return turns;
 }
 
+/// The row i, turned by `turns`.
+void convert_carefully(const ConversionBatch& batch, const Turns& turns, const double* in, std::size_t i,
+                       AttitudeBatch<double>& rounded, double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
+    const Spec& from = *batch.from;
+    const Spec& to = *batch.to;
+    Careful q[4];
+    read_carefully(from, in + i * from.size(), from.passive != to.passive, turns, q);
+    diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
+                                     rest == nullptr ? nullptr : rest + i * to.size());
+    set_rounded(q, i, rounded);
+}
+
 template <class T> void convert(const ConversionBatch& batch, const double* in, std::size_t rows,
                                 AttitudeBatch<double>& rounded, double* out, double* rest,
                                 DiagnosticSet* diagnostics) noexcept {
@@ -234,26 +246,24 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
     round(attitudes, rows, rounded);
     for_each_careful_row(from, in, attitudes, rows, [&](std::size_t i) {
-        if (to.name == RepresentationId::quat && keeps_bits(attitudes, i)) {
-            return;
+        if (to.name != RepresentationId::quat || !keeps_bits(attitudes, i)) {
+            convert_carefully(batch, turns, in, i, rounded, out, rest, diagnostics);
         }
-        Careful q[4];
-        read_carefully(from, in + i * from.size(), inverse, turns, q);
-        diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
-                                         rest == nullptr ? nullptr : rest + i * to.size());
-        set_rounded(q, i, rounded);
     });
 }
 
 bool convert_first(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
-                   double* out, bool* open) noexcept {
+                   double* out, DiagnosticSet* diagnostics, bool* open) noexcept {
     const Spec& from = *batch.from;
     const Spec& to = *batch.to;
     const bool inverse = from.passive != to.passive;
-    const auto leave_open = [&](std::size_t i) { open[i] = true; };
+    Turns turns = *batch.turns;
+    const auto careful = [&](std::size_t i) {
+        convert_carefully(batch, turns, in, i, rounded, out, nullptr, diagnostics);
+        open[i] = false;
+    };
     const auto read_first = kernel_of(from.name).read_first;
-    if (to.name == RepresentationId::quat && read_first != nullptr && !batch.turns->has_left &&
-        !batch.turns->has_right) {
+    if (to.name == RepresentationId::quat && read_first != nullptr && !turns.has_left && !turns.has_right) {
         read_first(from, in, rows, rounded, open);
         invert_if(inverse, rounded, rows);
         for (std::size_t i = 0; i < rows; ++i) {
@@ -264,7 +274,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
                 out[4 * i + k] = sign * q[k];
             }
         }
-        for_each_careful_row(from, in, rounded, rows, leave_open);
+        for_each_careful_row(from, in, rounded, rows, careful);
         return true;
     }
     const auto write_first = kernel_of(to.name).write_first;
@@ -273,10 +283,10 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
     }
     double moved[2][9 * batch_rows];
     AttitudeBatch<DoubleDouble> attitudes;
-    read_plainly(from, inverse, *batch.turns, in, rows, moved, attitudes);
+    turns = read_plainly(from, inverse, turns, in, rows, moved, attitudes);
     write_first(to, batch.lock_margin, attitudes, rows, out, open);
-    for_each_careful_row(from, in, attitudes, rows, leave_open);
     round(attitudes, rows, rounded);
+    for_each_careful_row(from, in, attitudes, rows, careful);
     return true;
 }
 
@@ -284,7 +294,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
 void convert_in_phases(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
                        double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     bool open[batch_rows];
-    if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
+    if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, diagnostics, open)) {
         convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
         return;
     }

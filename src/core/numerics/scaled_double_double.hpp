@@ -22,17 +22,19 @@ public:
 
     /// Rounded once, to subnormal numbers too; infinite where it is too large.
     [[nodiscard]] ROTCONV_NOINLINE double rounded() const noexcept {
-        if (exponent_ > 1023) {
-            return part_.hi * __builtin_inf();
+        ScaledDoubleDouble a = *this;
+        a.normalize();
+        if (a.exponent_ > 1023) {
+            return a.part_.hi * __builtin_inf();
         }
-        if (exponent_ >= -1022) {
-            return part_.hi * power_of_two(exponent_);
+        if (a.exponent_ >= -1022) {
+            return a.part_.hi * power_of_two(a.exponent_);
         }
-        if (exponent_ < -1080) {
+        if (a.exponent_ < -1080) {
             return 0.0;
         }
         // In units of 2^-1074: to the nearest whole number, of two the even one unless the low part says which.
-        const DoubleDouble units = scaled(scaled(part_, power_of_two(exponent_ + 600)), 0x1p474);
+        const DoubleDouble units = scaled(scaled(a.part_, power_of_two(a.exponent_ + 600)), 0x1p474);
         const double rounding = __builtin_copysign(0x1p52, units.hi);
         const double whole = (units.hi + rounding) - rounding;
         const double rest = units.hi - whole;
@@ -48,7 +50,7 @@ public:
     [[nodiscard]] bool is_negative() const noexcept { return part_.hi < 0.0; }
     [[nodiscard]] ScaledDoubleDouble magnitude() const noexcept { return is_negative() ? -*this : *this; }
     /// Of the power of two that its leading bit stands for; very low for 0.
-    [[nodiscard]] int exponent() const noexcept { return is_zero() ? -1'000'000 : exponent_; }
+    [[nodiscard]] int exponent() const noexcept { return is_zero() ? -1'000'000 : exponent_ + exponent_of(part_.hi); }
     /// Times 2^power.
     [[nodiscard]] ScaledDoubleDouble shifted(int power) const noexcept { return {part_, exponent_ + power}; }
 
@@ -58,14 +60,13 @@ public:
         if (a.is_zero() || b.is_zero()) {
             return a.is_zero() ? b : a;
         }
-        const bool a_first = a.exponent_ >= b.exponent_;
-        const ScaledDoubleDouble& first = a_first ? a : b;
-        const ScaledDoubleDouble& second = a_first ? b : a;
-        const int distance = first.exponent_ - second.exponent_;
-        if (distance > 300) {
+        const int distance = a.exponent() - b.exponent();
+        const ScaledDoubleDouble& first = distance >= 0 ? a : b;
+        const ScaledDoubleDouble& second = distance >= 0 ? b : a;
+        if (distance > 300 || distance < -300) {
             return first;
         }
-        return {first.part_ + scaled(second.part_, power_of_two(-distance)), first.exponent_};
+        return {first.part_ + scaled(second.part_, power_of_two(second.exponent_ - first.exponent_)), first.exponent_};
     }
     friend ScaledDoubleDouble operator-(const ScaledDoubleDouble& a, const ScaledDoubleDouble& b) noexcept {
         return a + -b;
@@ -87,7 +88,7 @@ public:
     }
     friend ScaledDoubleDouble square(const ScaledDoubleDouble& a) noexcept { return a * a; }
     friend ScaledDoubleDouble scaled(const ScaledDoubleDouble& a, double power) noexcept {
-        return a * ScaledDoubleDouble(power);
+        return {scaled(a.part_, power), a.exponent_};
     }
     friend ScaledDoubleDouble select(bool condition, const ScaledDoubleDouble& yes,
                                      const ScaledDoubleDouble& no) noexcept {
@@ -102,8 +103,18 @@ public:
     friend double sign_of(const ScaledDoubleDouble& a) noexcept { return a.part_.hi; }
 
 private:
-    /// Takes the exponent out of the part.
-    ROTCONV_NOINLINE ScaledDoubleDouble(DoubleDouble part, int exponent) noexcept : part_(part), exponent_(exponent) {
+    /// Sums, products, quotients and roots of parts between these, and what a sum leaves where it cancels, stay in
+    /// DoubleDouble's range; so do parts times a signed power of two near 1.
+    static constexpr int largest_part = 100;
+
+    ScaledDoubleDouble(DoubleDouble part, int exponent) noexcept : part_(part), exponent_(exponent) {
+        const int own = exponent_of(part_.hi);
+        if (own > largest_part || own < -largest_part) {
+            normalize();
+        }
+    }
+    /// Takes the exponent out of the part, which is then 0, or of size 1 to 2.
+    ROTCONV_NOINLINE void normalize() noexcept {
         if (part_.hi == 0.0 || !(__builtin_fabs(part_.hi) <= 0x1.fffffffffffffp1023)) {
             exponent_ = 0;
             return;
@@ -117,7 +128,7 @@ private:
         exponent_ += own;
     }
 
-    DoubleDouble part_; ///< 0, or of size 1 to 2
+    DoubleDouble part_; ///< 0, or of size 2^-100 to 2^101
     int exponent_ = 0;  ///< of 2
 };
 

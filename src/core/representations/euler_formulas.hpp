@@ -45,6 +45,9 @@ template <class T> ROTCONV_INLINE T clean_difference(const T& a, const T& b) noe
 ROTCONV_INLINE double clean_difference(double a, double b) noexcept { return a - b; }
 inline ScaledDoubleDouble clean_difference(const ScaledDoubleDouble& a, const ScaledDoubleDouble& b) noexcept {
     const ScaledDoubleDouble difference = a - b; // which as a double may be 0
+    if (difference.exponent() >= a.exponent() - 96) {
+        return difference;
+    }
     return is_at_most(difference.magnitude(), a.magnitude().shifted(-97)) ? ScaledDoubleDouble(0.0) : difference;
 }
 template <class T> ROTCONV_INLINE T clean_sum(const T& a, const T& b) noexcept { return clean_difference(a, -b); }
