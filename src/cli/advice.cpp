@@ -376,9 +376,8 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
         const auto end = first > 0 ? std::find_if_not(begin, lines.end(), is_first_row) : lines.end();
         const bool is_rest =
             std::all_of(end, lines.end(), [&input](const auto& each) { return !input.is_row(each.text); });
-        const std::string_view part(begin->text.data(), is_rest
-                                                            ? beginning.data() + beginning.size() - begin->text.data()
-                                                            : end->text.data() - begin->text.data());
+        const char* const stop = is_rest ? beginning.data() + beginning.size() : end->text.data();
+        const std::string_view part(begin->text.data(), static_cast<std::size_t>(stop - begin->text.data()));
         const std::string cut = is_rest ? fmt::format("tail -n +{}{}", first + 1, name)
                                         : fmt::format("sed -n {},{}p{}", first + 1, end - lines.begin(), name);
         for (const Filter& filter : filters) {
