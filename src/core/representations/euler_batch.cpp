@@ -214,8 +214,8 @@ struct Angles {
             diagnostics[i] = lock.diagnostics();
             upper[i] = lock.upper;
             if (lock.locked) {
-                const T q[4] = {attitudes[0][i], attitudes[1 + axes.i][i], attitudes[1 + axes.j][i],
-                                attitudes[1 + axes.k][i]};
+                const T q[4] = {attitudes[0][i], attitudes.columns[1 + axes.i][i], attitudes.columns[1 + axes.j][i],
+                                attitudes.columns[1 + axes.k][i]};
                 TurnVectors<T> given_up(axes, q);
                 given_up.give_up_one(axes, q);
                 vectors.set(i, given_up);
@@ -297,8 +297,8 @@ struct Angles {
         }
         for (std::size_t i = 0; i < rows && zeros != 0; ++i) {
             if (doubts[i] == 1.0) {
-                const DoubleDouble q[4] = {attitudes[0][i], attitudes[1 + axes.i][i], attitudes[1 + axes.j][i],
-                                           attitudes[1 + axes.k][i]};
+                const DoubleDouble q[4] = {attitudes[0][i], attitudes.columns[1 + axes.i][i],
+                                           attitudes.columns[1 + axes.j][i], attitudes.columns[1 + axes.k][i]};
                 open[i] = !zeros_are_exact(axes, q);
             }
         }
