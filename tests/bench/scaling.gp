@@ -4,7 +4,7 @@
 load "common.gp"
 set datafile missing NaN # the lines go on over the rows of others
 
-colour_of(form) = form eq "text" ? colour("default") : ink
+colour_of(form) = form eq "text" ? colour("default") : form eq "copy" ? "#8a8a8a" : ink
 threads = 1 # the processors of the machine that measured
 widest = 0
 stats csv using (threads = column("threads") > threads ? column("threads") : threads, \
@@ -67,6 +67,7 @@ do for [form in "doubles text"] {
         eval end_of(form, form . ", " . threads_of(run), widest, run)
     }
 }
+eval end_of("copy", "a copy by cat", widest, "1")
 load "names.gp"
 set label 12 "rows a second" at screen across(left - 78),down(top + tall / 2) center rotate font small tc rgb ink
 eval place_panel(left, top)
@@ -75,10 +76,11 @@ set yrange [y_low:y_high]
 set xrange [0.8:widest + 1]
 set xtics ("0" 1, "1" 2, "4" 5, "16" 17, "64" 65, "256" 257) scale 0.4 nomirror font small tc rgb ink
 set label 11 "other fields in a row, which pass as they are" at screen across(left + wide / 2),down(top + tall + 38) center font small tc rgb ink
-plot for [form in "doubles text"] for [run in runs] \
+plot csv using (column("others") + 1):(chosen("copy", 1)) with linespoints pt 7 ps 0.4 lw 1 dt 3 lc rgb colour_of("copy") title "copy", \
+    for [form in "doubles text"] for [run in runs] \
     csv using (column("others") + 1):(chosen(form, column("threads") == int(run))) \
     with linespoints pt 7 ps 0.6 lw 2 dt dash(run) lc rgb colour_of(form) title form . ", " . threads_of(run)
 unset multiplot
 unset output
 system described(heading, "Two panels. Left: rows of text and of binary doubles a second, by the number of threads. " \
-    . "Right: the same by the number of other fields in a row, with one thread and with all. The figures are in scaling.csv.")
+    . "Right: the same by the number of other fields in a row, with one thread and with all, and of a copy of the text by cat. The figures are in scaling.csv.")
