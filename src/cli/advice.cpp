@@ -196,8 +196,9 @@ struct JsonRows {
 /// Looks for the numbers by their names (those of the SPEC, if it is given), and by their count.
 JsonRows rows_in_json(std::string_view text, const std::vector<std::string>& wanted, const std::optional<Spec>& spec) {
     JsonRows rows;
+    constexpr std::size_t deepest = 32; // paths are as long as nests are deep
     std::vector<Nest> nests(1);
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    for (std::size_t i = 0; i < text.size() && nests.size() < deepest; ++i) {
         const char c = text[i];
         Nest& nest = nests.back();
         if (c == '{' || c == '[') {
@@ -336,8 +337,9 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
             return;
         }
         std::vector<std::size_t> columns; // those that are numbers
-        for (std::size_t i = 0; i < fields_of(first).size() && columns.size() < count; ++i) {
-            if (stream::is_number(fields_of(first)[i])) {
+        const Fields own = fields_of(first);
+        for (std::size_t i = 0; i < own.size() && columns.size() < count; ++i) {
+            if (stream::is_number(own[i])) {
                 columns.push_back(i + 1);
             }
         }
@@ -355,9 +357,15 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
                 const std::string_view line_text = lines[i].text;
                 const std::string kind(
                     line_text.substr(0, static_cast<std::size_t>(own[0].end() - line_text.begin()) + 1));
+                const auto begins = [&kind](const stream::Line& each) { return each.text.starts_with(kind); };
+                const auto of_kind = std::ranges::count_if(lines, begins);
+                if (of_kind < 2 || of_kind == std::ranges::count_if(lines, is_first_row) ||
+                    std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(i), begins)) {
+                    continue; // a name of its own, the only kind, or one that was tried
+                }
                 std::string rows;
                 for (const stream::Line& each : lines) {
-                    rows.append(each.text.starts_with(kind) ? each.text : "").append(each.end);
+                    rows.append(begins(each) ? each.text : "").append(each.end);
                 }
                 try_text(rows, i, fmt::format("to keep only one kind of row: grep {}{}", in_shell("^" + kind), name),
                          false);
