@@ -13,14 +13,14 @@ namespace {
 
 using Lookup = std::variant<std::vector<std::size_t>, ColumnError>;
 
-/// A word for a missing number, in any case.
+/// Whether a text is a word for a missing number, in any case.
 bool is_missing(std::string_view text) noexcept {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
     constexpr std::array<std::string_view, 9> words{"", "na", "n/a", "null", "none", "nil", "-", "?", "."};
     return std::ranges::any_of(words, [&](std::string_view word) { return std::ranges::equal(text, word, {}, lower); });
 }
 
-/// A number with a comma for its point.
+/// Whether a text is a number with a comma for its point.
 bool has_decimal_comma(std::string text) noexcept {
     const auto comma = text.find(',');
     if (comma == std::string::npos) {
@@ -30,14 +30,15 @@ bool has_decimal_comma(std::string text) noexcept {
     return is_number(text);
 }
 
-/// Lines of other programs that may look like a header: COMMENT, KEY = value, FMT.
+/// Whether a row is a line of another program that may look like a header: COMMENT, KEY = value, FMT.
 bool is_remark(const HeaderLine& row) noexcept {
     const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
     return first == "FMT" || first == "COMMENT" ||
            std::ranges::any_of(row.fields, [](auto field) { return trimmed(field) == "="; });
 }
 
-/// An object with keys, or an array of objects or of numbers between commas; not "[INFO]" or a matrix of NumPy.
+/// Whether a text begins an object with keys, or an array of objects or of numbers between commas; "[INFO]" and a
+/// matrix of NumPy do not.
 bool begins_json(std::string_view text) noexcept {
     if (!text.starts_with('{') && !text.starts_with('[')) {
         return false;
@@ -73,8 +74,8 @@ public:
         return {.is_decided = true, .is_data = true};
     }
 
-    /// The header is the last line that has all names. With `is_end` the last line may be it, otherwise that is the
-    /// first data row.
+    /// The header is the last line that has all names. The last line itself may be the header with `is_end`, and is
+    /// otherwise the first data row.
     [[nodiscard]] Beginning by_name(bool is_end) const {
         const Line& row = lines_.back();
         std::optional<Delimiter> delimiter;
@@ -83,7 +84,7 @@ public:
                 return {};
             }
             const Delimiter own = delimiter_of(row.text);
-            if (HeaderLine(row, own).fields.size() > 1) { // else it does not tell what delimits
+            if (HeaderLine(row, own).fields.size() > 1) { // otherwise it does not show the delimiter
                 delimiter = own;
             }
         }
@@ -126,7 +127,7 @@ private:
         return options_.delimiter.value_or(Delimiter::of_row(row));
     }
 
-    /// Not one of the names is missing, whatever else is wrong with them.
+    /// Whether no name is missing, whatever else is wrong with them.
     static bool has_all(const Lookup& found) noexcept {
         const auto* error = std::get_if<ColumnError>(&found);
         return error == nullptr || error->what != ColumnError::What::missing;
@@ -134,7 +135,7 @@ private:
 
     [[nodiscard]] std::size_t count() const noexcept { return options_.numbers.names.size(); }
 
-    /// The texts of the selected fields; nothing if one is not there.
+    /// The texts of the selected fields; nothing if a field is missing.
     [[nodiscard]] std::optional<std::vector<std::string>> selected(const HeaderLine& header) const {
         if (options_.columns.empty()) {
             auto names = header.names();
@@ -156,7 +157,7 @@ private:
         return texts && std::ranges::all_of(*texts, is_number);
     }
 
-    /// None of the selected fields is a number or a word for a missing one.
+    /// Whether none of the selected fields is a number or a word for a missing number.
     [[nodiscard]] bool is_header(const HeaderLine& header) const {
         const auto texts = selected(header);
         const std::string_view text = header.prefix.empty() ? header.line.text : "";
@@ -167,7 +168,7 @@ private:
                });
     }
 
-    /// The row is the beginning of JSON, and nothing that can be converted.
+    /// Whether the row begins JSON and cannot be converted.
     [[nodiscard]] bool is_json(const Line& row) const {
         if (!begins_json(trimmed(row.text)) || !options_.refuses_json || options_.header != HeaderMode::automatic) {
             return false;
@@ -175,15 +176,15 @@ private:
         return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
     }
 
-    /// The last comment; an empty line where there is none.
+    /// The last comment; an empty line if there is none.
     [[nodiscard]] Line last_comment() const {
         const auto found = std::find_if(lines_.rbegin(), lines_.rend(),
                                         [this](const Line& line) { return options_.is_comment(line.text); });
         return found == lines_.rend() ? Line{} : *found;
     }
 
-    /// The last comment, split as the row is, or at its commas where blanks part the row and then the width is the
-    /// same.
+    /// The last comment, split as the row is. If blanks part the row, it is split at its commas if that gives as many
+    /// fields.
     [[nodiscard]] HeaderLine above(const HeaderLine& row) const {
         const Line comment = last_comment();
         HeaderLine with_commas(comment, Delimiter::character(','), options_.comment);
@@ -192,7 +193,7 @@ private:
                    : HeaderLine(comment, row.delimiter, options_.comment);
     }
 
-    /// The last comment, if it is the header of a row; under HeaderMode::yes as many fields are enough.
+    /// The last comment, if it is the header of the row; with HeaderMode::yes an equal number of fields is enough.
     [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
         HeaderLine header = above(row);
         auto names = selected(header);
@@ -205,7 +206,7 @@ private:
         if (std::ranges::any_of(header.names(), is_number)) {
             return std::nullopt;
         }
-        if (row.delimiter.is_blanks() && count() > 0) { // then a remark may well have as many words
+        if (row.delimiter.is_blanks() && count() > 0) { // a remark may have as many words
             const auto kept = static_cast<std::ptrdiff_t>(options_.numbers.kept);
             names = options_.own_names ? options_.own_names(std::move(*names)) : names;
             const auto& own = options_.numbers.names;
@@ -216,9 +217,8 @@ private:
         return header;
     }
 
-    /// Looks the names up under each delimiter, or the one given, until they are all there; commas may part those of a
-    /// comment where blanks part the rows. A mark before the first name is no part of it where they are not there as
-    /// they stand.
+    /// Looks the names up with each delimiter, or the given one, until all are found. In a comment commas may part them
+    /// although blanks part the rows. A mark before the first name is left out if they are not found with it.
     [[nodiscard]] std::pair<HeaderLine, Lookup> find_names(const Line& line, std::optional<Delimiter> delimiter) const {
         if (!delimiter) {
             delimiter = options_.delimiter;
@@ -247,7 +247,7 @@ private:
         }
     }
 
-    /// Which names a row has and lacks, with what the columns are called.
+    /// The error that says which names a row has and lacks, and how the columns are called.
     [[nodiscard]] Beginning lacking(const Line& line) const {
         const HeaderLine row(line, delimiter_of(line.text));
         ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);

@@ -13,14 +13,14 @@ namespace rotconv::stream {
 
 /// What the lines before the first data row are.
 struct Beginning {
-    bool is_decided = false; ///< else a later line tells, unless there is an error
+    bool is_decided = false; ///< otherwise a later line decides, unless there is an error
     std::optional<HeaderLine> header{};
-    bool is_data = false;                 ///< the last line is the first data row, or an error in its place
-    std::vector<std::size_t> positions{}; ///< of columns that are selected by name
+    bool is_data = false;                 ///< the last line is the first data row, or an error instead of it
+    std::vector<std::size_t> positions{}; ///< where columns stand that are selected by name
     std::optional<StreamError> error{};   ///< its line is an index among the lines, from 0
 };
 
-/// Decides on lines that begin a stream, of which the last is a row, neither blank nor a comment. `is_end`: none
+/// Decides on the lines that begin a stream. The last is a row, neither blank nor a comment; with `is_end` no line
 /// follows, and the last may be anything.
 [[nodiscard]] Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bool is_end);
 

@@ -16,7 +16,7 @@ bool is_digits(std::string_view text) noexcept {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// A 1-based index, at most what a line can hold.
+/// Reads a 1-based index, at most the number of fields that a line can hold.
 std::optional<std::size_t> read_index(std::string_view text) noexcept {
     std::size_t value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -27,7 +27,7 @@ std::optional<std::size_t> read_index(std::string_view text) noexcept {
     return value;
 }
 
-/// The item that stands twice in `positions`, as an index.
+/// The index of the item that stands twice in `positions`.
 std::optional<ColumnError> find_twice(const std::vector<std::size_t>& positions) {
     for (auto at = positions.begin(); at != positions.end(); ++at) {
         if (std::find(positions.begin(), at, *at) != at) {

@@ -13,13 +13,13 @@ namespace rotconv::stream {
 struct ColumnError {
     enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous, other_width };
     What what = What::not_an_item;
-    std::string text;                   ///< the item at fault; the row in which names are missing, or of other width
+    std::string text;                   ///< the item at fault, or the row that lacks names or has another width
     std::size_t count = 0;              ///< how many columns the list names, or the header
-    std::size_t fields = 0;             ///< of the row, where that is not the header's count
-    std::vector<std::string> lacking{}; ///< the names that the row has not...
-    std::vector<std::string> present{}; ///< ...and those that it has
-    std::vector<std::string> header{};  ///< all names of the header in which they are missing, where there is one
-    std::vector<std::size_t> indices{}; ///< from 1, of the columns of one name
+    std::size_t fields = 0;             ///< the row's count, if it is not the header's
+    std::vector<std::string> lacking{}; ///< names that the row lacks
+    std::vector<std::string> present{}; ///< names that the row has
+    std::vector<std::string> header{};  ///< all names of the header that lacks them, if there is one
+    std::vector<std::size_t> indices{}; ///< of the columns with the same name, from 1
 };
 
 /// The input columns of `--columns LIST`, in the order of the representation's numbers: 1-based indices, ranges 5-8,
@@ -35,8 +35,8 @@ public:
     [[nodiscard]] std::vector<std::string_view> names() const;
     /// 0-based positions of a list without names.
     [[nodiscard]] std::vector<std::size_t> positions() const;
-    /// 0-based positions with the names looked up in a header. A name matches one of the header's, or one of those up
-    /// to its first blank.
+    /// 0-based positions, with the names looked up in a header. A name matches a name of the header, whole or up to its
+    /// first blank.
     [[nodiscard]] std::variant<std::vector<std::size_t>, ColumnError>
     positions(const std::vector<std::string>& header) const;
 

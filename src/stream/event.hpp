@@ -20,7 +20,7 @@
 
 namespace rotconv::stream {
 
-/// A row that has no attitude: where, why, and the text at fault.
+/// A row error: where, why, and the text at fault.
 struct RowError {
     enum class What : std::uint8_t {
         not_a_number,   ///< `text` is the field
@@ -31,8 +31,8 @@ struct RowError {
         open_quote,
         key_order,  ///< `text` is a key that does not increase
         no_partner, ///< the row is in no pair; see Pairing::needs_partner
-        key,        ///< `text` is no key that is read, and `key` says why
-        attitude,   ///< the numbers describe none: see `error`, `defect`
+        key,        ///< `text` is not read as a key, and `key` says why
+        attitude,   ///< the numbers are not an attitude: see `error`, `defect`
     };
     std::size_t line = 0;
     What what = What::attitude;
@@ -43,7 +43,7 @@ struct RowError {
     Error error = Error::none;
     double defect = 0.0;
     KeyError key = KeyError::none;
-    double norm = 0.0;         ///< of a quaternion; 0 where it is not known
+    double norm = 0.0;         ///< the quaternion's; 0 if it is not known
     bool of_reference = false; ///< the line is one of the reference
 };
 
@@ -54,8 +54,8 @@ struct Diagnostic {
     double figure = 0.0;
     RepresentationId result{};
     bool of_reference = false; ///< the line is one of the reference
-    std::string_view answer{}; ///< whose it is, of several answers to a row
-    std::string_view unit{};   ///< of the figure, of a kind that has several
+    std::string_view answer{}; ///< name of the answer, if a row has several
+    std::string_view unit{};   ///< the figure's, for kinds with several units
 };
 
 /// The first bytes of the stream, up to 64 KiB, before anything else is reported: for advice on what stands in the way.
@@ -63,13 +63,13 @@ struct FirstBytes {
     std::string text;
 };
 
-/// What the input says of its numbers that is at odds with how they are read, in words. Each kind is told once.
+/// A remark in words: the input describes its numbers otherwise than they are read. Each kind is reported once.
 struct Note {
     enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, limit, axes };
     Kind kind = Kind::order;
     std::string text;
     bool ends_run = false;     ///< it is an error
-    std::size_t line = 0;      ///< 0: it is about the command line
+    std::size_t line = 0;      ///< 0: the note is about the command line
     bool of_reference = false; ///< the line is one of the reference
 };
 
@@ -78,7 +78,7 @@ using Event = std::variant<RowError, Diagnostic, FirstBytes, Note>;
 /// Rows of a stream that are in no pair.
 struct Unpaired {
     std::size_t rows = 0;
-    std::size_t first_line = 0; ///< of the first of them
+    std::size_t first_line = 0; ///< line of the first of them
 
     void add(const Unpaired& others) noexcept {
         if (others.rows > 0) {
@@ -88,7 +88,7 @@ struct Unpaired {
     }
 };
 
-/// Grows without setting what is then read.
+/// Grows without setting its new elements, which are then read into.
 using Numbers = fmt::basic_memory_buffer<double, 64>;
 
 /// Rows that were answered together, for a fold.
@@ -96,7 +96,7 @@ struct AnsweredBatch {
     Numbers numbers;
     std::vector<std::size_t> lines;
     std::vector<std::size_t> reference_lines;
-    std::vector<std::string_view> kept; ///< in the texts of the block
+    std::vector<std::string_view> kept; ///< views into the block's text
     std::vector<double> results;
     std::vector<RowReport> reports;
 
@@ -105,16 +105,16 @@ struct AnsweredBatch {
     }
 };
 
-/// What a block of rows became: bytes to write, rows to add to a fold, and then events to report, all in the order of
-/// the rows.
+/// The output of a block of rows: bytes to write, rows to add to a fold, and events to report after both, each in the
+/// order of the rows.
 struct Output {
     Buffer bytes;
     std::vector<AnsweredBatch> batches;
     std::vector<Event> events;
     std::size_t rows = 0;     ///< data rows of the stream
-    std::size_t answered = 0; ///< those that have a result
+    std::size_t answered = 0; ///< data rows that have a result
     bool stopped = false;     ///< a row error ended the run
-    Unpaired unpaired{};      ///< of the rows: their partner is not defined
+    Unpaired unpaired{};      ///< rows whose partner is not defined
 
     void clear() noexcept {
         bytes.clear();
@@ -129,15 +129,15 @@ struct Output {
 
 /// The keys of two streams, of which some may have been too far apart to be paired.
 struct KeysMet {
-    /// Of the stream, and of the reference: the first and the last that may be paired.
+    /// The first and the last key of a stream that may be paired.
     struct Range {
         Key first, last;
     };
-    std::array<std::optional<Range>, 2> ranges{};
+    std::array<std::optional<Range>, 2> ranges{}; ///< of the stream, then the reference
     bool any_pair = false;
-    bool interpolates = false;            ///< the difference of two keys is that of neighbours in the reference
-    std::optional<KeyDistance> nearest{}; ///< the least difference of a key without a partner and its neighbours
-    std::optional<std::string> likely{};  ///< of rows that are paired by number: see LikelyKey
+    bool interpolates = false;            ///< `within` and `nearest` are about neighbours in the reference
+    std::optional<KeyDistance> nearest{}; ///< the smallest difference of a key without a partner and its neighbours
+    std::optional<std::string> likely{};  ///< a column that may be the key of rows paired by number: see LikelyKey
     KeyDistance within{};                 ///< see Pairing
 };
 
@@ -149,17 +149,17 @@ struct StreamError {
         line_too_long, ///< line `line`
         partial_row,   ///< the input ends in row `line`, which begins at byte `offset`
         columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
-        names,         ///< those in the header at `line` are at odds with how the columns are read; `wrong` says how
-        count,         ///< of the fields in the row at `line`, which is `column.text`; `wrong` says why
+        names,         ///< the header at `line` contradicts how the columns are read; `wrong` says how
+        count,         ///< the row at `line`, `column.text`, has a wrong number of fields; `wrong` says why
         json,          ///< the input begins with JSON
-        far_key,       ///< too much stands between the row at `line` and the next key, on which its partner depends
+        far_key,       ///< too much lies between the row at `line` and the next key, which its partner depends on
     };
     What what = What::read;
     std::size_t line = 0;
     int error_number = 0;
     ColumnError column{};
     std::size_t offset = 0;
-    bool of_reference = false; ///< it is the reference that cannot be read
+    bool of_reference = false; ///< the reference cannot be read
     std::string wrong{};
 };
 

@@ -11,7 +11,7 @@ namespace rotconv::stream {
 /// The processors that this process may use, at least 1.
 [[nodiscard]] std::size_t processors() noexcept;
 
-/// Where bytes come from.
+/// A source of bytes.
 class Source {
 public:
     Source() = default;
@@ -19,13 +19,13 @@ public:
     Source& operator=(const Source&) = delete;
     virtual ~Source() = default;
 
-    /// Reads at least one byte into `to` and as many as are there; 0 at the end, -1 with errno set.
+    /// Reads as many bytes as are there, at least one. @return their count, 0 at the end, -1 with errno set
     virtual std::ptrdiff_t read(std::span<char> to) = 0;
     /// Whether read() would return at once.
     [[nodiscard]] virtual bool is_ready() const { return true; }
 };
 
-/// Where bytes go.
+/// A destination of bytes.
 class Sink {
 public:
     Sink() = default;
@@ -33,7 +33,7 @@ public:
     Sink& operator=(const Sink&) = delete;
     virtual ~Sink() = default;
 
-    /// Writes all of it; 0, or the errno of what went wrong.
+    /// Writes all bytes. @return 0 or an errno
     virtual int write(std::string_view bytes) = 0;
 };
 
@@ -51,11 +51,11 @@ private:
     std::string_view text_;
 };
 
-/// An open file descriptor, closed at the end where it is owned. Interrupted calls are taken up again.
+/// An open file descriptor, closed at the end if it is owned. Interrupted calls are repeated.
 class File final : public Source, public Sink {
 public:
     enum class Mode { read, write };
-    /// Opens the file, which is emptied where it is to be written; test with is_open(), errno says why not.
+    /// Opens the file, and empties it to be written; test with is_open(), errno says why not.
     File(const char* path, Mode mode) noexcept;
     /// Borrows a descriptor, or takes it over.
     explicit File(int descriptor, bool owned = false) noexcept : descriptor_(descriptor), owned_(owned) {}
@@ -65,16 +65,16 @@ public:
 
     [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
     [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
-    /// An errno where no file of that name can be read; 0 where one can, and for "-".
+    /// @return an errno if no file of that name can be read; 0 if one can, and for "-"
     [[nodiscard]] static int why_unreadable(const char* path) noexcept;
     [[nodiscard]] bool is_regular() const noexcept;
-    /// A file of that name, or "-", would miss what is read from this one: a pipe, socket or terminal, or both stdin.
+    /// Whether a file of that name, or "-", would miss bytes read here: a pipe, socket or terminal, or both stdin.
     [[nodiscard]] bool shares_bytes(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.
     [[nodiscard]] std::size_t size() const noexcept;
-    /// Lets a pipe hold more, where the system allows it: the two ends then seldom wait for each other.
+    /// Lets a pipe hold more, if the system allows it: the two ends then seldom wait for each other.
     void widen() const noexcept;
-    /// Closes the file, which is where some file systems first report a full disk; 0 or an errno.
+    /// Closes the file; some file systems report a full disk only then. @return 0 or an errno
     int close() noexcept;
 
     std::ptrdiff_t read(std::span<char> to) override;
@@ -86,17 +86,17 @@ private:
     bool owned_ = false;
 };
 
-/// Where a run's output goes: a file that is opened, and its old content lost, when the first bytes come, or stdout.
+/// The output of a run: stdout, or a file that is opened, and its old content lost, when the first bytes come.
 class OutputFile final : public Sink {
 public:
     /// "-": stdout.
     explicit OutputFile(std::string path);
 
-    /// The same regular file is behind both.
+    /// Whether both are the same regular file.
     [[nodiscard]] bool is_same(const File& input) const noexcept;
     int write(std::string_view bytes) override;
-    /// To be called at the end of a run, and creates the file if the run `is_whole` and wrote nothing. Closes it, see
-    /// File::close().
+    /// To be called at the end of a run: creates the file if the run `is_whole` and wrote nothing, and closes it.
+    /// @return see File::close()
     int finish(bool is_whole);
 
 private:

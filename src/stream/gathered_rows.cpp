@@ -91,7 +91,7 @@ void GatheredRows::read(Row& row) {
     const std::size_t first_kept = parts_.kept.size();
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
-    const bool is_pair = row.reference_number > 0; // others were not to be scanned
+    const bool is_pair = row.reference_number > 0; // a single row is scanned by gather()
     const auto scanned = is_pair ? reader_.scan(with_room(row.line.text), parts_) : std::nullopt;
     row.numbers = scanned ? scanned->numbers : std::string_view();
     const bool is_own_read = scanned || reader_.read(row.line.text, parts_);
@@ -155,7 +155,7 @@ void GatheredRows::split(Row& row) {
 
 void GatheredRows::split_doubles(Row& row) {
     const std::string_view bytes = row.line.text;
-    constexpr std::size_t room = 40; // of a number and the delimiter, so that nothing moves
+    constexpr std::size_t room = 40; // for a number and the delimiter, so that the text never moves
     const std::size_t width = options_->input.width;
     parts_.fields.clear();
     row.first_field = 0;

@@ -5,7 +5,7 @@
 namespace rotconv::stream {
 namespace {
 
-/// A character of a mark before the first name. Letters beyond ASCII are not.
+/// Whether a character may be part of a mark before the first name. Letters beyond ASCII may not.
 bool is_mark(char c) noexcept {
     return (static_cast<unsigned char>(c) & 0x80U) == 0U && (c < '0' || c > '9') && (c < 'A' || c > 'Z') &&
            (c < 'a' || c > 'z') && c != '_' && c != '"' && c != '\'';
@@ -28,11 +28,11 @@ bool HeaderLine::begins_with_mark() const {
 
 HeaderLine HeaderLine::without_mark() const {
     HeaderLine made = *this;
-    const std::string_view rest = line.text.substr(prefix.size());
+    const std::string_view text = line.text.substr(prefix.size());
     const auto is_part = [this](char c) { return is_mark(c) && (delimiter.is_blanks() || c != delimiter.text()); };
-    auto size = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_part) - rest.begin());
-    if (const auto blank = rest.find(' '); size == 0 && blank != std::string_view::npos && rest[blank - 1] == ':') {
-        size = std::min(rest.find_first_not_of(' ', blank), rest.size()); // a title: "COLUMN_HEADERS: phi1, PHI"
+    auto size = static_cast<std::size_t>(std::ranges::find_if_not(text, is_part) - text.begin());
+    if (const auto blank = text.find(' '); size == 0 && blank != std::string_view::npos && text[blank - 1] == ':') {
+        size = std::min(text.find_first_not_of(' ', blank), text.size()); // a title: "COLUMN_HEADERS: phi1, PHI"
     }
     made.prefix = line.text.substr(0, prefix.size() + size);
     made.fields.clear();

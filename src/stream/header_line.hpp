@@ -10,14 +10,14 @@
 
 namespace rotconv::stream {
 
-/// A line as a header: its fields, behind the mark of a comment and blanks if it has them.
+/// A line as a header: its fields, after the mark of a comment and blanks if it has them.
 struct HeaderLine {
     HeaderLine(const Line& line_, Delimiter delimiter_, std::string_view comment = {});
 
-    /// The same with another mark before the first name, such as the % of "%time", in the prefix. A mark is made of
-    /// characters other than letters, digits, _ and quotes.
+    /// The header with a mark before the first name, such as the % of "%time", moved to the prefix. A mark has no
+    /// letters, digits, _ or quotes.
     [[nodiscard]] HeaderLine without_mark() const;
-    /// The first field is such a mark and nothing else.
+    /// Whether the first field is such a mark and nothing else.
     [[nodiscard]] bool begins_with_mark() const;
     /// The number of names, without empty ones at the end.
     [[nodiscard]] std::size_t width() const { return delimiter.count(fields); }

@@ -9,7 +9,7 @@ namespace rotconv::stream {
 namespace {
 
 std::size_t count_newlines(std::string_view text) noexcept {
-    constexpr std::size_t most = 240; // that a byte counts, so that the inner loop runs over whole vectors of bytes
+    constexpr std::size_t most = 240; // fits one byte, so that the inner loop runs over whole vectors of bytes
     std::size_t count = 0;
     for (; !text.empty(); text.remove_prefix(std::min(most, text.size()))) {
         unsigned char part = 0;
@@ -30,7 +30,7 @@ bool IoBlockReader::read(IoBlock& block) {
     if (error_ || finished_) {
         return false;
     }
-    std::swap(block.bytes, rest_);
+    std::swap(block.bytes, begun_);
     Buffer& bytes = block.bytes;
     const std::size_t held = bytes.size();
     if (held < block_size_ && bytes.capacity() > 2 * block_size_) { // a long line is over
@@ -52,11 +52,11 @@ bool IoBlockReader::read(IoBlock& block) {
     }
     if (*size == 0) {
         bytes.resize(all.size());
-        std::swap(bytes, rest_);
+        std::swap(bytes, begun_);
         return true;
     }
-    rest_.clear();
-    append(rest_, all.substr(*size));
+    begun_.clear();
+    append(begun_, all.substr(*size));
     block.text = all.substr(0, *size);
     block.first_line = line_;
     if (row_size_ == 0 && line_ == 1 && block.text.starts_with(byte_order_mark)) {

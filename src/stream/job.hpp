@@ -22,19 +22,19 @@ struct Row {
     explicit Row(const Line& line_ = {}, std::size_t number_ = 0) noexcept : line(line_), number(number_) {}
 
     Line line;
-    std::size_t number; ///< of the line; 0 where there is only the reference's
+    std::size_t number; ///< the line's; 0 if there is only a row of the reference
     std::string_view reference{};
     std::size_t reference_number = 0; ///< 0: there is none
-    std::string_view later{};         ///< the row of the reference after that one, where both count...
-    std::size_t later_number = 0;     ///< ...else 0
-    double fraction = 0.0;            ///< how far the row is on the way between them
+    std::string_view later{};         ///< the next row of the reference, if the partner is interpolated
+    std::size_t later_number = 0;     ///< 0: there is none
+    double fraction = 0.0;            ///< where the row's key is between theirs, from 0 to 1
     bool passes = false;              ///< blank or comment: goes out as it is
-    std::size_t error = no_error;     ///< which one, of a row without numbers
-    // Of a row that is read:
-    std::string_view numbers{}; ///< where they stand, if it was scanned: its fields were not looked for
+    std::size_t error = no_error;     ///< index of the error, for a row without numbers
+    // Set when the row is read:
+    std::string_view numbers{}; ///< their text, if the row was scanned without looking for fields
     std::size_t first_field = 0;
     std::size_t field_count = 0;
-    std::size_t index = 0; ///< among the rows with numbers
+    std::size_t index = 0; ///< its place among the rows with numbers
 
     [[nodiscard]] bool is_scanned() const noexcept { return numbers.data() != nullptr; }
     [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == no_error; }
@@ -42,10 +42,10 @@ struct Row {
 
 /// Pairs of rows, in the order of the stream.
 struct PairBlock {
-    std::vector<Row> rows;                            ///< in pairs or, with an error of the key, alone
-    std::vector<RowError> errors;                     ///< of those rows
-    std::vector<std::shared_ptr<const Buffer>> texts; ///< in which the rows stand, with RowReader::room_behind
-    std::size_t bytes = 0;                            ///< of the rows
+    std::vector<Row> rows;                            ///< in pairs, or alone if the key has an error
+    std::vector<RowError> errors;                     ///< Row::error is an index of these
+    std::vector<std::shared_ptr<const Buffer>> texts; ///< hold the rows, with RowReader::room_behind
+    std::size_t bytes = 0;                            ///< size of the rows
 
     void clear() noexcept {
         rows.clear();
@@ -58,19 +58,19 @@ struct PairBlock {
 /// A block on its way from the input to the output.
 struct Job {
     IoBlock block;
-    std::string_view rest;            ///< its data rows, not yet converted...
-    std::size_t line = 1;             ///< ...and the line of the first
-    PairBlock pairs;                  ///< in their place where two streams are read side by side
+    std::string_view text;            ///< its data rows
+    std::size_t line = 1;             ///< the line of the first data row
+    PairBlock pairs;                  ///< instead of data rows, if two streams are read side by side
     std::array<RowWidth, 2> widths{}; ///< see JobReader
     Output output;
-    bool had_its_turn = false; ///< see InTurn
+    bool ran_in_order = false; ///< see Ordered
     bool done = false;
 
-    /// Bytes of what was read.
+    /// The bytes that were read.
     [[nodiscard]] std::size_t size() const noexcept { return block.text.size() + pairs.bytes; }
 };
 
-/// Where a run's jobs come from. Used by one thread at a time.
+/// The source of a run's jobs. Used by one thread at a time.
 class JobReader {
 public:
     JobReader() = default;
@@ -78,20 +78,20 @@ public:
     JobReader& operator=(const JobReader&) = delete;
     virtual ~JobReader() = default;
 
-    /// Reads the next job, and adds to its output what stands before the first data row.
-    /// @return false where nothing comes after it
+    /// Reads the next job, and adds the lines before the first data row to its output.
+    /// @return false if no job comes after it
     virtual bool read(Job& job) = 0;
     /// Whether read() would not have to wait.
     [[nodiscard]] virtual bool is_ready() const = 0;
-    /// To be called at the end of a run without a data row, `at_end` of the stream: adds what still waits.
+    /// To be called at the end of a run, `at_end` of the stream: adds lines that still wait for a data row.
     virtual void finish(Output& output, bool at_end) = 0;
     [[nodiscard]] virtual std::optional<StreamError> error() const = 0;
     [[nodiscard]] virtual const Layout& layout() const = 0;
-    /// Of the other stream, if there are two.
+    /// The other stream's layout; null if there is none.
     [[nodiscard]] virtual const Layout* reference_layout() const { return nullptr; }
-    /// Of the rows of the stream, and of the reference, as far as it is known after the last job.
+    /// The row widths of the stream and of the reference, as far as they are known after the last job.
     [[nodiscard]] virtual std::array<RowWidth, 2> widths() const = 0;
-    /// Of the stream, and of the reference.
+    /// The rows without a partner in the stream and in the reference.
     [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
     [[nodiscard]] virtual KeysMet keys() const { return {}; }
 };

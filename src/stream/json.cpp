@@ -11,7 +11,7 @@
 namespace rotconv::stream {
 namespace {
 
-/// The key, in quotes, is not the index of another field than `at` in a row of `count` fields.
+/// Whether the key, in quotes, is not the index of a field other than `at` in a row of `count` fields.
 bool is_free(std::string_view key, std::size_t at, std::size_t count) noexcept {
     std::size_t index = 0;
     const char* const end = key.data() + key.size() - 1;

@@ -14,17 +14,17 @@ namespace rotconv::stream {
 void append_json_string(Buffer& to, std::string_view text);
 [[nodiscard]] std::string json_string(std::string_view text);
 
-/// A number of JSON (RFC 8259), but not an integer beyond 2^53, which readers would round.
+/// Whether a text is a number of JSON (RFC 8259), except integers beyond 2^53, which readers would round.
 [[nodiscard]] bool is_json_number(std::string_view text) noexcept;
 
-/// The keys of a row's fields in a JSON object, none of them twice: the header's names, else 1-based indices.
+/// The keys of a row's fields in a JSON object, none of them twice: the header's names, otherwise 1-based indices.
 class JsonKeys {
 public:
-    /// Without a header.
+    /// Keys without a header.
     JsonKeys() = default;
-    /// @param names of the header
-    /// @param taken keys of the result
-    /// @param is_written whether a field goes to the output
+    /// @param names the header's
+    /// @param taken the result's keys
+    /// @param is_written whether a field is written
     JsonKeys(const std::vector<std::string>& names, const std::vector<std::string_view>& taken,
              const std::function<bool(std::size_t)>& is_written);
 
@@ -32,7 +32,7 @@ public:
     void append_to(Buffer& to, std::size_t at, std::size_t count) const;
 
 private:
-    std::vector<std::string> keys_; ///< with their quotes; empty: the index
+    std::vector<std::string> keys_; ///< with their quotes; an empty key stands for the index
 };
 
 } // namespace rotconv::stream

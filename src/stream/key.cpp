@@ -21,9 +21,9 @@ std::string_view leading_digits(std::string_view text) noexcept {
     return {text.begin(), std::ranges::find_if_not(text, is_digit)};
 }
 
-/// The number after the e, bounded; nothing where there is none.
+/// The number after the e, bounded; nothing if there is none.
 std::optional<std::int64_t> read_power(std::string_view text) noexcept {
-    constexpr std::int64_t bound = std::int64_t{1} << 60U; // twice that and the length of a text stay within 64 bits
+    constexpr std::int64_t bound = std::int64_t{1} << 60U; // twice it, and the length of a text, fit 64 bits
     text.remove_prefix(text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
     std::int64_t power = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
@@ -34,7 +34,7 @@ std::optional<std::int64_t> read_power(std::string_view text) noexcept {
     return is_in_range ? std::clamp(power, -bound, bound) : text.starts_with('-') ? -bound : bound;
 }
 
-/// The number 0.DIGITS times 10^point to whole units.
+/// Rounds 0.DIGITS times 10^point to whole units.
 ReadKey read_digits(std::string_view digits, std::int64_t point, int power) {
     const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
     digits.remove_prefix(zeros);
@@ -82,7 +82,7 @@ ReadKey read_decimal(std::string_view text, int power) {
     return key;
 }
 
-/// A text that begins with the figures of a date, as digits in the form 0000-00-00 or 0000-000.
+/// Reads a text that begins with a date, in the form 0000-00-00 or 0000-000 where 0 stands for any digit.
 ReadKey read_iso(std::string_view text, std::string_view form) {
     using namespace std::chrono;
     const std::size_t hour = form.starts_with("0000-00-00") ? 11 : 9;

@@ -10,7 +10,7 @@ namespace rotconv::stream {
 __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
 
-/// The distance of two keys, exact.
+/// The exact distance of two keys.
 struct KeyDistance {
     Uint128 units = 0; ///< of 1e-18
 
@@ -45,8 +45,8 @@ enum class KeyError : std::uint8_t {
     none,
     not_a_number,
     too_large,  ///< it would be 1e20 or more in size
-    not_a_time, ///< it begins with a date, and no time follows that is read
-    blank,      ///< it is a date alone, or with a blank in the place of the T
+    not_a_time, ///< it begins with a date, and no time that can be read follows
+    blank,      ///< it is a date alone, or has a blank instead of the T
     has_unit    ///< it is a time of ISO 8601, and should be a number
 };
 
@@ -55,12 +55,12 @@ struct ReadKey {
     KeyError error = KeyError::none;
 };
 
-/// Reads a number times 10^power, -18 to 0, rounded to a whole unit, of equals to the even one. Or a time of ISO 8601
-/// with a date of the calendar (2026-11-22) or of the year (2026-326), a T and at least hours and minutes, in UTC with
-/// or without Z, which becomes seconds since 1970. As in POSIX there are no leap seconds.
+/// Reads a number times 10^power, rounded to a whole unit, ties to even. Or a time of ISO 8601, which becomes seconds
+/// since 1970, without leap seconds as in POSIX: a date of the calendar (2026-11-22) or of the year (2026-326), a T and
+/// at least hours and minutes, in UTC with or without Z. Valid range: power -18 to 0, keys below 1e20 in size.
 [[nodiscard]] ReadKey read_key(std::string_view text, int power = 0);
 
-/// A number without a limit, as a distance: the largest there is where it is too large, 0 where it is negative or none.
+/// Reads a number as a distance: the largest distance if it is too large, 0 if it is negative or not a number.
 [[nodiscard]] KeyDistance read_distance(std::string_view text);
 
 } // namespace rotconv::stream

@@ -14,35 +14,34 @@
 
 namespace rotconv::stream {
 
-/// How many fields the rows of a stream have, without empty ones at the end: as many as the first row whose selected
+/// The number of fields of a stream's rows, without empty fields at the end: that of the first row whose selected
 /// fields are numbers.
 struct RowWidth {
-    std::size_t fields = 0; ///< 0: there was no such row yet
-    std::size_t line = 0;   ///< of that row
+    std::size_t fields = 0; ///< 0: there was no such row so far
+    std::size_t line = 0;   ///< that row's line
 };
 
-/// Where things stand in a row. It is known once the first data row has come, and is the same for all rows.
+/// What stands where in a row: known from the first data row on, and the same for all rows.
 struct Layout {
     Delimiter delimiter = Delimiter::blanks();
-    std::size_t count = 0;       ///< numbers of a row
-    std::size_t field_count = 0; ///< of the first data row; 0 before it
-    /// Positions of the selected fields, in the order of the operation's numbers; empty where --columns selects none
-    /// and a row is its numbers.
+    std::size_t count = 0;       ///< numbers of each row
+    std::size_t field_count = 0; ///< fields of the first data row; 0 before it
+    /// Positions of the selected fields, in the order of the operation's numbers; empty without --columns: a row is its
+    /// numbers.
     std::vector<std::size_t> positions{};
-    /// If the selected fields are adjacent, and those that are kept (see RowNumbers) come first: the number that field
-    /// `first_field` + i holds. Else empty.
+    /// The number that field `first_field` + i holds, if the selected fields are adjacent and the kept ones (see
+    /// RowNumbers) come first; otherwise empty.
     std::vector<std::size_t> number_of_field{};
     std::size_t first_field = 0;
-    std::vector<std::size_t> replaced{}; ///< those in whose place the result stands, sorted; empty: the whole row is
-    bool appends = false;                ///< nothing is replaced: the result stands at the end
-    JsonKeys keys{};                     ///< of the other fields, under Format::json
-    std::string line_end = "\n";         ///< for a last row that has none
-    std::vector<std::string>
-        kept_names{};          ///< of the result, as they stand in the header; see RowOperation::keeps_names
-    std::vector<Note> notes{}; ///< of the header and the first row, or of comments alone
+    std::vector<std::size_t> replaced{};   ///< the fields that the result replaces, sorted; empty: all
+    bool appends = false;                  ///< the result replaces nothing, and stands at the end
+    JsonKeys keys{};                       ///< keys of the other fields, with Format::json
+    std::string line_end = "\n";           ///< the line end of a last row that has none
+    std::vector<std::string> kept_names{}; ///< the result's, as in the header; see RowOperation::keeps_names
+    std::vector<Note> notes{};             ///< about the header and the first row, or about comments alone
 
-    /// The numbers stand in the chosen fields, or are the whole row where none is chosen; the first `kept` of them are
-    /// not replaced.
+    /// Sets the fields that hold the numbers: the chosen ones, or the whole row if none is chosen. The result does not
+    /// replace the first `kept` of them.
     void select(std::vector<std::size_t> chosen, std::size_t number_count, std::size_t kept) {
         count = number_count;
         positions = std::move(chosen);
@@ -69,15 +68,15 @@ struct Layout {
     [[nodiscard]] bool replaces(std::size_t field) const noexcept {
         return !appends && std::ranges::binary_search(replaced, field);
     }
-    /// The output has fields of the input beside the result.
+    /// Whether the output has fields of the input beside the result.
     [[nodiscard]] bool has_other_fields() const noexcept { return appends || !replaced.empty(); }
 };
 
 /// Calls `other(i)` for each of `count` fields that is not replaced and `result()` once, in the order of the output:
-/// the result stands where the leftmost replaced field stood, or at the end where that is missing.
+/// the result takes the place of the leftmost replaced field, or stands at the end if that is missing.
 template <class Other, class Result>
 void for_each_output(const Layout& layout, std::size_t count, const Other& other, const Result& result) {
-    std::size_t next = 0; // of the replaced fields
+    std::size_t next = 0; // index of a replaced field
     for (std::size_t i = 0; i < count && layout.has_other_fields(); ++i) {
         if (layout.appends || next == layout.replaced.size() || i != layout.replaced[next]) {
             other(i);

@@ -12,17 +12,17 @@
 
 namespace rotconv::stream {
 
-/// Watches rows that are paired by their number for a column that looks like a key, such as a time: it increases in
-/// both streams, and is not the same in both rows of a pair.
+/// Looks for a column that may be a key, such as a time, in rows that are paired by their number: it increases in both
+/// streams, and differs between the rows of a pair.
 class LikelyKey {
 public:
     /// The rows and the names of one stream.
     struct Side {
         const Layout* layout = nullptr;
-        const std::vector<std::string>* names = nullptr; ///< none without a header
+        const std::vector<std::string>* names = nullptr; ///< empty without a header
     };
 
-    /// The columns of the same name, otherwise the first column of both; without those that are selected.
+    /// Looks at columns of the same name, otherwise at the first column of both; selected columns are left out.
     explicit LikelyKey(const std::array<Side, 2>& sides);
 
     void add(const std::array<std::string_view, 2>& rows);
@@ -32,12 +32,12 @@ public:
 private:
     struct Column {
         std::string text;                ///< its name, or its index from 1
-        std::array<std::size_t, 2> at{}; ///< in the rows of either stream
-        std::array<Key, 2> last{};       ///< of the pairs that were looked at
+        std::array<std::size_t, 2> at{}; ///< its position in the rows of each stream
+        std::array<Key, 2> last{};       ///< its keys in the last pair that was looked at
     };
-    /// Of so many pairs the columns increase; later ones are looked at if the texts differ...
+    /// Keys must increase in the first pairs, so many; later pairs are looked at only if their texts differ.
     static constexpr std::size_t first_pairs = 3;
-    /// ...and from so many on one in 16, which finds a lost row as well, and costs nothing.
+    /// After so many pairs only one in 16 is looked at, which finds a lost row as well and costs nothing.
     static constexpr std::size_t close_pairs = 64;
 
     std::array<Side, 2> sides_;
@@ -45,7 +45,7 @@ private:
     /// A field of a row; empty where it is missing.
     [[nodiscard]] std::string_view field(std::size_t side, std::string_view row, std::size_t at);
 
-    std::vector<std::string_view> fields_; ///< of a row
+    std::vector<std::string_view> fields_; ///< a row's, reused
     std::size_t pairs_ = 0;
     std::optional<std::string> found_;
 };

@@ -5,12 +5,12 @@
 namespace rotconv::stream {
 namespace {
 
-/// Rows of a job that is worth handing on, and the most.
+/// The smallest number of rows that is worth handing on as a job, and the largest.
 constexpr std::size_t enough_rows = 256;
 constexpr std::size_t most_rows = 2048;
-/// Texts that a job with few rows may hold: the rows between them may have been left out.
+/// The largest number of texts that a job with few rows may hold: the rows between them may have been left out.
 constexpr std::size_t most_texts = 8;
-/// Lines, and bytes of them, between a row and the next one whose key must be known.
+/// The largest numbers of lines and of bytes between a row and the next row whose key must be known.
 constexpr std::size_t most_lines_ahead = 4096;
 constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
@@ -18,22 +18,22 @@ constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
 void PairReader::Side::read_block(Job& job) {
     ended = !blocks.read(job);
-    if (const std::size_t size = job.rest.size(); size > 0) {
+    if (const std::size_t size = job.text.size(); size > 0) {
         auto text = std::make_shared<Buffer>();
         Buffer& bytes = job.block.bytes;
-        if (2 * size < bytes.capacity()) { // it may wait, and not with much room that is empty
-            append(*text, job.rest);
+        if (2 * size < bytes.capacity()) { // it may wait, and should not hold much memory that is empty
+            append(*text, job.text);
         } else {
-            bytes.resize(static_cast<std::size_t>(job.rest.data() - bytes.data()) + size);
+            bytes.resize(static_cast<std::size_t>(job.text.data() - bytes.data()) + size);
             *text = std::move(bytes);
         }
         const std::size_t end = text->size();
         text->resize(end + RowReader::room_behind);
         std::fill(text->begin() + end, text->end(), '\0');
-        rest = {text->data() + end - size, size};
+        unread = {text->data() + end - size, size};
         texts.push_back(std::move(text));
         line = job.line;
-        job.rest = {};
+        job.text = {};
     }
     job.block.text = {};
 }
@@ -41,8 +41,8 @@ void PairReader::Side::read_block(Job& job) {
 void PairReader::Side::take_line() {
     Waiting& next = waiting.emplace_back();
     next.number = line++;
-    next.line = next_row(rest, options->width);
-    next.ends_text = rest.empty();
+    next.line = next_row(unread, options->width);
+    next.ends_text = unread.empty();
     next.passes = options->width == 0 && !options->is_row(next.line.text);
     if (!next.passes && by_key) {
         find_key(next);
@@ -71,7 +71,7 @@ void PairReader::Side::find_key(Waiting& row) {
 
 PairReader::At PairReader::Side::look(std::size_t ahead) {
     while (rows_waiting <= ahead) {
-        if (rest.empty()) {
+        if (unread.empty()) {
             return ended ? At::end : At::dry;
         }
         if (ahead > 0 && (waiting.size() > most_lines_ahead || bytes_waiting > most_bytes_ahead)) {
@@ -259,7 +259,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     } else if (interpolates) {
         match_between(job, next);
     } else if (next == At::row && distance(low.keys[1], high.keys[0]) < distance(low.keys[0], high.keys[0])) {
-        drop_alone(job, low); // the one after it is nearer
+        drop_alone(job, low); // the next row is nearer
     } else {
         pair(job);
     }
@@ -273,7 +273,7 @@ bool PairReader::is_alone(const Side& low, const Side& high) const {
 
 void PairReader::match_between(Job& job, At next) {
     if (next == At::end) {
-        error_ = reference_error(); // the row after it may not be known
+        error_ = reference_error(); // the next row may exist, and was not read
         if (!error_) {
             drop_alone(job, rows_);
         }
@@ -300,7 +300,7 @@ std::optional<StreamError> PairReader::error() const {
     if (error_) {
         return error_;
     }
-    const bool is_own = rows_.is_done() && rows_.blocks.error(); // else it lies behind what was worked on
+    const bool is_own = rows_.is_done() && rows_.blocks.error(); // otherwise it lies after the paired rows
     return is_own ? rows_.blocks.error() : reference_error();
 }
 

@@ -18,16 +18,16 @@ Preamble::Preamble(const InputOptions& options, const Options* written)
     }
 }
 
-bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
-    if (!has_row_ && options_->width > 0 && !rest.empty()) {
+bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
+    if (!has_row_ && options_->width > 0 && !text.empty()) {
         layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
         layout_.field_count = options_->width;
         begin_rows(output);
     }
-    while (!has_row_ && !rest.empty()) {
-        std::string_view after = rest;
+    while (!has_row_ && !text.empty()) {
+        std::string_view after = text;
         const Line current = next_line(after);
-        const std::string_view whole = rest.substr(0, rest.size() - after.size());
+        const std::string_view whole = text.substr(0, text.size() - after.size());
         bool is_data = options_->is_row(current.text);
         if (is_data) {
             std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
@@ -46,11 +46,11 @@ bool Preamble::read(std::string_view& rest, std::size_t& line, Output& output) {
             take_layout(current, line);
         }
         if (error_) {
-            rest = {};
+            text = {};
         } else if (is_data) {
             begin_rows(output);
         } else {
-            rest = after;
+            text = after;
             ++line;
         }
     }
@@ -91,8 +91,8 @@ void Preamble::hold(std::string_view line) {
 
 std::vector<Line> Preamble::lines() const {
     std::vector<Line> lines;
-    for (std::string_view rest = held_; !rest.empty();) {
-        if (const Line line = next_line(rest); !is_blank(line.text)) {
+    for (std::string_view text = held_; !text.empty();) {
+        if (const Line line = next_line(text); !is_blank(line.text)) {
             lines.push_back(line);
         }
     }
@@ -215,7 +215,7 @@ void Preamble::keep_names(const HeaderLine& header) {
     std::set<std::string> keys;
     for (const std::string_view column : result_columns(*written_, layout_)) {
         if (!keys.insert(json_string(header.delimiter.unquoted(column))).second && written_->format == Format::json) {
-            layout_.kept_names.clear(); // no key twice
+            layout_.kept_names.clear(); // a key must not occur twice
             return;
         }
     }

@@ -12,22 +12,22 @@
 
 namespace rotconv::stream {
 
-/// The blocks of one stream, without what stands before its first data row.
+/// The blocks of one stream, without the lines before its first data row.
 class RowBlocks final : public JobReader {
 public:
-    /// `written`: how what stands before the first row is written; null: not at all.
+    /// `written`: how the lines before the first row are written; null: not at all.
     RowBlocks(Source& source, const InputOptions& options, const Options* written, std::size_t block_size)
         : is_told_(written != nullptr && options.width == 0), options_(&options),
           blocks_(source, options.width * sizeof(double), block_size), preamble_(options, written) {}
 
     bool read(Job& job) override {
         const bool goes_on = blocks_.read(job.block);
-        job.rest = job.block.text;
+        job.text = job.block.text;
         job.line = job.block.first_line;
-        if (is_told_ && job.line == 1 && !job.rest.empty()) {
-            job.output.events.emplace_back(FirstBytes{std::string(job.rest.substr(0, most_first_bytes))});
+        if (is_told_ && job.line == 1 && !job.text.empty()) {
+            job.output.events.emplace_back(FirstBytes{std::string(job.text.substr(0, most_first_bytes))});
         }
-        preamble_.read(job.rest, job.line, job.output);
+        preamble_.read(job.text, job.line, job.output);
         if (width_.fields == 0 && options_->width == 0 && !options_->columns.empty()) {
             find_width(job);
         }
@@ -40,19 +40,19 @@ public:
     }
     [[nodiscard]] const Layout& layout() const override { return preamble_.layout(); }
     [[nodiscard]] std::array<RowWidth, 2> widths() const override { return {width_}; }
-    /// The header's names; none without one.
+    /// The header's names; empty without a header.
     [[nodiscard]] const std::vector<std::string>& names() const noexcept { return preamble_.names(); }
 
 private:
     static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
 
-    /// Looks for the first row whose selected fields are numbers; it must have as many as a header with selected names.
+    /// Looks for the first row whose selected fields are numbers; its width must be that of a header with their names.
     void find_width(Job& job) {
         const RowReader reader(*options_, layout());
         RowParts parts;
         std::size_t line = job.line;
-        for (std::string_view rest = job.rest; !rest.empty() && width_.fields == 0; ++line) {
-            const std::string_view row = next_line(rest).text;
+        for (std::string_view text = job.text; !text.empty() && width_.fields == 0; ++line) {
+            const std::string_view row = next_line(text).text;
             parts.clear();
             if (!options_->is_row(row) || !reader.read(row, parts)) {
                 continue;
@@ -64,12 +64,12 @@ private:
                                   .text = std::string(row),
                                   .count = preamble_.name_count(),
                                   .fields = width_.fields};
-                job.rest = job.rest.substr(0, static_cast<std::size_t>(row.data() - job.rest.data()));
+                job.text = job.text.substr(0, static_cast<std::size_t>(row.data() - job.text.data()));
             }
         }
     }
 
-    bool is_told_; ///< what the stream begins with
+    bool is_told_; ///< the first bytes of the stream are reported
     const InputOptions* options_;
     IoBlockReader blocks_;
     Preamble preamble_;

@@ -21,7 +21,7 @@ double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind
 
 namespace {
 
-/// Of the quaternion of a row, or of its partner; 0 if it is not a quaternion.
+/// The norm of a row's or its partner's quaternion; 0 if the attitude is not a quaternion.
 double norm_of(const Row& row, const RowReport& report, const GatheredRows& rows, const Options& options,
                const Layout& layout) {
     if (report.of_reference && row.reference_number == 0) {
@@ -37,7 +37,7 @@ double norm_of(const Row& row, const RowReport& report, const GatheredRows& rows
                                                     : columns.first();
     const auto q = rows.numbers_of(row).subspan(first, 4);
     const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
-    double squares = 0.0; // of numbers that neither overflow nor underflow
+    double squares = 0.0; // scaled, so that they neither overflow nor underflow
     for (const double number : q) {
         squares += (number / largest) * (number / largest);
     }
@@ -74,7 +74,7 @@ void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport
         if (diagnostic.kind == DiagnosticKind::method_error && !operation.answers.empty()) {
             diagnostic.answer = operation.answers[answer];
         } else if (answer > 0) {
-            return; // that is the row's, and told
+            return; // the first answer has told the row's diagnostics
         }
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
         const bool is_angle = diagnostic.kind == DiagnosticKind::large_angle;
@@ -82,7 +82,7 @@ void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport
             events.emplace_back(diagnostic);
             return;
         }
-        for (const bool of_reference : {true, false}) { // of either, or of both
+        for (const bool of_reference : {true, false}) { // each that is remarkable
             const auto& [defect, angle] = of_reference ? report.reference_unusual : report.unusual;
             const double figure = is_angle ? angle : defect;
             if (figure > 0.0) {

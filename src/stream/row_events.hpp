@@ -9,13 +9,13 @@
 #include "job.hpp"
 #include "options.hpp"
 
-/// What is told of a row that was answered.
+/// The events of a row that was answered.
 namespace rotconv::stream {
 
-/// What a diagnostic of the row, and of a part of its result, says beside its kind.
+/// The figure of a diagnostic of a row, or of a part of its result.
 [[nodiscard]] double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind kind) noexcept;
 
-/// The diagnostics of a row, whose result may be attitudes, in order of kind, with their figures.
+/// Visits the diagnostics of a row with their figures, in order of kind. `attitudes`: those of the result, if any.
 template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line,
                                                 const std::vector<Spec>& attitudes, const Visit& visit) {
     if (report.diagnostics.empty()) {
@@ -35,11 +35,11 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
     }
 }
 
-/// Why a row has no result. `given`: the row as it was read.
+/// The error of a row without a result. `given`: the row as it was read.
 [[nodiscard]] RowError error_of(const Row& row, std::string_view given, const RowReport& report,
                                 const GatheredRows& rows, const Options& options, const Layout& layout);
 
-/// Adds the diagnostics of the row's answer of that number; those of a row and its partner one by one.
+/// Adds the diagnostics of the row's answer of that index, those of a row and of its partner separately.
 /// @param operation outlives the events
 void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t answer,
                      const RowOperation& operation);

@@ -14,11 +14,11 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
       gathered_(options, layout, reference_layout), writer_(options, layout),
       nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
-void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
+void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered) {
     if (is_doubles_alone()) {
-        transform_doubles(text, line, output, in_turn);
+        transform_doubles(text, line, output, ordered);
     } else {
-        transform_all(text, line, false, output, in_turn);
+        transform_all(text, line, false, output, ordered);
     }
 }
 
@@ -37,7 +37,7 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output) {
 void RowTransformer::finish(Output& output) { transform_all({}, waiting_line_, true, output, {}); }
 
 void RowTransformer::transform_all(std::string_view text, std::size_t line, bool is_end, Output& output,
-                                   const InTurn& in_turn) {
+                                   const Ordered& ordered) {
     std::string joined;
     if (!waiting_.empty()) {
         joined = std::exchange(waiting_, {}).append(text);
@@ -53,7 +53,7 @@ void RowTransformer::transform_all(std::string_view text, std::size_t line, bool
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
             answered = answer(true);
         }
-        make_continuous(answered, output, in_turn);
+        make_continuous(answered, output, ordered);
         if (answered < gathered_.count()) {
             line = gathered_.numbers().lines[answered];
             text = all.substr(static_cast<std::size_t>(gathered_.drop_from(answered) - all.data()));
@@ -74,14 +74,15 @@ bool RowTransformer::is_doubles_alone() const noexcept {
            !options_->diagnostic_columns && !options_->fold;
 }
 
-void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn) {
+void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output,
+                                       const Ordered& ordered) {
     const std::size_t row_size = options_->input.width * sizeof(double);
     const std::size_t width = operation_->names.size();
     while (!text.empty() && !output.stopped) {
         const std::size_t rows = std::min(rows_at_once(), text.size() / row_size);
         gathered_.add_doubles(text.substr(0, rows * row_size), line);
         answer(true);
-        make_continuous(rows, output, in_turn);
+        make_continuous(rows, output, ordered);
         next_report_ = 0;
         std::size_t next = 0;
         const auto write_clean = [&](std::size_t end) {
@@ -112,14 +113,14 @@ std::size_t RowTransformer::answer(bool flush) {
     return operation_->run(rows, results_, reports_);
 }
 
-void RowTransformer::make_continuous(std::size_t answered, Output& output, const InTurn& in_turn) {
+void RowTransformer::make_continuous(std::size_t answered, Output& output, const Ordered& ordered) {
     if (!operation_->is_continuous) {
         return;
     }
     const auto results = std::span(results_).first(answered * operation_->answers_of_row() * operation_->names.size());
     const auto what = [&] { operation_->make_continuous(results, reports_); };
-    if (in_turn && !operation_->in_order) { // such rows are for one thread
-        output.stopped = !in_turn(what);
+    if (ordered && !operation_->in_order) { // with in_order there is one thread
+        output.stopped = !ordered(what);
     } else {
         what();
     }
@@ -158,7 +159,7 @@ void RowTransformer::write(Output& output) {
 }
 
 void RowTransformer::give_away(std::size_t answered, Output& output) {
-    if (options_->fold && answered > 0) { // by an operation that answers all
+    if (options_->fold && answered > 0) { // operations with a fold answer all rows at once
         AnsweredBatch& batch = output.batches.emplace_back();
         gathered_.move_to(batch);
         batch.results = std::move(results_);
@@ -168,7 +169,7 @@ void RowTransformer::give_away(std::size_t answered, Output& output) {
 
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
-    const bool is_ours = row.number > 0;          // else there is nothing but an error of the reference
+    const bool is_ours = row.number > 0;          // otherwise it is only an error of the reference
     output.rows += is_ours ? 1 : 0;
     if (is_ours && options_->writes_rows && layout_->has_other_fields()) {
         gathered_.split(row);
@@ -182,7 +183,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
         const std::size_t index = row.index * answers + i;
         const RowReport& report = report_of(row, index);
         const bool failed = !row.has_numbers() || report.error != Error::none;
-        const bool has_no_partner = row.later_number > 0 && report.error == Error::past_half_turn; // of its neighbours
+        const bool has_no_partner = row.later_number > 0 && report.error == Error::past_half_turn; // of neighbours
         if (has_no_partner && !options_->pairing->needs_partner) {
             output.unpaired.add({1, row.number});
             continue;
@@ -193,7 +194,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
             output.stopped = options_->on_error == OnError::stop || error.key == KeyError::has_unit;
         }
         if (failed && (output.stopped || options_->on_error != OnError::nan || !is_ours)) {
-            continue; // each answer's report is passed over
+            continue; // report_of() was called for each answer
         }
         if (options_->writes_rows) {
             writer_.write(

@@ -20,9 +20,9 @@
 
 namespace rotconv::stream {
 
-/// Runs what all blocks have done in the order of the stream, once those before have had it done.
-/// @return false where the run is over: nothing was done and nothing is to be written
-using InTurn = std::function<bool(const std::function<void()>& what)>;
+/// Called once for each block: waits until it has been called for all blocks before, then calls `what`.
+/// @return false if the run is over: nothing was done and nothing is to be written
+using Ordered = std::function<bool(const std::function<void()>& what)>;
 
 /// Turns blocks of rows into their output. What a block becomes depends on the block, the options and the layout alone
 /// (unless the operation remembers rows), so that several transformers may work on the blocks of one stream.
@@ -30,60 +30,60 @@ class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
-    /// What follows has rows of these widths, in the stream and the reference.
+    /// Sets the widths of the rows that follow, in the stream and the reference.
     void expect(const std::array<RowWidth, 2>& widths) noexcept { gathered_.expect(widths); }
-    /// Adds what the rows of `text`, whole lines of which the first is line `line`, become. An operation that is
-    /// continuous has its turn once, with all rows of the text; at once without turns.
-    void transform(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn = {});
-    /// The same of pairs of rows.
+    /// Adds the output of the rows of `text`, whole lines from line `line` on. The results of a continuous operation
+    /// are made continuous once, for all rows of the text, by `ordered` if it is given.
+    void transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered = {});
+    /// Adds the output of pairs of rows.
     void transform(const PairBlock& pairs, Output& output);
-    /// To be called at the end: adds what still waits.
+    /// To be called at the end: adds the output of rows that still wait.
     void finish(Output& output);
 
 private:
     static constexpr std::size_t most_waiting = std::size_t{1} << 16U;
     static constexpr std::size_t every_row = static_cast<std::size_t>(-1);
 
-    /// Rows that are answered together. Where answers depend on the rows after them, a row that has none yet, and what
-    /// follows it, wait for the next call, up to `most_waiting` bytes.
+    /// How many rows are answered together. If results depend on later rows, a row without a result, and the rows after
+    /// it, wait for the next call, up to `most_waiting` bytes.
     [[nodiscard]] std::size_t rows_at_once() const noexcept {
         return operation_->is_continuous && !operation_->in_order ? every_row : batch_rows;
     }
-    void transform_all(std::string_view text, std::size_t line, bool is_end, Output& output, const InTurn& in_turn);
-    /// Doubles in and nothing but the result out: as many rows are written at once as there is nothing to tell of.
+    void transform_all(std::string_view text, std::size_t line, bool is_end, Output& output, const Ordered& ordered);
+    /// Doubles in and only the result out: consecutive rows without a report are written together.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
-    void transform_doubles(std::string_view text, std::size_t line, Output& output, const InTurn& in_turn);
-    /// Answers the rows that have numbers, or only the first of them, see RowOperation::run().
+    void transform_doubles(std::string_view text, std::size_t line, Output& output, const Ordered& ordered);
+    /// Runs the operation on the rows that have numbers; returns how many are answered, see RowOperation::run().
     std::size_t answer(bool flush);
-    /// Makes the first answers continuous, in turn.
-    void make_continuous(std::size_t answered, Output& output, const InTurn& in_turn);
+    /// Makes the results of the first `answered` rows continuous, in the order of the stream.
+    void make_continuous(std::size_t answered, Output& output, const Ordered& ordered);
     void write(Output& output);
-    /// Hands over the rows at hand and their answers, if there is a fold.
+    /// Hands over the rows at hand and their results, if there is a fold.
     void give_away(std::size_t answered, Output& output);
     void write_row(Row& row, Output& output);
-    /// Whether the report that comes next is of one of the row's answers before that index.
+    /// Whether the next report belongs to the row, and to an answer before that index.
     [[nodiscard]] bool is_reported_before(const Row& row, std::size_t answer) const noexcept {
         return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < answer;
     }
-    /// What is to be told of the row's answer of that index; to be asked of each in turn.
+    /// The report on the row's answer of that index, empty if there is none; to be called for each answer in order.
     [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer) noexcept;
-    /// Has the output say with which row it is paired. `given`: the row as it was read.
+    /// Sets `partner_` for a row; `given`: the row as it was read.
     void find_partner(const Row& row, std::string_view given);
 
     const Options* options_;
     const Layout* layout_;
-    std::shared_ptr<RowOperation> operation_; ///< a copy, for it may have room of its own to work in
+    std::shared_ptr<RowOperation> operation_; ///< a copy, as it may have its own working memory
     GatheredRows gathered_;
     RowWriter writer_;
-    std::string waiting_;          ///< rows of earlier blocks that are not yet answered...
-    std::size_t waiting_line_ = 0; ///< ...and the first one's line
-    // Of one batch, reused.
+    std::string waiting_;          ///< rows of earlier blocks that are not yet answered
+    std::size_t waiting_line_ = 0; ///< the line of the first of them
+    // One batch, reused:
     std::vector<double> results_;
-    std::vector<RowReport> reports_; ///< of the remarkable rows...
-    std::size_t next_report_ = 0;    ///< ...of which this is the first that is not yet written
-    std::string partner_;            ///< what the output says of the row's partner
-    RowParts key_parts_;             ///< of both
-    std::vector<double> nans_;       ///< the result of a row that failed
+    std::vector<RowReport> reports_; ///< one for each remarkable row
+    std::size_t next_report_ = 0;    ///< index of the first report that is not yet written
+    std::string partner_;            ///< the fields partner_names of the row
+    RowParts key_parts_;             ///< the keys of a row and its partner
+    std::vector<double> nans_;       ///< the result of a failed row
 };
 
 } // namespace rotconv::stream

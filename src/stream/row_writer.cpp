@@ -18,7 +18,7 @@ constexpr std::string_view answer_column = "method";
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Kinds joined by '+'.
+/// Appends the kinds of the row's diagnostics, joined by '+'.
 void append_notes(Buffer& to, const ConvertedRow& row) {
     if (row.failed) {
         append(to, "error");
@@ -44,7 +44,7 @@ std::string_view without_trailing_blanks(std::string_view row, char delimiter) n
     return row.substr(0, row.find_last_not_of(delimiter == '\t' ? " " : " \t") + 1);
 }
 
-/// The fields that are not replaced, with the result in its place, or at the end of the row less trailing blanks.
+/// Writes the fields that are not replaced and the result, in its place or at the end of the row less trailing blanks.
 template <class WriteResult> void write_fields(Buffer& to, const Layout& layout, std::string_view row,
                                                std::span<const std::string_view> fields, char delimiter,
                                                const WriteResult& write_result) {
@@ -71,7 +71,7 @@ template <class WriteResult> void write_fields(Buffer& to, const Layout& layout,
     for_each_output(layout, fields.size(), other, result);
 }
 
-/// A line with what `write_result` writes, in room for so many bytes, in the place of `numbers` in it, or at its end.
+/// Writes a line with the result, of at most `room` bytes, in the place of `numbers` or at its end.
 template <class WriteResult> void write_around(Buffer& to, const Layout& layout, const Line& line,
                                                std::string_view numbers, std::size_t room,
                                                const WriteResult& write_result) {
@@ -105,9 +105,9 @@ double half_a_unit(int decimals) {
 
 constexpr std::size_t most_around = 3; // a delimiter and a line end
 
-/// Numbers of an answer, its name before the last. Those that repeat the answer above, which stands before in memory,
-/// are copied from there.
-/// @param places of the numbers in the answer above, and of its name; they become those of this one
+/// Writes the numbers of an answer, with its name before the last. Numbers that repeat the previous answer, which
+/// stands before them in memory, are copied from its text.
+/// @param places where the numbers and the name of the previous answer stand; set to those of this answer
 char* write_answer(char* at, std::span<const double> numbers, bool is_first, const char** places, std::string_view name,
                    char delimiter, Digits digits) {
     const double* number = numbers.data();
@@ -174,7 +174,7 @@ void write_added_header(Buffer& to, const Options& options, const Layout& layout
 RowWriter::OuterAngles RowWriter::outer_angles(const Spec& spec, std::size_t first) const {
     const Digits digits = options_->digits;
     const bool degrees = spec.unit == AngleUnit::degrees;
-    const int whole_digits = degrees ? 3 : 1; // of a half-turn
+    const int whole_digits = degrees ? 3 : 1; // digits of a half-turn
     const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
     const double half_turn = degrees ? 180.0 : std::numbers::pi;
     const double open_end = spec.positive ? 2.0 * half_turn : -half_turn;
@@ -233,7 +233,7 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
     const std::size_t room = room_for(width, digits) + std::ranges::max(answers, {}, &std::string::size).size() + 2;
     std::vector<const char*> places(width);
     for (const Row& row : rows) {
-        to.reserve(to.size() + answers.size() * (room + row.line.text.size() + most_around)); // so that places remain
+        to.reserve(to.size() + answers.size() * (room + row.line.text.size() + most_around)); // places stay valid
         const double* numbers = results.data() + row.index * answers.size() * width;
         bool is_first = true;
         for (const std::string_view answer : answers) {
@@ -249,8 +249,8 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
 void RowWriter::write_number(Buffer& to, double value, std::size_t column) const {
     const std::size_t start = to.size();
     append_number(to, value, options_->digits);
-    // The outer Euler angles have the range (-pi, pi] or [0, 2 pi): what is the open end to the digits that are printed
-    // is the other; one digit does not tell.
+    // The outer Euler angles have the range (-pi, pi] or [0, 2 pi): a number that is printed as the open end becomes
+    // the closed end. One digit does not show it.
     for (const OuterAngles& range : outer_angles_) {
         if ((column == range.first || column == range.third) &&
             std::abs(value - range.open_end) <= range.half_a_digit &&
@@ -331,7 +331,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
             append(to, std::isnan(value) ? "null" : value > 0 ? "\"inf\"" : "\"-inf\"");
         }
     };
-    std::size_t first = 0; // of a SPEC's numbers, which with a block have one key
+    std::size_t first = 0; // of a SPEC's numbers, which have one key with a block
     for (const Spec& spec : options_->block ? options_->operation->attitudes : std::vector<Spec>()) {
         begin_member();
         append_json_string(to, spec.text());
@@ -400,7 +400,7 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (!row.answer.empty()) {
         fmt::format_to(out, "  {:<9}  {}\n", answer_column, row.answer);
     }
-    std::size_t labelled = 0; // the first number that is not part of what is written
+    std::size_t labelled = 0; // the first number that is not yet written
     if (specs.size() > 1) {
         write_attitudes(to, row);
         labelled = row.result.size();
@@ -452,7 +452,7 @@ void RowWriter::write_f64(Buffer& to, const ConvertedRow& row) const {
             append_bytes(to, figures_of(row));
         }
     };
-    if (options_->input.width == 0) { // the other fields are text
+    if (options_->input.width == 0) { // other fields are text, and are left out
         result();
     } else {
         for_each_output(

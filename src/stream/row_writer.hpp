@@ -15,24 +15,24 @@
 
 namespace rotconv::stream {
 
-/// One converted row: what it was and what it became.
+/// One row and its result.
 struct ConvertedRow {
     Line line;
-    std::size_t number = 0; ///< of the line
+    std::size_t number = 0; ///< the line's
     std::span<const std::string_view> fields;
-    std::span<const double> result; ///< nan where the row failed
+    std::span<const double> result; ///< nan if the row failed
     const RowReport* report = nullptr;
     bool failed = false;
-    std::string_view answer{};  ///< its name, of several to the row
-    std::string_view partner{}; ///< what follows of the row with which it is paired
+    std::string_view answer{};  ///< the answer's name, if the row has several
+    std::string_view partner{}; ///< the fields partner_names, each after a delimiter
 };
 
-/// The columns of the result, and of its diagnostics where those are shown. They are views into the arguments.
+/// The columns of the result, its diagnostics and its partner, if they are written. Views into the arguments.
 [[nodiscard]] std::vector<std::string_view> result_columns(const Options& options, const Layout& layout);
 
-/// The header with the result's columns in their place.
+/// Writes the header with the result's columns in their place.
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header);
-/// The header of an input that has none, under HeaderMode::add: other columns are named by their index.
+/// Writes a header for an input that has none, with HeaderMode::add: other columns are named by their index.
 void write_added_header(Buffer& to, const Options& options, const Layout& layout);
 
 /// Writes converted rows in the format of the options.
@@ -41,10 +41,10 @@ public:
     RowWriter(const Options& options, const Layout& layout);
 
     void write(Buffer& to, const ConvertedRow& row) const;
-    /// Rows without other columns of the output than the result's, which stands in the place of the row's numbers, or
-    /// at its end; each answer to them. `results` are those of all rows at hand.
+    /// Writes rows to which the output adds only the result, in the place of the row's numbers or at its end, a line
+    /// for each answer. `results` are those of all rows at hand.
     void write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const;
-    /// Whether such rows are all that is written where there is no failure.
+    /// Whether all rows that do not fail are such rows.
     [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_ && outer_angles_.empty(); }
 
 private:
@@ -52,30 +52,30 @@ private:
     void write_json(Buffer& to, const ConvertedRow& row) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
     void write_f64(Buffer& to, const ConvertedRow& row) const;
-    /// The result and, if asked for, the four diagnostic columns.
+    /// Writes the result and, if asked for, the four diagnostic columns.
     void write_result(Buffer& to, const ConvertedRow& row) const;
     void write_number(Buffer& to, double value, std::size_t column) const;
-    /// Where answers have names, theirs stands before this number.
+    /// Whether the answer's name stands before this number.
     [[nodiscard]] bool stands_name_before(std::size_t column) const noexcept {
         return !options_->operation->answers.empty() && column + 1 == options_->operation->names.size();
     }
 
     const Options* options_;
     const Layout* layout_;
-    std::vector<std::string> json_keys_; ///< of the result and the diagnostic columns, each with what stands around it
-    /// The range of outer Euler angles, the open end of which rounded numbers may show.
+    std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes, with a colon
+    /// The range of the outer Euler angles of one SPEC, whose open end rounded numbers may show.
     struct OuterAngles {
-        std::size_t first = 0; ///< their columns...
-        std::size_t third = 0;
+        std::size_t first = 0; ///< column of the first angle
+        std::size_t third = 0; ///< column of the third angle
         double open_end = 0.0;
-        double half_a_digit = 0.0;     ///< the last that is printed of it
-        std::string open_end_text{};   ///< as it would be printed...
-        std::string closed_end_text{}; ///< ...and the other end, which is
+        double half_a_digit = 0.0;     ///< half of the last digit that is printed
+        std::string open_end_text{};   ///< the open end as it would be printed
+        std::string closed_end_text{}; ///< printed instead
     };
     [[nodiscard]] OuterAngles outer_angles(const Spec& spec, std::size_t first) const;
     void write_attitudes(Buffer& to, const ConvertedRow& row) const;
 
-    std::vector<OuterAngles> outer_angles_; ///< where numbers are rounded and have such a range
+    std::vector<OuterAngles> outer_angles_; ///< for SPECs whose numbers are rounded and have such a range
     bool is_plain_;                         ///< text, and nothing but the result is added to it
 };
 

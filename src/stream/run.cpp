@@ -21,20 +21,20 @@
 namespace rotconv::stream {
 namespace {
 
-/// More could not be fed by one reader.
+/// One reader could not feed more threads.
 constexpr std::size_t most_threads = 16;
 /// Blocks under way beside one for each thread, so that nobody has to wait for a slow one.
 constexpr std::size_t spare_jobs = 2;
-/// Bytes of all blocks of text under way: what they become can be many times as long.
+/// Bytes of all blocks of text under way; their output can be many times as long.
 constexpr std::size_t most_under_way = 2 * IoBlockReader::largest_block;
-/// From so many bytes on no block joins them: lines are longer than blocks.
+/// Bytes under way from which on no block is added: lines are longer than blocks.
 constexpr std::size_t too_long = 32 * IoBlockReader::largest_block;
 
 std::size_t thread_limit(const Options& options) {
     return options.operation->in_order ? 1 : std::clamp<std::size_t>(options.threads, 1, most_threads);
 }
 
-/// Bytes of a block: the more threads, the smaller, but for doubles that remain doubles.
+/// Bytes of a block: the more threads, the fewer, except for doubles that remain doubles.
 std::size_t block_size(const Options& options) {
     if (options.input.width > 0 && options.format == Format::f64) {
         return IoBlockReader::largest_block;
@@ -42,9 +42,9 @@ std::size_t block_size(const Options& options) {
     return std::min(IoBlockReader::largest_block, most_under_way / (thread_limit(options) + spare_jobs));
 }
 
-/// A stream that is worked on by threads which are all alike: each writes the oldest block if that is converted, else
-/// reads a block and converts it. Reading is for one at a time, and writing too; so blocks leave in the order in which
-/// they came. Nobody waits for input while blocks are under way, so that their end is the end of the run at once.
+/// A run by threads that are all alike: each writes the oldest block if that is converted, otherwise it reads a block
+/// and converts it. One thread reads at a time, and one writes, so that blocks leave in the order in which they came.
+/// No thread waits for input while blocks are under way: a block that ends the run ends it at once.
 class Run {
 public:
     Run(JobReader& reader, Sink* sink, const Options& options, const std::function<void(const Event&)>& report)
@@ -78,7 +78,7 @@ private:
     using Lock = std::unique_lock<std::mutex>;
     using Transformer = std::optional<RowTransformer>; ///< nothing before a thread's first data row
 
-    /// What each thread does, until the end of the stream or of the run; what is thrown ends the run.
+    /// The work of each thread, until the end of the stream or of the run; an exception ends the run.
     void work(Transformer& transformer, bool is_first) try {
         Lock lock(mutex_);
         while (!over_ && !(all_read_ && jobs_.empty())) {
@@ -96,7 +96,7 @@ private:
         exception_ = std::current_exception();
         over_ = true;
         changed_.notify_all();
-        turn_changed_.notify_all();
+        order_changed_.notify_all();
     }
 
     void add_thread() {
@@ -127,7 +127,7 @@ private:
         writing_ = false;
         over_ = over_ || !goes_on;
         if (over_) {
-            turn_changed_.notify_all();
+            order_changed_.notify_all();
         }
         under_way_ -= job.size();
         idle_.push_back(std::move(jobs_.front()));
@@ -150,7 +150,7 @@ private:
             reading_ = false;
             return;
         }
-        job.had_its_turn = job.rest.empty();
+        job.ran_in_order = job.text.empty();
         jobs_.push_back(std::move(made));
         under_way_ += job.size();
         const bool shared = job.size() >= large_;
@@ -171,7 +171,7 @@ private:
     }
 
     void convert(Job& job, Transformer& transformer) {
-        if (job.rest.empty() && job.pairs.rows.empty()) {
+        if (job.text.empty() && job.pairs.rows.empty()) {
             return;
         }
         if (!transformer) {
@@ -179,19 +179,19 @@ private:
         }
         transformer->expect(job.widths);
         if (job.pairs.rows.empty()) {
-            transformer->transform(job.rest, job.line, job.output,
-                                   [this, &job](const std::function<void()>& what) { return in_turn(job, what); });
+            transformer->transform(job.text, job.line, job.output,
+                                   [this, &job](const std::function<void()>& what) { return run_in_order(job, what); });
         } else {
             transformer->transform(job.pairs, job.output);
         }
     }
 
-    /// See InTurn: jobs are read in their order and converted by the threads that have read them, so that the one whose
-    /// turn it is never waits for another.
-    bool in_turn(Job& job, const std::function<void()>& what) {
+    /// See Ordered. Jobs are read in their order and converted by the threads that have read them, so that the first
+    /// job never waits for another.
+    bool run_in_order(Job& job, const std::function<void()>& what) {
         Lock lock(mutex_);
-        turn_changed_.wait(lock, [this, &job] {
-            const auto first = std::ranges::find(jobs_, false, [](const auto& each) { return each->had_its_turn; });
+        order_changed_.wait(lock, [this, &job] {
+            const auto first = std::ranges::find(jobs_, false, [](const auto& each) { return each->ran_in_order; });
             return over_ || (first != jobs_.end() && first->get() == &job);
         });
         if (over_) {
@@ -200,8 +200,8 @@ private:
         lock.unlock();
         what();
         lock.lock();
-        job.had_its_turn = true;
-        turn_changed_.notify_all();
+        job.ran_in_order = true;
+        order_changed_.notify_all();
         return true;
     }
 
@@ -218,7 +218,7 @@ private:
         return job;
     }
 
-    /// Adds the notes of each stream, once, when it has a row or is at its end.
+    /// Adds the notes on each stream once, when the stream has a row or is at its end.
     void tell_notes(Output& output, bool at_end) {
         for (const bool of_reference : {false, true}) {
             const Layout* const layout = of_reference ? reader_->reference_layout() : &reader_->layout();
@@ -234,7 +234,7 @@ private:
         }
     }
 
-    /// Writes the bytes, adds the rows to the fold, and then reports the events; false where the run is over.
+    /// Writes the bytes, adds the rows to the fold, and then reports the events. @return false if the run is over
     bool hand_on(const Output& output) {
         const std::string_view bytes(output.bytes.data(), output.bytes.size());
         if (const int error = sink_ == nullptr ? 0 : sink_->write(bytes); error != 0) {
@@ -255,22 +255,22 @@ private:
         return !output.stopped;
     }
 
-    JobReader* reader_; ///< of the thread that reads
+    JobReader* reader_; ///< used by the thread that reads
     Sink* sink_;
     const Options* options_;
     const std::function<void(const Event&)>* report_;
     std::size_t large_;          ///< bytes of a block that is worth another thread
-    RunResult ending_;           ///< of the thread that writes
-    std::array<bool, 2> told_{}; ///< the notes of the stream, and of the reference; of the thread that reads
+    RunResult ending_;           ///< used by the thread that writes
+    std::array<bool, 2> told_{}; ///< notes of stream and reference; used by the thread that reads
 
-    std::mutex mutex_; ///< of all that follows
+    std::mutex mutex_; ///< for all members that follow
     std::condition_variable changed_;
-    std::condition_variable turn_changed_;
+    std::condition_variable order_changed_;
     std::deque<std::unique_ptr<Job>> jobs_; ///< under way, in the order of the stream
-    std::size_t under_way_ = 0;             ///< bytes of their blocks
+    std::size_t under_way_ = 0;             ///< bytes of the jobs' blocks
     std::vector<std::unique_ptr<Job>> idle_;
-    std::vector<std::thread> helpers_; ///< of the first thread
-    std::size_t most_;                 ///< threads, the first among them
+    std::vector<std::thread> helpers_; ///< all threads except the first
+    std::size_t most_;                 ///< threads, with the first
     bool reading_ = false;
     bool writing_ = false;
     bool all_read_ = false;

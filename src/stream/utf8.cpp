@@ -14,14 +14,14 @@ struct Character {
     std::uint32_t code = 0;
 };
 
-/// The character that the text begins with; of length 0 if that is not UTF-8.
+/// The character that the text begins with; its length is 0 if it is not UTF-8.
 Character first_of(std::string_view text) noexcept {
     const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const auto length = static_cast<std::size_t>(std::countl_one(byte(0))); // of a character of several bytes
+    const auto length = static_cast<std::size_t>(std::countl_one(byte(0))); // if there are several bytes
     if (length == 0) {
         return {1, byte(0)};
     }
-    // No longer forms than are needed, surrogates, or code points past U+10FFFF.
+    // Refused are longer forms than are needed, surrogates, and code points past U+10FFFF.
     static constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
     if (length == 1 || length >= least.size() || text.size() < length) {
         return {};
@@ -42,7 +42,7 @@ Character first_of(std::string_view text) noexcept {
 std::size_t utf8_length(std::string_view text) noexcept { return first_of(text).length; }
 
 std::size_t printable_length(std::string_view text) noexcept {
-    // Controls, and what Unicode has for formatting: marks, line ends, directions, joiners, annotations, tags.
+    // Control characters and Unicode's for formatting: marks, line ends, directions, joiners, annotations, tags.
     using Range = std::pair<std::uint32_t, std::uint32_t>;
     static constexpr auto unprintable = std::to_array<Range>({{0x0, 0x1F},
                                                               {0x7F, 0x9F},
