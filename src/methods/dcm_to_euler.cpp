@@ -12,15 +12,15 @@ double wrapped(double angle) noexcept {
     return angle <= -pi ? angle + 2.0 * pi : angle > pi ? angle - 2.0 * pi : angle;
 }
 
-/// The entries of a rotation matrix by the axes of the sequence read as turns about moving axes, i first: R =
-/// R_i(first) R_j(middle) R_k(third), or with R_i at the end. Fixed axes are the same turns in reverse order. For a
+/// The entries of a rotation matrix by the axes of the sequence, read as rotations about moving axes, i first: R =
+/// R_i(first) R_j(middle) R_k(third), or with R_i at the end. Fixed axes are the same rotations in reverse order. For a
 /// proper sequence k is the axis that does not occur.
 struct MovingAxes {
     MovingAxes(EulerSequence sequence, const double* matrix) noexcept
         : i(sequence.axis(sequence.intrinsic() ? 0 : 2)), j(sequence.axis(1)), k(3 - i - j),
           sign((j - i + 3) % 3 == 1 ? 1.0 : -1.0), proper(sequence.proper()), m(matrix) {}
 
-    /// With the outer angles by atan2 of entries, each of them over `divisor`.
+    /// The middle angle with the outer angles, by atan2 of entries divided by `divisor`.
     [[nodiscard]] MovingAngles angles(double middle, double divisor = 1.0) const noexcept {
         const auto angle = [divisor](double y, double x) { return std::atan2(y / divisor, x / divisor); };
         if (proper) {
@@ -41,7 +41,7 @@ struct MovingAxes {
         return proper ? std::atan2(length, middle_entry()) : std::atan2(middle_entry(), length);
     }
 
-    /// The third angle when the turn by the first is undone, from row j of R_i(-first) R.
+    /// The third angle after the rotation by the first is undone, from row j of R_i(-first) R.
     [[nodiscard]] double third_after(double first) const noexcept {
         const double cos = std::cos(first);
         const double sin = sign * std::sin(first);
@@ -105,9 +105,9 @@ void shoemake(EulerSequence sequence, const double* m, double* angles) noexcept 
     set(sequence, moving, angles);
 }
 
-/// Shuster and Markley 2006, Eqs 5-12, as SciPy once had it, for turns about moving axes: in a frame of the axes
-/// of the sequence all are ZXZ, of which the middle angle is an arccos, clipped as there, moved by lambda. Within 1e-7
-/// of lock the third angle is 0, and the first their sum or difference.
+/// Shuster and Markley 2006, Eqs 5-12, as SciPy once had it, for rotations about moving axes: in a frame of the axes of
+/// the sequence all are ZXZ, whose middle angle is an arccos, clipped as there, moved by lambda. Within 1e-7 of gimbal
+/// lock the third angle is 0, and the first their sum or difference.
 void shuster_markley(EulerSequence sequence, const double* m, double* angles) noexcept {
     constexpr double lock = 1e-7;
     const MovingAxes r(sequence, m);
@@ -120,11 +120,11 @@ void shuster_markley(EulerSequence sequence, const double* m, double* angles) no
         o.col(2) = r.sign * second;
     }
     const double lambda = r.proper ? 0.0 : r.sign * 0.5 * pi;
-    const double turn = std::acos(std::clamp(o(2, 2), -1.0, 1.0));
-    MovingAngles moving{0.0, lambda + turn, 0.0};
-    if (turn < lock) {
+    const double middle = std::acos(std::clamp(o(2, 2), -1.0, 1.0));
+    MovingAngles moving{0.0, lambda + middle, 0.0};
+    if (middle < lock) {
         moving.first = std::atan2(o(1, 0) - o(0, 1), o(0, 0) + o(1, 1));
-    } else if (pi - turn < lock) {
+    } else if (pi - middle < lock) {
         moving.first = std::atan2(o(1, 0) + o(0, 1), o(0, 0) - o(1, 1));
     } else {
         moving.first = std::atan2(o(0, 2), -o(1, 2));
@@ -136,8 +136,8 @@ void shuster_markley(EulerSequence sequence, const double* m, double* angles) no
     set(sequence, moving, angles);
 }
 
-/// Eigen 3.4, MatrixBase::eulerAngles, in our words: of the two triples the one whose first angle is in [0, pi], the
-/// middle one in (-pi, pi]; the third from the matrix with the first turn undone.
+/// Eigen 3.4, MatrixBase::eulerAngles, in our words: the triple whose first angle is in [0, pi], the middle one in
+/// (-pi, pi]; the third from the matrix with the first rotation undone.
 void eigen(EulerSequence sequence, const double* m, double* angles) noexcept {
     const MovingAxes r(sequence, m);
     const double beside = r.proper ? r.m(r.k, r.i) : r.m(r.i, r.i);

@@ -21,13 +21,13 @@ Eigen::Vector4d sums(const double* m) noexcept {
     return {m[0] + m[4] + m[8], m[0] - m[4] - m[8], m[4] - m[0] - m[8], m[8] - m[0] - m[4]};
 }
 
-/// Of a symmetric matrix also the norms of its columns.
+/// The norms of the rows; for a symmetric matrix also those of the columns.
 Eigen::Array4d norms_of_rows(const Eigen::Matrix4d& p) noexcept {
     const Eigen::Array44d squares = p.array().square();
     return ((squares.col(0) + squares.col(1)) + (squares.col(2) + squares.col(3))).sqrt();
 }
 
-/// Shepperd's choice, the component that goes with the largest of the trace and the diagonal.
+/// Shepperd's choice: the component that belongs to the largest of the trace and the diagonal.
 Eigen::Index pivot_of(const double* m) noexcept {
     const Eigen::Index entry = largest_on_diagonal(m);
     return m[0] + m[4] + m[8] >= m[4 * entry] ? 0 : entry + 1;
@@ -36,7 +36,7 @@ Eigen::Index pivot_of(const double* m) noexcept {
 /// Not copysign: equal entries 0 and -0 differ by -0.
 double with_sign_of(double difference, double size) noexcept { return difference < 0.0 ? -size : size; }
 
-/// Components of these sizes: w positive, the others with the signs of the differences.
+/// Sets components of these sizes: w positive, the others with the signs of the differences.
 void set_sizes(const Eigen::Matrix4d& p, const Eigen::Array4d& sizes, double* q) noexcept {
     q[0] = sizes[0];
     for (int k = 1; k < 4; ++k) {
@@ -61,7 +61,7 @@ Eigen::Matrix4d products(const double* m) noexcept {
     return p;
 }
 
-/// Baruh 1999, Eqs 1-4: w from the trace, the rest by division by it.
+/// Baruh 1999, Eqs 1-4: w from the trace, the others by division by w.
 void trace(const double* m, double* q) noexcept {
     const double w = 0.5 * std::sqrt(m[0] + m[4] + m[8] + 1.0);
     Quaternion{q} = products(m).col(0) / (4.0 * w);

@@ -36,7 +36,7 @@ inline RowMajor cross_matrix(const double* v) noexcept {
     return cross;
 }
 
-/// Euler angles in the order of turns about moving axes.
+/// Euler angles in the order of rotations about moving axes.
 struct MovingAngles {
     double first, middle, third;
 };
@@ -58,7 +58,7 @@ Formula acos, atan2, polynomial, nurlanov, gtsam, hertzberg, quaternion;
 namespace dcm_to_euler {
 EulerFormula asin, slabaugh, shoemake, shuster_markley, eigen;
 
-/// Writes them in the order of the sequence, each in (-pi, pi]; sums of two arguments need no more than one turn.
+/// Writes the angles in the order of the sequence, each in (-pi, pi]. Valid range: angles in (-3 pi, 3 pi].
 void set(EulerSequence sequence, const MovingAngles& moving, double* angles) noexcept;
 } // namespace dcm_to_euler
 namespace dcm_to_cayley {

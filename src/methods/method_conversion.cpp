@@ -19,26 +19,26 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// The numbers of the inverse rotation, of a representation that methods start from.
+/// Inverts a rotation in a representation that methods start from.
 void invert(RepresentationId name, double* numbers) noexcept {
     if (name == RepresentationId::dcm) {
         Eigen::Map<formula::RowMajor>{numbers}.transposeInPlace();
         return;
     }
-    const std::size_t first = name == RepresentationId::quat ? 1 : 0; // of the vector
+    const std::size_t first = name == RepresentationId::quat ? 1 : 0; // index of the vector
     std::transform(numbers + first, numbers + first + 3, numbers + first, std::negate<>());
 }
 
-/// The sign of a quaternion that is printed.
+/// Gives a quaternion the sign with which quaternions are printed.
 void make_sign_canonical(double* q) noexcept {
     const double* const leader = std::find_if(q, q + 4, [](double component) { return component != 0.0; });
-    if (leader != q + 4 && *leader < 0.0) { // not Rotation::sign(), which looks at the sign of a nan
+    if (leader != q + 4 && *leader < 0.0) { // Rotation::sign() would look at the sign of a nan
         std::transform(q, q + 4, q, std::negate<>());
     }
 }
 
-/// The same turns, with any defect: what to refuse is for the conversion itself.
-ConversionSettings turns_of(const ConversionSettings& settings) {
+/// The change by --left and --right alone, with any defect: the conversion itself refuses rows.
+ConversionSettings change_of(const ConversionSettings& settings) {
     return {.tolerance = any_defect, .left = settings.left, .right = settings.right};
 }
 
@@ -49,26 +49,26 @@ std::vector<double> run(const Conversion& conversion, std::span<const double> in
     return out;
 }
 
-/// Euler angles of the sequence without its signs become those of the SPEC.
+/// Turns Euler angles of the sequence without its signs into those of the SPEC.
 void put_in_range(const Spec& to, double* angles) noexcept {
     const double half_turn = to.unit == AngleUnit::degrees ? 180.0 : std::numbers::pi;
-    const bool is_other = to.sequence.proper() && to.sequence.sign(1) < 0.0; // a + pi, -b, c + pi, -b printed as b
+    const bool is_second_triple = to.sequence.proper() && to.sequence.sign(1) < 0.0; // a + pi, -b, c + pi
     for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
-        const double angle = to.sequence.sign(outer) * angles[outer] + (is_other ? half_turn : 0.0);
-        const double turns = angle / (2.0 * half_turn);
-        angles[outer] = angle - 2.0 * half_turn * (to.positive ? std::floor(turns) : std::ceil(turns - 0.5));
+        const double angle = to.sequence.sign(outer) * angles[outer] + (is_second_triple ? half_turn : 0.0);
+        const double full_turns = angle / (2.0 * half_turn);
+        angles[outer] = angle - 2.0 * half_turn * (to.positive ? std::floor(full_turns) : std::ceil(full_turns - 0.5));
         if (to.positive && angles[outer] >= 2.0 * half_turn) { // by rounding
             angles[outer] = 0.0;
         }
     }
-    angles[1] *= is_other ? 1.0 : to.sequence.sign(1);
+    angles[1] *= is_second_triple ? 1.0 : to.sequence.sign(1);
 }
 
 } // namespace
 
 MethodConversion::MethodConversion(const Conversion& own)
     : own_(own), turned_(own.settings().left || own.settings().right
-                             ? std::optional(Conversion(own.from(), Spec{}, turns_of(own.settings())))
+                             ? std::optional(Conversion(own.from(), Spec{}, change_of(own.settings())))
                              : std::nullopt) {}
 
 MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
@@ -103,7 +103,7 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     const std::size_t size = to().size();
     const std::size_t rows = in.size() / from().size();
     const std::size_t count = published_.size() + (fast_ ? 2 : 0);
-    // Of own_, of fast_, of each method, and room; not set at first.
+    // The numbers of own_, of fast_ and of each method, and room for one more; not set at first.
     Eigen::ArrayXd numbers(static_cast<Eigen::Index>((published_.size() + 3) * rows * size));
     const auto numbers_of = [&](std::size_t i) { return std::span(numbers.data() + i * rows * size, rows * size); };
     std::vector<RowReport> own;
@@ -114,7 +114,7 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     if (!published_.empty()) {
         const auto starting = starting_numbers(in);
         for (std::size_t i = 0; i < published_.size(); ++i) {
-            answer(*published_[i], starting, numbers_of(2 + published_.size()), numbers_of(2 + i));
+            run_method(*published_[i], starting, numbers_of(2 + published_.size()), numbers_of(2 + i));
         }
     }
     const std::span<const double> answers(numbers_of(fast_ ? 0 : 2).data(), count * rows * size);
@@ -157,9 +157,9 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
 
 std::vector<double> MethodConversion::starting_numbers(std::span<const double> in) const {
     const bool is_inverted = from().passive != to().passive;
-    // Of what has been turned no numbers are given, and two columns alone do not tell those of the inverse.
+    // An attitude that was changed by --left or --right has no input numbers, nor has the inverse of two columns.
     if (turned_ || (is_inverted && from().name == RepresentationId::two_column)) {
-        return rotconv::run({from(), {.name = from().name, .passive = to().passive}, turns_of(own_.settings())}, in);
+        return rotconv::run({from(), {.name = from().name, .passive = to().passive}, change_of(own_.settings())}, in);
     }
     std::vector<double> numbers(in.size());
     to_own_order(from(), in.data(), in.size() / from().size(), numbers.data());
@@ -174,8 +174,8 @@ std::vector<double> MethodConversion::starting_numbers(std::span<const double> i
     return numbers;
 }
 
-void MethodConversion::answer(const Method& method, std::span<const double> numbers, std::span<double> room,
-                              std::span<double> written) const {
+void MethodConversion::run_method(const Method& method, std::span<const double> numbers, std::span<double> room,
+                                  std::span<double> written) const {
     const std::size_t rows = numbers.size() / from().size();
     method.run(to().sequence, numbers.data(), rows, room.data());
     if (to().unit == AngleUnit::degrees) {
@@ -196,7 +196,7 @@ void MethodConversion::measure(std::span<const double> attitudes, std::span<cons
     const KernelTable& kernels = kernel_table();
     const Spec spec = turned_ ? Spec{} : from();
     const std::size_t all = attitudes.size() / spec.size();
-    AttitudeBatch<double> turns;
+    AttitudeBatch<double> relative;
     std::array<double, batch_rows> sizes;
     for (std::size_t first = 0; first < all; first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, all - first);
@@ -205,9 +205,9 @@ void MethodConversion::measure(std::span<const double> attitudes, std::span<cons
         for (std::size_t a = 0; a < count; ++a) {
             InputBatch answer(to(), answers.data() + (a * all + first) * to().size(), rows, to().size());
             kernels.read(to(), no_turns, answer.own(), rows, answer.attitudes);
-            relate(attitude.attitudes, answer.attitudes, rows, turns, sizes.data());
+            relate(attitude.attitudes, answer.attitudes, rows, relative, sizes.data());
             for (std::size_t i = 0; i < rows; ++i) {
-                angles[(first + i) * count + a] = turns.error[i] == Error::none ? sizes[i] : not_a_number;
+                angles[(first + i) * count + a] = relative.error[i] == Error::none ? sizes[i] : not_a_number;
             }
         }
     }

@@ -11,12 +11,11 @@
 
 namespace rotconv {
 
-/// A conversion whose numbers are those of one method, or of each of its pair: errors, defects and diagnostics are
-/// those of rotconv's own, and every answer's angle to the attitude is told.
-/// Thread-safe: running it changes nothing in it.
+/// A conversion by one method, or by each method of its pair. Errors, defects and diagnostics are those of rotconv's
+/// own conversion, and every answer has its angle to the attitude. Thread-safe: run() changes nothing in the object.
 class MethodConversion {
 public:
-    /// Throws std::invalid_argument where the method is one of another pair.
+    /// Throws std::invalid_argument if the method is one of another pair.
     MethodConversion(const Conversion& own, const Method& method);
 
     /// rotconv's own two, default and fast, which every pair has, and all that are published.
@@ -24,33 +23,34 @@ public:
 
     [[nodiscard]] const Spec& from() const noexcept { return own_.from(); }
     [[nodiscard]] const Spec& to() const noexcept { return own_.to(); }
-    /// Of each row's answers, in their order.
+    /// The names of each row's answers, in their order.
     [[nodiscard]] std::vector<std::string_view> names() const;
 
-    /// As Conversion::run(), with names().size() answers to each row, one behind the other, of which RowReport::row is
-    /// the index. `angles` become those from the attitude to each answer, in radians and right to 5 eps, nan where the
-    /// answer describes none or the row has an error; 0 where it is infinite as it should be. RowReport::deviation is
-    /// the same.
-    /// @param with_angles each answer's stands in `out` too, behind its numbers
+    /// As Conversion::run(), with names().size() answers to each row, one after the other; RowReport::row is the index
+    /// of the answer. `angles` and RowReport::deviation are set to the angle from the attitude to each answer in
+    /// radians, nan if the answer is not an attitude or the row has an error, 0 if it is infinite as it should be. Max
+    /// error of an angle: 5 eps.
+    /// @param with_angles each answer's angle stands in `out` too, after its numbers
     void run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
              std::vector<RowReport>& reports, bool with_angles = false) const;
 
 private:
     explicit MethodConversion(const Conversion& own);
 
-    /// What published methods start from: numbers in the representation's own order, active, in radians, of the
+    /// The numbers that published methods start from: in the representation's own order, active, in radians, of the
     /// rotation that is to be written.
     [[nodiscard]] std::vector<double> starting_numbers(std::span<const double> in) const;
-    /// @param room for as many numbers as are written
-    void answer(const Method& method, std::span<const double> numbers, std::span<double> room,
-                std::span<double> written) const;
-    /// The angles from attitudes, given or turned, to `count` answers to all of them, one answer behind the other.
+    /// Writes the numbers of a method's answers.
+    /// @param room memory for as many numbers
+    void run_method(const Method& method, std::span<const double> numbers, std::span<double> room,
+                    std::span<double> written) const;
+    /// Sets the angles from attitudes to the `count` answers of each; in `answers`, each method's stand together.
     void measure(std::span<const double> attitudes, std::span<const double> answers, std::size_t count,
                  std::span<double> angles) const;
 
     Conversion own_;
-    std::optional<Conversion> turned_; ///< to quaternions, where own_ turns the attitudes
-    std::optional<Conversion> fast_;   ///< the answer after own_'s, where all are wanted
+    std::optional<Conversion> turned_; ///< to quaternions, if own_ turns the attitudes
+    std::optional<Conversion> fast_;   ///< the answer after own_'s, if all are wanted
     std::vector<const Method*> published_;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Bernardes and Viollet 2022: a + ib and c + id of the sequence read as turns about fixed axes i, j, k.
+/// Bernardes and Viollet 2022: a + ib and c + id of the sequence, read as rotations about fixed axes i, j, k.
 struct Halves {
     Halves(EulerSequence sequence, const double* q) noexcept {
         const FixedAxes axes(sequence);
@@ -33,7 +33,7 @@ struct Halves {
     }
 
     double a, b, c, d;
-    double half_sum, half_difference; ///< of the outer angles
+    double half_sum, half_difference; ///< halves of the outer angles' sum and difference
     double sign;
 };
 

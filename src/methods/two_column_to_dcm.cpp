@@ -18,8 +18,8 @@ void gram_schmidt(const double* columns, double* m) noexcept {
     const Column a(columns);
     const Column b(columns + 3);
     const Eigen::Vector3d first = a / a.norm();
-    const Eigen::Vector3d rest = b - first.dot(b) * first;
-    set(first, rest / rest.norm(), m);
+    const Eigen::Vector3d across = b - first.dot(b) * first;
+    set(first, across / across.norm(), m);
 }
 
 /// Symmetric orthogonalisation of Loewdin 1950, which gives up as little of one column as of the other: A (A'A)^(-1/2),

@@ -56,7 +56,7 @@ void Between::run(std::span<const double> rows, std::span<double> out, std::vect
     for (std::size_t i = 0; i < count; ++i) {
         const auto row = rows.subspan(i * width, width);
         const double fraction = row[columns_.fraction()];
-        SomeRows& some = fraction > 0.0 ? between_ : at_; // the reference has the row's key: its own numbers
+        SomeRows& some = fraction > 0.0 ? between_ : at_; // at 0 the reference has the row's key
         some.rows.push_back(i);
         append(some.numbers, row.subspan(columns_.first(), columns_.first_size));
         if (fraction > 0.0) {
@@ -68,7 +68,7 @@ void Between::run(std::span<const double> rows, std::span<double> out, std::vect
     const std::size_t size = at_.function.outputs;
     for (SomeRows* some : {&at_, &between_}) {
         some->run(out, size, rest);
-        for (const RowReport& report : some->reports) { // its own error counts before those of the neighbours
+        for (const RowReport& report : some->reports) { // the row's own error comes before those of the neighbours
             RowReport& found = report_of(report.row, reports);
             found = found.error != Error::none && report.error == Error::none ? found : report;
         }
@@ -77,7 +77,7 @@ void Between::run(std::span<const double> rows, std::span<double> out, std::vect
         const std::size_t row = report.row / 2;
         const bool is_later = report.row % 2 == 1;
         const bool is_between = rows[row * width + columns_.fraction()] > 0.0;
-        if (!is_between || (is_later && report.error == Error::none)) { // the row after it tells of the later
+        if (!is_between || (is_later && report.error == Error::none)) { // the next row reports the later one
             continue;
         }
         RowReport& found = report_of(row, reports);
@@ -102,7 +102,7 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
     const Rotation earlier = rotation_at(neighbours_.data() + 8 * row);
     const Rotation later = rotation_at(neighbours_.data() + 8 * row + 4);
     if (std::isnan(earlier.w()) || std::isnan(later.w())) {
-        return {1.0}; // which is reported of them
+        return {1.0}; // their own errors are reported
     }
     const auto found = interpolate(earlier, later, fraction);
     if (!found) {

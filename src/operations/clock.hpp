@@ -18,7 +18,7 @@ public:
         }
     }
 
-    /// Seconds since the last accepted time, rounded once if both are keys; nan for a time that is not finite.
+    /// Seconds since the last accepted time; nan for a time that is not finite. Rounded once if both times are keys.
     double seconds_to(double time, const std::string_view* text) {
         if (!std::isfinite(time)) {
             return std::numeric_limits<double>::quiet_NaN();
@@ -32,7 +32,7 @@ public:
         const double seconds = distance(next_key_.value, last_key_.value).rounded();
         return next_key_.value < last_key_.value ? -seconds : seconds;
     }
-    /// @param seconds since the time before
+    /// @param seconds those since the previous time
     void accept(double seconds, std::size_t line) {
         if (++times_ == 2 && is_number_) {
             first_step_ = {seconds, line};
@@ -50,8 +50,8 @@ private:
     stream::ReadKey next_key_{};
     double last_ = 0.0;
     double next_ = 0.0;
-    std::size_t times_ = 0;                       ///< that are accepted
-    bool is_number_ = true;                       ///< the last one, not ISO 8601
+    std::size_t times_ = 0;                       ///< number of accepted times
+    bool is_number_ = true;                       ///< the last time is a number, not ISO 8601
     std::pair<double, std::size_t> first_step_{}; ///< see RowOperation
 };
 

@@ -12,7 +12,7 @@
 namespace rotconv::operations {
 namespace {
 
-/// Numbers of a row: the angle and both attitudes.
+/// The numbers of a row: the angle and both attitudes.
 constexpr std::size_t numbers_of_pair = 9;
 constexpr double no_angle = std::numeric_limits<double>::quiet_NaN();
 
@@ -21,27 +21,27 @@ PairFunction function_of(const Comparison& comparison) {
             comparison.outputs()};
 }
 
-/// Compares the turns from pairs of attitudes to the N-th pair after them. Remembers N pairs.
-class ComparisonOfTurns {
+/// Compares the rotations from each pair of attitudes to the N-th pair after it. Remembers N pairs.
+class RelativeComparison {
 public:
-    ComparisonOfTurns(std::size_t delta, ComparisonSettings settings)
-        : delta_(delta), turns_([&] {
-              settings.reading.left.reset(); // the attitudes are turned
+    RelativeComparison(std::size_t delta, ComparisonSettings settings)
+        : delta_(delta), rotations_([&] {
+              settings.reading.left.reset(); // they have turned the attitudes
               settings.reading.right.reset();
               settings.reading.tolerance = any_defect;
               settings.attitudes = false;
               return function_of(Comparison({}, {}, settings));
           }()) {}
 
-    /// @param compared of each row an angle, nan where there is none, and both attitudes
-    /// @param out the angles of the turns take the place of the first numbers of its rows
+    /// @param compared rows of an angle, nan if there is none, and both attitudes
+    /// @param out the angle between the rotations becomes the first number of each row
     void compare(std::span<const double> compared, std::span<double> out, std::size_t out_width,
                  std::vector<RowReport>& reports) {
-        turns_.clear();
+        rotations_.clear();
         for (std::size_t row = 0; row < compared.size() / numbers_of_pair; ++row) {
             const double* numbers = compared.data() + row * numbers_of_pair;
             const bool has_angle = !std::isnan(numbers[0]);
-            out[row * out_width] = no_angle; // which may be that one
+            out[row * out_width] = no_angle; // may be the angle of `compared`
             if (!has_angle) {
                 continue;
             }
@@ -49,15 +49,15 @@ public:
             const Pair pair{rotation_at(numbers + 1), rotation_at(numbers + 5)};
             if (next_ > 0) {
                 for (const std::size_t side : {0U, 1U}) {
-                    const Eigen::Quaterniond turn = quaternion::from_rotation(place[side].inverse() * pair[side]);
-                    append(turns_.numbers, std::array{turn.w(), turn.x(), turn.y(), turn.z()});
+                    const Eigen::Quaterniond q = quaternion::from_rotation(place[side].inverse() * pair[side]);
+                    append(rotations_.numbers, std::array{q.w(), q.x(), q.y(), q.z()});
                 }
-                turns_.rows.push_back(row);
+                rotations_.rows.push_back(row);
             }
             place = pair;
         }
-        turns_.run(out, out_width);
-        for (RowReport& report : turns_.reports) {
+        rotations_.run(out, out_width);
+        for (RowReport& report : rotations_.reports) {
             RowReport& of_attitudes = report_of(report.row, reports);
             report.diagnostics |= of_attitudes.diagnostics;
             report.defect = of_attitudes.defect;
@@ -72,9 +72,9 @@ private:
     using Pair = std::array<Rotation, 2>;
 
     std::size_t delta_;
-    SomeRows turns_;
+    SomeRows rotations_;
     std::vector<Pair> kept_;
-    std::size_t next_ = 0; ///< of those that are kept, the oldest; 0 before all are there
+    std::size_t next_ = 0; ///< index of the oldest pair that is kept; 0 before N are kept
 };
 
 class Compare final : public stream::RowOperation {
@@ -85,7 +85,7 @@ public:
         names = {"angle"};
         unit = rows.unit;
         if (rows.delta > 0) {
-            turns_.emplace(rows.delta, settings);
+            relative_.emplace(rows.delta, settings);
             in_order = true;
             settings.within = std::numeric_limits<double>::infinity();
         }
@@ -109,8 +109,8 @@ public:
         } else {
             comparison_.run(without_keys(rows.numbers, columns_, attitudes_), compared, reports);
         }
-        if (turns_) {
-            turns_->compare(compared, out, names.size(), reports);
+        if (relative_) {
+            relative_->compare(compared, out, names.size(), reports);
         }
         return rows.lines.size();
     }
@@ -118,9 +118,9 @@ public:
 private:
     Comparison comparison_;
     stream::PairColumns columns_;
-    std::optional<Between> between_;         ///< where the reference is interpolated
-    std::optional<ComparisonOfTurns> turns_; ///< where there is a delta
-    std::vector<double> compared_;           ///< before the turns
+    std::optional<Between> between_;             ///< if the reference is interpolated
+    std::optional<RelativeComparison> relative_; ///< if there is a delta
+    std::vector<double> compared_;               ///< rows of `comparison_`, if they are not the result
     std::vector<double> attitudes_;
 };
 

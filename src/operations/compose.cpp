@@ -39,7 +39,7 @@ private:
     Composition composition_;
     stream::PairColumns columns_;
     std::vector<double> attitudes_;
-    std::optional<Between> between_; ///< where the reference is interpolated
+    std::optional<Between> between_; ///< if the reference is interpolated
 };
 
 } // namespace

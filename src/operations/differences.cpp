@@ -14,7 +14,7 @@ using stream::NumberRows;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// To the rotation vector of R_BEFORE' R (the inverse of R' R_BEFORE) in body axes, of R R_BEFORE' in reference axes,
+/// The rotation vector of R_BEFORE' R (the inverse of R' R_BEFORE) in body axes, or of R R_BEFORE' in reference axes,
 /// from rows of R and then R_BEFORE.
 Composition composition_of(const DifferenceSettings& settings) {
     const bool of_body = settings.frame == Frame::body;
@@ -28,7 +28,7 @@ Composition composition_of(const DifferenceSettings& settings) {
             {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}};
 }
 
-/// Compares each row with the last one before it that was not refused.
+/// Compares each row with the last row before it that was not refused.
 class Differences final : public stream::RowOperation {
 public:
     explicit Differences(const DifferenceSettings& settings)
@@ -48,11 +48,11 @@ public:
         compare(rows);
         Clock clock = clock_;
         refuse(rows, clock);
-        if (steps_.size() < count) { // some of them have another row before them now
+        if (steps_.size() < count) { // some rows have another row before them now
             compare(rows);
         }
         bool starts = last_.empty();
-        const bool waits = starts && !rows.are_last && steps_.size() == 1; // the first row has the answer of the second
+        const bool waits = starts && !rows.are_last && steps_.size() == 1; // the first row has the second's velocity
         const std::size_t answered = waits ? steps_.front().row : count;
         auto found = found_.cbegin();
         for (std::size_t row = 0, step = 0; row < answered; ++row) {
@@ -68,7 +68,7 @@ public:
                 ++found;
             }
             report.report_numbers();
-            report.error = answer(step++, std::exchange(starts, false), out.subspan(row * 3, 3));
+            report.error = find_velocity(step++, std::exchange(starts, false), out.subspan(row * 3, 3));
             if (composition_.settings().sensitivity || report.error != Error::none || !report.diagnostics.empty()) {
                 reports.push_back(report);
             }
@@ -94,7 +94,7 @@ private:
         return rows.numbers.subspan(row * (size_ + 1) + 1, size_);
     }
 
-    /// The row of each step with the one before it; the first of all with itself.
+    /// Compares the row of each step with the row before it, and the first row with itself.
     void compare(const NumberRows& rows) {
         pairs_.clear();
         std::span<const double> before = last_;
@@ -105,11 +105,11 @@ private:
             pairs_.insert(pairs_.end(), before.begin(), before.end());
             before = numbers;
         }
-        turns_.resize(steps_.size() * 3);
-        composition_.run(pairs_, turns_, found_);
+        rotvecs_.resize(steps_.size() * 3);
+        composition_.run(pairs_, rotvecs_, found_);
     }
 
-    /// Leaves the steps to rows that have an attitude, and a time after the last.
+    /// Removes the steps of rows without an attitude, or without a time after the last.
     void refuse(const NumberRows& rows, Clock& clock) {
         refused_.assign(rows.lines.size(), {});
         for (const RowReport& report : found_) {
@@ -138,18 +138,18 @@ private:
         });
     }
 
-    /// The angular velocity of a step; `starts`: the first row of all, which has that of the step after it, or nan.
-    [[nodiscard]] Error answer(std::size_t step, bool starts, std::span<double> velocity) {
+    /// Sets the angular velocity of a step. `starts`: it is the first row, which has the next step's velocity, or nan.
+    [[nodiscard]] Error find_velocity(std::size_t step, bool starts, std::span<double> velocity) {
         const std::size_t source = starts ? 1 : step;
         bool known = source < steps_.size();
         if (known) {
             const double seconds = steps_[source].seconds;
-            const Eigen::Map<const Eigen::Vector3d> turn(turns_.data() + source * 3);
+            const Eigen::Map<const Eigen::Vector3d> rotvec(rotvecs_.data() + source * 3);
             const double angle =
-                turn.norm() * (composition_.to().unit == AngleUnit::degrees ? radians_per_degree : 1.0);
-            // by half a turn or more the body may have turned the other way, also if it keeps the rate of before
+                rotvec.norm() * (composition_.to().unit == AngleUnit::degrees ? radians_per_degree : 1.0);
+            // from half a turn on the body may have turned the other way, also if it keeps its last rate
             known = angle < half_turn && (starts || rate_ * seconds < half_turn);
-            std::ranges::transform(turn, velocity.begin(), [seconds](double x) { return x / seconds; });
+            std::ranges::transform(rotvec, velocity.begin(), [seconds](double x) { return x / seconds; });
             rate_ = known && !starts ? angle / seconds : 0.0;
         }
         if (!known) {
@@ -160,16 +160,16 @@ private:
         return is_finite ? Error::none : Error::overflow;
     }
 
-    Clock clock_;              ///< of the last row
-    std::vector<double> last_; ///< its attitude; empty before the first
-    double rate_ = 0.0;        ///< radians a second of the last step; 0 if it is not known
+    Clock clock_;              ///< at the last row
+    std::vector<double> last_; ///< the last row's attitude; empty before the first row
+    double rate_ = 0.0;        ///< rate of the last step, radians a second; 0 if not known
     std::size_t size_;         ///< numbers of an attitude
     Composition composition_;
-    // Of the rows at hand, reused.
+    // For the rows at hand, reused:
     std::vector<double> pairs_;
-    std::vector<double> turns_;
+    std::vector<double> rotvecs_;
     std::vector<RowReport> found_;
-    std::vector<RowReport> refused_; ///< of each row why it is not a step
+    std::vector<RowReport> refused_; ///< why each row is not a step
     std::vector<Step> steps_;
 };
 

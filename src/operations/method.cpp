@@ -12,7 +12,7 @@ public:
         if (all) {
             const auto methods = conversion.names();
             answers.assign(methods.begin(), methods.end());
-            const bool is_taken = std::ranges::find(names, "angle") != names.end(); // by axis-angle
+            const bool is_taken = std::ranges::find(names, "angle") != names.end(); // axis-angle has one
             names.emplace_back(is_taken ? "method_angle" : "angle");
         }
     }

@@ -25,8 +25,7 @@
 #include "../stream/row_operation.hpp"
 #include "angle_statistics.hpp"
 
-/// What commands do with rows of numbers: for each the numbers that it takes of a row, and the operation, in a source
-/// of its name.
+/// The operations on rows of numbers, each in a source of its name, with the numbers that each takes of a row.
 namespace rotconv::operations {
 
 using Operation = std::shared_ptr<stream::RowOperation>;
@@ -37,11 +36,11 @@ using Operation = std::shared_ptr<stream::RowOperation>;
 [[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
 [[nodiscard]] std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others);
 
-/// The numbers of both attitudes of each row, one after the other; `room` for them where they have keys.
+/// The numbers of both attitudes of each row, one after the other; without keys, for which they are copied to `room`.
 [[nodiscard]] std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
                                                    std::vector<double>& room);
 
-/// An operation whose results are attitudes; `continuous`, here and below: each follows the motion, see
+/// An operation whose results are attitudes. `continuous`, here and below: the results follow the motion, see
 /// ContinuousNumbers.
 class AttitudeOperation : public stream::RowOperation {
 public:
@@ -55,14 +54,14 @@ public:
     }
 
 protected:
-    /// Room for what the exact numbers have beside the results; none where that is not needed.
+    /// Memory for what the exact numbers have beside the results; empty if that is not needed.
     [[nodiscard]] std::span<double> rest_of(std::span<const double> results) {
         rest_.resize(is_continuous ? results.size() : 0);
         return rest_;
     }
 
 private:
-    std::shared_ptr<ContinuousNumbers> numbers_; ///< of all threads
+    std::shared_ptr<ContinuousNumbers> numbers_; ///< shared by all threads
     std::vector<double> rest_;
 };
 
@@ -72,51 +71,50 @@ private:
 /// The conversion of attitudes.
 [[nodiscard]] Operation convert(const Conversion& conversion, bool continuous);
 
-/// Several operations whose results are attitudes, one after the other. A diagnostic of any is one of the row, whose
-/// margin is the least and whose condition the greatest.
+/// Several operations whose results are attitudes, one after the other. A row has the diagnostics of all, the smallest
+/// margin and the largest condition.
 [[nodiscard]] Operation several(std::vector<Operation> parts);
 
 /// The answers of a published method; `all`: of all methods of the pair, each with its angle to the attitude.
 [[nodiscard]] Operation method(const MethodConversion& conversion, bool all, bool continuous);
 
-/// The vectors of rows of an attitude and a vector in reference coordinates.
+/// The vectors that are rotated by the attitudes of their rows, see VectorRotation.
 [[nodiscard]] stream::RowNumbers rotation_numbers(const Spec& spec);
 [[nodiscard]] Operation rotate(const VectorRotation& rotation);
 
-/// The kinematic equation of a representation: the rates' columns have the names of the numbers and `_rate`, or are
-/// those of an angular velocity. `sensitivity`: a report of every row.
+/// The kinematic equation of a representation. The result's columns have the names of the numbers with `_rate`, or are
+/// those of an angular velocity. RateSettings::sensitivity: a report of every row.
 [[nodiscard]] stream::RowNumbers rates_numbers(const Spec& spec, const RateSettings& settings);
 [[nodiscard]] Operation rates(const Spec& spec, const RateSettings& settings);
 
 struct DifferenceSettings {
-    Spec spec{};          ///< of the attitude
+    Spec spec{};          ///< the attitude's
     int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
-    bool degrees = false; ///< the angular velocity in degrees a second
+    bool degrees = false; ///< the angular velocity is in degrees a second
     Frame frame = Frame::body;
     double tolerance = 0.0;   ///< see ConversionSettings
     bool sensitivity = false; ///< a report of every row
     bool decimal = false;     ///< see ConversionSettings
 };
-/// The angular velocity since the row before, from rows of a time and an attitude: the rotation vector from the earlier
-/// attitude to the later one over the time between them. The first row has the velocity of the second, nan if there is
-/// none.
+/// The angular velocity since the previous row, from rows of a time and an attitude: the rotation vector from the
+/// earlier attitude to the later one over the time between them. The first row has the second row's velocity, or nan.
 [[nodiscard]] stream::RowNumbers difference_numbers(const Spec& spec);
 [[nodiscard]] Operation differences(const DifferenceSettings& settings);
 
 struct PropagationRows {
     PropagationSettings settings{};
     int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
-    bool degrees = false; ///< the angular velocity in degrees a second
+    bool degrees = false; ///< the angular velocity is in degrees a second
     Spec to{};            ///< the representation in which the attitudes are written
     ConversionSettings conversion{};
     bool continuous = false;
-    bool stop_at_error = true; ///< the first error is the end
+    bool stop_at_error = true; ///< the first error ends the propagation
 };
 /// The attitudes of a propagation, from rows t, wx, wy, wz.
 [[nodiscard]] stream::RowNumbers propagation_numbers();
 [[nodiscard]] Operation propagate(const PropagationRows& rows);
 
-/// The rows of a sampler, from their indices.
+/// The rows of a sampler, from rows of an index.
 [[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings);
 
 /// The survey of attitudes, from rows of quaternions.
@@ -126,49 +124,49 @@ struct SurveyFold final : stream::Fold {
     Survey survey{};
 };
 
-/// Where the second attitude of a pair is.
+/// Where the second attitude of a pair stands.
 struct PairedRows {
-    bool paired = false;       ///< it comes from a reference, otherwise it follows the first in the row
-    bool by_key = false;       ///< each of the two has its key before it
-    bool interpolates = false; ///< by key: it lies between two of the reference, see stream::Pairing
+    bool paired = false;       ///< it comes from a reference; otherwise it follows the first in the row
+    bool by_key = false;       ///< each attitude has its key before it
+    bool interpolates = false; ///< it is interpolated in the reference, see stream::Pairing
 
     [[nodiscard]] stream::PairColumns columns(const Spec& first, const Spec& second) const noexcept {
         return {first.size(), second.size(), by_key, interpolates};
     }
 };
-/// The numbers that rows of the stream have: of both attitudes, or those of the first.
+/// The numbers of a row of the stream: of both attitudes, or of the first if the second comes from a reference.
 [[nodiscard]] stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows);
 
 /// The products of pairs of attitudes.
 [[nodiscard]] Operation compose(const Composition& composition, const PairedRows& rows, bool continuous);
 
 struct ComparisonRows : PairedRows {
-    bool with_attitudes = false; ///< both follow the angle, as quaternions
-    std::size_t delta = 0;   ///< not 0: the turn from each pair to the so many-th after it, instead of the attitudes
-    std::string_view unit{}; ///< of angles
+    bool with_attitudes = false; ///< both attitudes follow the angle, as quaternions
+    std::size_t delta = 0;       ///< not 0: compares rotations from each pair to the delta-th after it
+    std::string_view unit{};     ///< the angles' unit
 };
-/// The angles between the two attitudes of rows; nan where there is none.
+/// The angle between the two attitudes of each row; nan if there is none.
 [[nodiscard]] Operation compare(const Comparison& comparison, const ComparisonRows& rows);
 
-/// A pair among those that differ most: the worst are first, of equals the earlier.
+/// A pair among those that differ most. The largest angle comes first; the earlier line, if angles are equal.
 struct WorstPair {
     double angle = 0.0;
     std::size_t line = 0;
-    std::size_t reference_line = 0;    ///< 0: there is no reference
-    std::array<std::string, 2> keys{}; ///< of the row and of its partner; empty: they are not paired by key
-    std::array<std::vector<double>, 2> attitudes{}; ///< their numbers, as they were read
+    std::size_t reference_line = 0;                 ///< 0: there is no reference
+    std::array<std::string, 2> keys{};              ///< the row's and its partner's; empty: they are not paired by key
+    std::array<std::vector<double>, 2> attitudes{}; ///< the numbers of both, as they were read
 
     friend bool operator<(const WorstPair& a, const WorstPair& b) noexcept {
         return a.angle > b.angle || (a.angle == b.angle && a.line < b.line);
     }
 };
 
-/// An angle that so many of 100 pairs must not exceed, and the pairs that do.
+/// An angle that `percent` of the pairs must not exceed, and the pairs that do.
 struct PairLimit {
     double angle = 0.0;
     double percent = 100.0;
     std::size_t beyond = 0;
-    std::size_t first_beyond = 0; ///< the least of their lines
+    std::size_t first_beyond = 0; ///< the first of their lines
 
     [[nodiscard]] bool holds(std::size_t pairs) const noexcept {
         // The product may be rounded up from a whole number.
@@ -176,10 +174,10 @@ struct PairLimit {
     }
 };
 
-/// What pairs are like together, those without an angle left out.
+/// The statistics of pairs, without those that have no angle.
 class PairFold final : public stream::Fold {
 public:
-    /// @param most as many of the worst are kept
+    /// @param most how many of the worst pairs are kept
     PairFold(const stream::PairColumns& columns, std::size_t most, std::vector<PairLimit> limits)
         : columns_(columns), most_(most), limits_(std::move(limits)) {}
 
@@ -189,7 +187,8 @@ public:
     [[nodiscard]] const AngleStatistics& angles() const noexcept { return angles_; }
     [[nodiscard]] const std::set<WorstPair>& worst() const noexcept { return worst_; }
     [[nodiscard]] const std::vector<PairLimit>& limits() const noexcept { return limits_; }
-    /// The turn that brings each attitude to its reference from the left, and from the right; of rows with attitudes.
+    /// The mean rotation from the attitudes to their references, from the left and from the right; for rows with
+    /// attitudes.
     [[nodiscard]] const MeanTurn& left() const noexcept { return left_; }
     [[nodiscard]] const MeanTurn& right() const noexcept { return right_; }
 
@@ -205,7 +204,7 @@ private:
     std::set<WorstPair> worst_;
 };
 
-/// The constant turns between the attitudes of pairs, from rows with attitudes.
+/// The constant rotations between the attitudes of pairs, from rows with attitudes.
 struct AlignmentFold final : stream::Fold {
     explicit AlignmentFold(AlignedSide side) : alignment(side) {}
     void add(const stream::AnsweredRows& rows) override;

@@ -61,9 +61,9 @@ void PairFold::keep(const stream::AnsweredRows& rows, std::size_t row) {
 
 void AlignmentFold::add(const stream::AnsweredRows& rows) {
     const std::size_t width = rows.results.size() / rows.rows.lines.size();
-    for (auto rest = rows.results; !rest.empty(); rest = rest.subspan(width)) {
-        if (!std::isnan(rest[0])) {
-            alignment.add(rotation_at(rest.data() + 1), rotation_at(rest.data() + 5));
+    for (auto pairs = rows.results; !pairs.empty(); pairs = pairs.subspan(width)) {
+        if (!std::isnan(pairs[0])) {
+            alignment.add(rotation_at(pairs.data() + 1), rotation_at(pairs.data() + 5));
         }
     }
 }

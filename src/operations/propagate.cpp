@@ -59,20 +59,20 @@ public:
     }
 
 private:
-    /// The answer belongs to the first row that was not refused and has no answer yet.
-    void take(const std::optional<Propagated>& answer, std::vector<RowReport>& reports) {
+    /// An attitude belongs to the first row that was not refused and has no result yet.
+    void take(const std::optional<Propagated>& made, std::vector<RowReport>& reports) {
         report_refused(reports);
-        if (answer) {
+        if (made) {
             RowReport& report = reports.emplace_back(
-                RowReport{.row = answered_, .defect = answer->attitude.defect(), .deviation = answer->step_error});
+                RowReport{.row = answered_, .defect = made->attitude.defect(), .deviation = made->step_error});
             report.error = ended_                                ? Error::ended
                            : report.defect > settings_.tolerance ? Error::defect
-                                                                 : answer->attitude.error();
+                                                                 : made->attitude.error();
             ended_ = report.error != Error::none;
             report.unusual.defect = !ended_ && report.defect > reported_defect ? report.defect : 0.0;
             report.report_numbers();
-            report.diagnostics |= {DiagnosticKind::coarse_step, !ended_ && answer->step_error > reported_step_error};
-            add(ended_ ? Rotation() : *answer->attitude);
+            report.diagnostics |= {DiagnosticKind::coarse_step, !ended_ && made->step_error > reported_step_error};
+            add(ended_ ? Rotation() : *made->attitude);
             report_refused(reports);
         }
     }
@@ -84,13 +84,13 @@ private:
         }
     }
 
-    void add(const Rotation& answer) {
-        const Eigen::Quaterniond q = quaternion::from_rotation(answer);
+    void add(const Rotation& attitude) {
+        const Eigen::Quaterniond q = quaternion::from_rotation(attitude);
         quaternions_.insert(quaternions_.end(), {q.w(), q.x(), q.y(), q.z()});
         ++answered_;
     }
 
-    /// All that is answered, of which each row has a report; leaves those that say something.
+    /// Converts the attitudes of the answered rows; of their reports, one for each, the empty ones are removed.
     void convert(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) {
         const auto rest = rest_of(out);
         conversion_.run(quaternions_, out, converted_, rest);
@@ -118,13 +118,13 @@ private:
     double velocity_unit_;
     ConversionSettings settings_;
     bool stop_at_error_;
-    bool ended_ = false; ///< an answer has failed: the attitude is lost
+    bool ended_ = false; ///< an attitude has failed: those after it are lost
     Propagator propagator_;
     Conversion conversion_;
-    std::vector<double> quaternions_; ///< of the rows answered, the identity of those with errors
+    std::vector<double> quaternions_; ///< of the answered rows; the identity for those with errors
     std::vector<RowReport> converted_;
-    std::vector<Error> pushed_; ///< why each row that is pushed and not answered was refused
-    std::size_t answered_ = 0;  ///< of the rows at hand
+    std::vector<Error> pushed_; ///< for each row pushed and not answered, why it was refused
+    std::size_t answered_ = 0;  ///< how many of the rows at hand are answered
 };
 
 } // namespace

@@ -35,7 +35,7 @@ public:
 
     std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         reports.clear();
-        std::size_t answered = rows.lines.size(); // by all alike
+        std::size_t answered = rows.lines.size(); // the same for all parts
         std::size_t first = 0;
         for (Part& part : parts_) {
             const std::size_t width = part.operation->names.size();
@@ -68,7 +68,7 @@ private:
         std::vector<RowReport> reports{};
     };
 
-    /// Both are in the order of rows.
+    /// Merges the reports of a part into those of the parts before; both are in the order of rows.
     void merge(const std::vector<RowReport>& more, std::size_t part, std::vector<RowReport>& reports) const {
         std::vector<RowReport> merged;
         auto other = reports.begin();

@@ -154,7 +154,7 @@ const std::vector<Known>& known() {
 
 } // namespace
 
-// Would catch: a method that is written wrong, or made better than it is; a check that does not notice its failure.
+// Catches a method that is written wrong, or made better than it is; a check that does not notice its failure.
 TEST_CASE("methods hold where they are known to hold, and fail where they are known to fail") {
     for (const Known& expected : known()) {
         const auto from = spec(expected.from);
@@ -169,7 +169,7 @@ TEST_CASE("methods hold where they are known to hold, and fail where they are kn
     }
 }
 
-// Would catch: a formula put right on the way, or wrong where noise, which all of these lose digits to, hides it.
+// Catches a formula put right on the way, or wrong where noise, which all of these lose digits to, hides it.
 TEST_CASE("the weaknesses of formulas for exact matrices, without noise") {
     const std::vector<Known> exact{
         {"dcm", "quat", "first-order", 2, 0, 2},    {"dcm", "quat", "sarabandi-2020", 2, 0, 2},
@@ -204,7 +204,7 @@ std::string text_of(const char* path) {
 
 } // namespace
 
-// Would catch: a method that is listed and never tried, or never measured.
+// Catches a method that is listed and never tried, or never measured.
 TEST_CASE("every method of the table is known to the tests and to methods.csv") {
     const std::string measured = text_of(ROTCONV_EXAMPLES "/charts/methods.csv");
     const auto defaults = std::ranges::count(known(), rotconv::default_method, &Known::name);
@@ -226,7 +226,7 @@ TEST_CASE("every method of the table is known to the tests and to methods.csv") 
     }
 }
 
-// Would catch: a formula that is right for one sequence only, or a convention that the methods do not see.
+// Catches a formula that is right for one sequence only, or a convention that the methods do not see.
 TEST_CASE("methods know all sequences, the inverse and degrees") {
     for (const auto& [from_text, near_lock] : {std::pair{"quat:xyzw", "bernardes-arccos"}, {"dcm:col", "asin"}}) {
         for (const auto sequence : rotconv::EulerSequence::all()) {
@@ -267,7 +267,7 @@ TEST_CASE("methods know all sequences, the inverse and degrees") {
     }
 }
 
-// Would catch: the other of the two triples, which Eigen does not give.
+// Catches the other of the two triples, which Eigen does not give.
 TEST_CASE("the angles of the method eigen are those of Eigen") {
     const auto from = spec("dcm");
     for (const auto sequence : rotconv::EulerSequence::all()) {
@@ -285,7 +285,7 @@ TEST_CASE("the angles of the method eigen are those of Eigen") {
     }
 }
 
-// Would catch: one column that is kept at the cost of the other.
+// Catches one column that is kept at the cost of the other.
 TEST_CASE("symmetric orthogonalisation shares between two columns what Gram-Schmidt takes from one") {
     const auto from = spec("6d");
     const auto to = spec("dcm");
@@ -295,7 +295,7 @@ TEST_CASE("symmetric orthogonalisation shares between two columns what Gram-Schm
     CHECK((Eigen::Map<const Eigen::Matrix3d>(matrix.data()) - identity).norm() <= 1e-15);
 }
 
-// Would catch: a published logarithm mended on the way, or a compensated one that is not.
+// Catches a published logarithm mended on the way, or a compensated one that is not.
 TEST_CASE("logarithms of a quaternion with w < 0 are longer than pi as published, shorter compensated") {
     const std::vector<double> row{-0.6, 0.0, 0.0, 0.8};
     const double published = 2.0 * std::acos(-0.6);
@@ -312,7 +312,7 @@ TEST_CASE("logarithms of a quaternion with w < 0 are longer than pi as published
     }
 }
 
-// Would catch: a wrong answer that passes as right.
+// Catches a wrong answer that passes as right.
 TEST_CASE("a method's error is reported with its angle") {
     const auto report_of = [](const std::string& from_text, const std::string& to_text, std::string_view name,
                               const std::vector<double>& row) {
@@ -358,7 +358,7 @@ bool has_attitude(const rotconv::Spec& to, std::span<const double> answer) {
     return m.determinant() > 0.0 && (m.transpose() * m - Eigen::Matrix3d::Identity()).norm() <= 0.2;
 }
 
-// Would catch: an angle to another attitude, one that stands beside another answer, or one that has its own errors.
+// Catches an angle to another attitude, one that stands beside another answer, or one that has its own errors.
 TEST_CASE("the angle of every method's answer is that to the attitude, to 5 eps") {
     double worst = 0.0;
     std::size_t checked = 0;
@@ -407,7 +407,7 @@ TEST_CASE("the angle of every method's answer is that to the attitude, to 5 eps"
     CHECK(worst > 0.0);
 }
 
-// Would catch: a conversion that is turned for some methods only, or turned twice.
+// Catches a conversion that is turned for some methods only, or turned twice.
 TEST_CASE("methods answer for attitudes that are turned") {
     const auto from = spec("dcm:col");
     const auto to = spec("quat:xyzw");
@@ -435,7 +435,7 @@ TEST_CASE("methods answer for attitudes that are turned") {
     }
 }
 
-// Would catch: rows of nine numbers, written by a method of another pair where there is room for four.
+// Catches rows of nine numbers, written by a method of another pair where there is room for four.
 TEST_CASE("a conversion takes no method of another pair") {
     const auto conversion = [](const std::string& from, const std::string& to, const Method& method) {
         return rotconv::MethodConversion(rotconv::Conversion(spec(from), spec(to)), method);
@@ -451,7 +451,7 @@ TEST_CASE("a conversion takes no method of another pair") {
     CHECK_THROWS_AS(conversion("quat", "dcm", *classic), std::invalid_argument);
 }
 
-// Would catch: pages that count other methods than there are.
+// Catches pages that count other methods than there are.
 TEST_CASE("the pages count the methods") {
     const std::string published = std::to_string(rotconv::methods().size());
     const auto pairs = std::ranges::count(known(), rotconv::default_method, &Known::name);

@@ -27,14 +27,14 @@ Positions positions(const std::string& list, std::size_t count, const std::vecto
 
 } // namespace
 
-// Would catch: an order that is not that of the list, an index that starts at 0.
+// Catches an order that is not that of the list, an index that starts at 0.
 TEST_CASE("indices and ranges select in the order of the list") {
     CHECK(positions("8,5-7", 4) == Positions{7, 4, 5, 6});
     CHECK(positions(" 1 , 2,3", 3) == Positions{0, 1, 2});
     CHECK(positions("3-3,1,2", 3) == Positions{2, 0, 1});
 }
 
-// Would catch: a list that selects something else than n different columns.
+// Catches a list that selects something else than n different columns.
 TEST_CASE("a list that does not fit is a error") {
     CHECK(fault_of("1-4", 3) == What::wrong_count);
     CHECK(fault_of("a,b", 3) == What::wrong_count);
@@ -48,7 +48,7 @@ TEST_CASE("a list that does not fit is a error") {
     CHECK(fault_of("99999999999999999999,1,2", 3) == What::not_an_item);
 }
 
-// Would catch: a name that is looked up in a part of a field, or found twice and taken.
+// Catches a name that is looked up in a part of a field, or found twice and taken.
 TEST_CASE("names match a field or its first word") {
     const std::vector<std::string> header{"timestamp", "q_w []", "q_x", "q_y [1]", "q_y [2]", "q_z", "q_z [3]"};
     CHECK(positions("q_w,q_x,1", 3, header) == Positions{1, 2, 0});

@@ -22,7 +22,7 @@ const Delimiter comma = Delimiter::character(',');
 
 } // namespace
 
-// Would catch: a wrong order of preference, a delimiter found inside quotes.
+// Catches a wrong order of preference, a delimiter found inside quotes.
 TEST_CASE("the delimiter is comma else tab else semicolon else blanks") {
     CHECK(Delimiter::of_row("1\t2;3,4 5").text() == ',');
     CHECK(Delimiter::of_row("1;2\t3 4").text() == '\t');
@@ -33,7 +33,7 @@ TEST_CASE("the delimiter is comma else tab else semicolon else blanks") {
     CHECK(Delimiter::of_row("5\" disk, 3").text() == ',');
 }
 
-// Would catch: an inch sign that hides the delimiters behind it.
+// Catches an inch sign that hides the delimiters behind it.
 TEST_CASE("a quote hides delimiters only where a field begins with it") {
     CHECK(Delimiter::of_row("5\" pipe,1,0,0,0,6\" pipe").text() == ',');
     CHECK(Delimiter::of_row("1\t\"a,b\"\t2").text() == '\t');
@@ -41,7 +41,7 @@ TEST_CASE("a quote hides delimiters only where a field begins with it") {
     CHECK(Delimiter::of_row("\"left open,1").text() == ',');
 }
 
-// Would catch: a named delimiter that is another, one that would cut numbers.
+// Catches a named delimiter that is another, one that would cut numbers.
 TEST_CASE("delimiters by name and by character") {
     CHECK(Delimiter::parse("comma")->text() == ',');
     CHECK(Delimiter::parse("tab")->text() == '\t');
@@ -57,7 +57,7 @@ TEST_CASE("delimiters by name and by character") {
     }
 }
 
-// Would catch: a field lost at an end, quotes that are not seen.
+// Catches a field lost at an end, quotes that are not seen.
 TEST_CASE("rows are split after RFC 4180") {
     CHECK(fields_of(comma, "a,b,c") == Fields{"a", "b", "c"});
     CHECK(fields_of(comma, ",a,") == Fields{"", "a", ""});
@@ -71,7 +71,7 @@ TEST_CASE("rows are split after RFC 4180") {
     CHECK_FALSE(comma.split("\"a\"\",b", fields));
 }
 
-// Would catch: quotes or blanks that stay in a name or number.
+// Catches quotes or blanks that stay in a name or number.
 TEST_CASE("a field's content is free of quotes and blanks around it") {
     CHECK(comma.text_of(" a ") == "a");
     CHECK(comma.text_of("\"1.5\"") == "1.5");

@@ -30,7 +30,7 @@ std::string all_of(Source& source) {
 
 } // namespace
 
-// Would catch: bytes lost, doubled or counted wrong where a read ends inside a line.
+// Catches bytes lost, doubled or counted wrong where a read ends inside a line.
 TEST_CASE("blocks together are the input however it arrives") {
     std::mt19937_64 engine(81);
     std::string text = "\n\n1 2 3\r\n";
@@ -48,7 +48,7 @@ TEST_CASE("blocks together are the input however it arrives") {
     }
 }
 
-// Would catch: a mark that becomes a part of the first field, or a text that is taken for one.
+// Catches a mark that becomes a part of the first field, or a text that is taken for one.
 TEST_CASE("a byte order mark is left out at the start alone") {
     for (std::size_t first = 1; first < 6; ++first) {
         Pieces marked("\xEF\xBB\xBF"
@@ -62,7 +62,7 @@ TEST_CASE("a byte order mark is left out at the start alone") {
     CHECK(all_of(empty).empty());
 }
 
-// Would catch: a limit that is off by one, or rows before the long line that are lost.
+// Catches a limit that is off by one, or rows before the long line that are lost.
 TEST_CASE("the longest line is 4 MiB") {
     const std::string longest(IoBlockReader::longest_line, 'x');
     for (const std::string end : {"\n", "\n1\n", ""}) {
@@ -82,7 +82,7 @@ TEST_CASE("the longest line is 4 MiB") {
     }
 }
 
-// Would catch: a carriage return that stays in the last field or is lost from the output.
+// Catches a carriage return that stays in the last field or is lost from the output.
 TEST_CASE("a line is cut before its line end") {
     std::string_view text = "a\r\n\nb\r";
     const Line first = next_line(text);

@@ -69,7 +69,7 @@ double value_of(const std::string& text) {
 
 } // namespace
 
-// Would catch: a spelling of a number that is refused.
+// Catches a spelling of a number that is refused.
 TEST_CASE("decimal numbers as in C are read") {
     CHECK(value_of("1") == 1.0);
     CHECK(value_of("+1") == 1.0);
@@ -84,7 +84,7 @@ TEST_CASE("decimal numbers as in C are read") {
     CHECK(value_of("Infinity") == std::numeric_limits<double>::infinity());
 }
 
-// Would catch: junk that passes for a number.
+// Catches junk that passes for a number.
 TEST_CASE("what is not a decimal number is refused") {
     for (const std::string text :
          {"",    " ",   "+",   "-",   ".",     "e5",  "1e",        "1e+", "0x10",  "1,5",
@@ -98,7 +98,7 @@ TEST_CASE("what is not a decimal number is refused") {
     CHECK(read_number(std::string_view("1\0", 2), value) == NumberError::not_a_number);
 }
 
-// Would catch: a number out of range that is taken for the other end of it.
+// Catches a number out of range that is taken for the other end of it.
 TEST_CASE("too large is a error and too small is zero") {
     double value = 0.0;
     for (const std::string text :
@@ -117,7 +117,7 @@ TEST_CASE("too large is a error and too small is zero") {
     CHECK(value_of("1.7976931348623157e308") == std::numeric_limits<double>::max());
 }
 
-// Would catch: a text that does not read back to the same double.
+// Catches a text that does not read back to the same double.
 TEST_CASE("the shortest text reads back to the same double") {
     std::mt19937_64 engine(71);
     for (int i = 0; i < 20000; ++i) {
@@ -134,7 +134,7 @@ TEST_CASE("the shortest text reads back to the same double") {
     CHECK(text_of(-2.2250738585072014e-308) == "-2.2250738585072014e-308");
 }
 
-// Would catch: a point, a sign or a zero in the wrong place, at the borders of the forms above all.
+// Catches a point, a sign or a zero in the wrong place, at the borders of the forms above all.
 TEST_CASE("the shortest text has the form of fmt's {}") {
     for (int tens = -7; tens < 19; ++tens) {
         for (const double digits : {1.0, 1.2, 1.23, 1.234, 2.0, 9.0, 9.9, 9.99, 9.999}) {
@@ -157,7 +157,7 @@ TEST_CASE("the shortest text has the form of fmt's {}") {
     }
 }
 
-// Would catch: digits that are rounded twice, a tie that does not go to the even digit, a carry that is lost, digits
+// Catches digits that are rounded twice, a tie that does not go to the even digit, a carry that is lost, digits
 // after the point in the place of significant ones, a sign of what rounds to 0.
 TEST_CASE("digits are those of the exact value, in the form of fmt") {
     compare_random_numbers(tried(50'000));
@@ -181,7 +181,7 @@ TEST_CASE("digits are those of the exact value, in the form of fmt") {
     CHECK(text_of(-1e-300, 0, 100) == expected(-1e-300, 0, 100));
 }
 
-// Would catch: a number that is taken for one of the next decade, or carried into it without its form.
+// Catches a number that is taken for one of the next decade, or carried into it without its form.
 TEST_CASE("digits beside powers of ten have the form of fmt") {
     for (int tens = -19; tens < 19; ++tens) {
         for (int digits = 1; digits <= 20; ++digits) {

@@ -85,7 +85,7 @@ Stream random_stream(std::mt19937& engine, int largest_step, const char* ending)
 
 } // namespace
 
-// Would catch: an offset or a unit that is lost, a partner that is not the nearest, neighbours that are not those
+// Catches an offset or a unit that is lost, a partner that is not the nearest, neighbours that are not those
 // around a key, and any of these where a stream comes in pieces. The pairs are found anew by looking at all.
 TEST_CASE("pairs with units, offsets and interpolation are those found by looking at all") {
     std::mt19937 engine(20261123);
@@ -160,7 +160,7 @@ TEST_CASE("pairs with units, offsets and interpolation are those found by lookin
     }
 }
 
-// Would catch: a fraction of doubles, which would be 0, and one that overflows.
+// Catches a fraction of doubles, which would be 0, and one that overflows.
 TEST_CASE("the fraction between two keys has all their digits") {
     Options options = keyed_pairs("1e999");
     options.pairing->interpolates = true;
@@ -171,7 +171,7 @@ TEST_CASE("the fraction between two keys has all their digits") {
     CHECK(pairs_of("1e-18,1,0,0,0\n", "0,1,0,0,0\n4e-18,1,0,0,0\n", 1U << 16U, options) == "1-1+2@0.25 0 0");
 }
 
-// Would catch: rows of the reference that are held, and a neighbour that is looked for without end.
+// Catches rows of the reference that are held, and a neighbour that is looked for without end.
 TEST_CASE("a row whose later neighbour is too far ends the pairing") {
     Options options = keyed_pairs("9");
     options.pairing->interpolates = true;
@@ -184,7 +184,7 @@ TEST_CASE("a row whose later neighbour is too far ends the pairing") {
     CHECK(pairs_of("1,1,0,0,0\n", references, 1U << 16U, options) == "1-1 0 0"); // the reference has that key
 }
 
-// Would catch: a limit of the look ahead that counts reads, or blocks that hold no whole line: then a row is paired
+// Catches a limit of the look ahead that counts reads, or blocks that hold no whole line: then a row is paired
 // with one that is not its nearest when it comes through a slow pipe.
 TEST_CASE("rows are paired alike in whatever pieces they arrive") {
     std::string rows = "1,1,0,0,0\n1.5,1,0,0,0\n";
@@ -202,7 +202,7 @@ TEST_CASE("rows are paired alike in whatever pieces they arrive") {
     }
 }
 
-// Would catch: a row that is paired with one that is not its nearest, because the nearest comes late.
+// Catches a row that is paired with one that is not its nearest, because the nearest comes late.
 TEST_CASE("a row whose next one is too far ends the pairing, and is not paired") {
     const auto between = [](const std::string& line, int count) {
         std::string rows = "1,1,0,0,0\n";
@@ -222,7 +222,7 @@ TEST_CASE("a row whose next one is too far ends the pairing, and is not paired")
     CHECK(pairs_of(between("# " + std::string(1 << 20, 'x') + "\n", 2), references) == "0 0 ends at 1");
 }
 
-// Would catch: a difference of keys of which not all digits count, and a key whose size is not checked.
+// Catches a difference of keys of which not all digits count, and a key whose size is not checked.
 TEST_CASE("keys are the nearest to each other by all their digits") {
     const std::string rows = "3e-18,1,0,0,0\n9e19,1,0,0,0\n";
     const auto reference = [](char last) {

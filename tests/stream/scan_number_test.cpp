@@ -166,7 +166,7 @@ std::string tail(Texts& texts) {
 
 } // namespace
 
-// Would catch: a digit that is lost or counted twice, an exponent of another sign, a number that ends elsewhere, one
+// Catches a digit that is lost or counted twice, an exponent of another sign, a number that ends elsewhere, one
 // that is rounded the other way, a byte that is read behind the text (a crash), and a quick way that is never taken.
 TEST_CASE("numbers are scanned as fast_float reads them") {
     const Edge edge;
@@ -196,7 +196,7 @@ TEST_CASE("numbers are scanned as fast_float reads them") {
     CHECK(subnormal > count / 100);
 }
 
-// Would catch: a bound too low, by which numbers of a common form are left to fast_float, or too high, by which digits
+// Catches a bound too low, by which numbers of a common form are left to fast_float, or too high, by which digits
 // are lost.
 TEST_CASE("numbers of up to 19 digits are scanned directly") {
     const auto is_direct = [](const std::string& number) {

@@ -89,7 +89,7 @@ Layout layout_of(const std::vector<std::size_t>& positions, std::size_t kept) {
 
 } // namespace
 
-// Would catch: state that leaks from one block into the next.
+// Catches state that leaks from one block into the next.
 TEST_CASE("a stream cut at any line becomes the same") {
     Options options = options_of("quat", "rotvec", 1e9);
     options.on_error = OnError::nan;
@@ -103,7 +103,7 @@ TEST_CASE("a stream cut at any line becomes the same") {
     }
 }
 
-// Would catch: rows that are held back for those after them, and get lost, doubled or out of order.
+// Catches rows that are held back for those after them, and get lost, doubled or out of order.
 TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at any line") {
     operations::PropagationRows propagation;
     propagation.settings.interpolation = Interpolation::cubic;
@@ -134,7 +134,7 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
     CHECK(all(100000) == by_row);
 }
 
-// Would catch: rows after an error that are written all the same.
+// Catches rows after an error that are written all the same.
 TEST_CASE("an error under stop ends the block") {
     Layout layout;
     layout.select({}, 4, 0);
