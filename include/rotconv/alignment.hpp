@@ -34,7 +34,7 @@ private:
     /// The quadratic form of the sum of squared sines in the components of a turn after the first.
     [[nodiscard]] Eigen::Matrix4d squared_sines() const noexcept;
 
-    // Of the unit quaternions (w, v) from the first turn to each.
+    // Sums over the unit quaternions (w, v) from the first turn to each.
     double count_ = 0.0;
     Rotation first_;
     Eigen::Vector3d products_ = Eigen::Vector3d::Zero(); ///< sum of w v
@@ -60,10 +60,10 @@ public:
 
     void add(const Rotation& attitude, const Rotation& known) noexcept;
 
-    /// None where the pairs do not determine them: there are no pairs; other turns leave as little; or, on both sides,
-    /// the attitudes differ by turns about one axis, but for what is left.
+    /// Nothing if the pairs do not determine the turns: there are no pairs; other turns leave as little; or, on both
+    /// sides, the attitudes differ only by rotations about one axis, except for what is left.
     [[nodiscard]] std::optional<ConstantTurns> turns() const;
-    /// The same; where the pairs do not determine them, some of those that leave the least.
+    /// The same; if the pairs do not determine the turns, some of those that leave the least.
     [[nodiscard]] ConstantTurns some_turns() const { return find().turns; }
 
 private:
@@ -76,7 +76,7 @@ private:
     [[nodiscard]] Found find_both() const;
 
     AlignedSide side_;
-    MeanTurn mean_; ///< of the constant turns of the pairs; of both sides only their count
+    MeanTurn mean_; ///< mean of the pairs' constant turns; only their count for both sides
     Rotation first_attitude_;
     Rotation first_known_;
     /// The sum of g g', column by column, over the turns from the first pair to each, unit quaternions q and k: the

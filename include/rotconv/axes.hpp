@@ -22,13 +22,13 @@ struct AxesChange {
     [[nodiscard]] FixedRotation turn() const noexcept;
 };
 
-/// Why a text names no change of axes.
+/// Why a text does not name a change of axes.
 struct AxesError {
     enum class What : std::uint8_t {
         form,                ///< not two triples of known letters with a colon between them
         mixed_sets,          ///< its letters are not of one set
-        same_direction,      ///< two axes of `triple` point in one direction...
-        opposite_directions, ///< ...or in opposite ones
+        same_direction,      ///< two axes of `triple` point in one direction
+        opposite_directions, ///< two axes of `triple` point in opposite directions
     };
     What what;
     std::string text; ///< all of it, as it was given

@@ -14,8 +14,8 @@ namespace rotconv {
 struct ComparisonSettings {
     /// For both attitudes; `left` and `right` turn only the first attitude, R.
     ConversionSettings reading{};
-    double within = std::numeric_limits<double>::infinity(); ///< a larger angle is reported; in the unit of angles...
-    double per_radian = 1.0; ///< ...which is so many in a radian, such as degrees_per_radian
+    double within = std::numeric_limits<double>::infinity(); ///< a larger angle is reported; in the angles' unit
+    double per_radian = 1.0; ///< how many of that unit are a radian, such as degrees_per_radian
     /// Write both attitudes too, as they were compared: quaternions of norm 1/2 to 2.
     bool attitudes = false;
 };

@@ -34,8 +34,8 @@ struct ConversionSettings {
     double tolerance = default_tolerance; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool sensitivity = false;                        ///< report margin, condition and exact defect of each row
-    std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes...
-    std::optional<FixedRotation> right{};            ///< ...or R right: other body axes
+    std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes
+    std::optional<FixedRotation> right{};            ///< R becomes R right: other body axes
     bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
     bool decimal = false;                            ///< the numbers were read from text: see last_place()
 };

@@ -22,12 +22,12 @@ struct Candidate {
     std::size_t rows = 0; ///< number of rows on which it was tried; it is dropped at the first that it misses by far
     double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
     std::size_t angle_row = 0;         ///< the first row with that angle
-    std::optional<Rotation> left{};    ///< known = left unknown right, where a constant turn was found...
-    std::optional<Rotation> right{};   ///< ...on that side
-    std::string_view reference_axes{}; ///< the name of the left turn, such as "ned:enu", where it is a usual one...
-    std::string_view body_axes{};      ///< ...and of the right turn, whose inverse the axes name
+    std::optional<Rotation> left{};    ///< known = left unknown right, if this turn was found
+    std::optional<Rotation> right{};   ///< see `left`
+    std::string_view reference_axes{}; ///< the name of the left turn, such as "ned:enu", if it has one
+    std::string_view body_axes{};      ///< the name of the right turn's inverse, if it has one
 
-    /// The SPEC has no signs, and its columns are as they stand.
+    /// Whether the SPEC has no signs, and its columns are in order.
     [[nodiscard]] bool is_plain() const noexcept;
 };
 
@@ -40,13 +40,13 @@ struct Verdict {
         attitudes,  ///< all rows have the same attitude
         size,       ///< all attitudes are small: `angle` is the largest
         axes,       ///< all attitudes turn about one axis: `axis`
-        plane,      ///< the axes of the turns between the attitudes lie in a plane, of which `axis` is the normal
+        plane,      ///< the axes of the rotations between the attitudes lie in a plane with the normal `axis`
         zero,       ///< the number in `column` is always 0
         equal,      ///< the numbers in `column` and `other` are always equal
         difference, ///< the candidates agree on these rows for another reason
     };
     std::size_t fitting = 0;
-    std::vector<Candidate> turned; ///< those that fit with constant turns, where none does without
+    std::vector<Candidate> turned; ///< the candidates that fit with constant turns, if none fits without
     Ambiguity ambiguity = Ambiguity::nothing;
     /// What fits, as a person would write it, if nothing is ambiguous.
     std::optional<Candidate> answer{};
@@ -69,9 +69,9 @@ struct IdentificationSettings {
 /// dropped at the first row that it misses by more than a thousand times the limit or by half a radian, or whose
 /// numbers have no attitude in it, so that long data cost little more than one conversion.
 ///
-/// Where none fits, each is tried with a constant turn on either side, of which the one that leaves least counts, and
-/// where none fits then with turns on both: see Alignment. For this rows are kept; of more than `most_kept` every
-/// second, fourth, eighth and so on. Constant memory.
+/// If none fits, each is tried with a constant turn on one side, the side that leaves less, and if none fits then, with
+/// turns on both: see Alignment. Rows are kept for this: all up to `most_kept`, otherwise every second, fourth, eighth
+/// and so on. Constant memory.
 class Identification {
 public:
     /// @param name if given, only candidates of this representation, which has `count` numbers
@@ -124,10 +124,10 @@ private:
     [[nodiscard]] std::vector<Rotation> generic_attitudes(const Candidate& candidate) const;
     void remember(std::span<const double> numbers, const Rotation& known, std::size_t row);
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
-    /// Whether the relative turns lie in a plane or about one axis in such a way that a change of axes could be
-    /// mistaken for another convention.
+    /// Whether the rotations between rows lie in a plane or about one axis in such a way that a change of axes could
+    /// be mistaken for another convention.
     [[nodiscard]] bool may_mistake_turns() const;
-    /// Whether there are four rows or more whose relative turns do not lie in one plane.
+    /// Whether there are four rows or more between which the rotations do not lie in one plane.
     [[nodiscard]] bool determines_both() const;
     struct RowsForTurns;
     /// Those that fit with constant turns, of which the nearest leaves an angle not below a tenth of another's.
@@ -137,11 +137,11 @@ private:
     [[nodiscard]] Candidate as_written(const Candidate& candidate) const;
     /// The attitudes of generic numbers, turned.
     [[nodiscard]] std::vector<Rotation> meaning_of(const Candidate& candidate) const;
-    /// False where no constant turns make the candidate fit, nor any of its class.
+    /// False if no constant turns make the candidate fit, nor any of its class.
     [[nodiscard]] bool may_fit(const Trial& trial, const RowsForTurns& rows) const;
     [[nodiscard]] std::optional<Candidate> with_turn(const Trial& trial, AlignedSide side,
                                                      const RowsForTurns& rows) const;
-    /// The attitudes that the candidate makes of rows; none if it cannot read one.
+    /// The attitudes that the candidate makes of rows; empty if it cannot read one of them.
     [[nodiscard]] std::vector<Rotation> attitudes_or_none(const Trial& trial, std::span<const double> numbers) const;
 
     std::size_t count_;
@@ -158,9 +158,9 @@ private:
     std::vector<Rotation> kept_known_;
     std::vector<std::size_t> kept_rows_;
 
-    // What verdict() needs to know of the rows.
+    // For verdict(), over all rows:
     double spread_ = 0.0;                               ///< largest angle to the first
-    double greatest_angle_ = 0.0;                       ///< of an attitude
+    double greatest_angle_ = 0.0;                       ///< largest angle of an attitude
     Eigen::Matrix3d scatter_ = Eigen::Matrix3d::Zero(); ///< sum of u u' over the quaternions (w, u)
     std::array<double, 9> greatest_numbers_{};          ///< largest magnitude in each column
     /// The same of the difference of two columns, i < k.
@@ -168,8 +168,8 @@ private:
 
     // Buffers of add().
     std::vector<double> known_numbers_;
-    std::vector<double> known_;  ///< quaternions, nan where there is none
-    std::vector<double> angles_; ///< of the living, one batch for each
+    std::vector<double> known_;  ///< quaternions, nan if there is none
+    std::vector<double> angles_; ///< one batch for each living candidate
     std::vector<RowReport> found_;
 };
 

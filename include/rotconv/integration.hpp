@@ -29,8 +29,8 @@ struct IntegratorEntry {
     std::string_view text; ///< as on the command line
     int order;
     int evaluations;             ///< in a step: of the right-hand side, or exponentials with their commutators
-    std::size_t node_count;      ///< number of angular velocities that a step needs...
-    std::array<double, 3> nodes; ///< ...and their times, as parts of the step
+    std::size_t node_count;      ///< number of angular velocities that a step needs
+    std::array<double, 3> nodes; ///< times of these velocities, as parts of the step
     bool exponential;            ///< only for the quaternion
 };
 

@@ -77,7 +77,7 @@ private:
 
     PropagationSettings settings_;
     Stepper stepper_;
-    double step_error_ = 0.0;         ///< of the latest advance
+    double step_error_ = 0.0;         ///< the latest advance's
     std::array<Sample, 4> samples_{}; ///< the latest, in order of time
     std::size_t count_ = 0;           ///< number of samples_
     bool flushed_ = false;            ///< flush() has answered the latest sample

@@ -148,12 +148,12 @@ struct Sensitivity {
 inline constexpr double reported_defect = 1e-6;
 /// An axis whose length differs from 1 by more than this is reported as normalized.
 inline constexpr double reported_axis_defect = 1e-3;
-/// An angle, or the norm of a rotation vector, that is read in radians and is larger than this is reported...
+/// An angle, or the norm of a rotation vector, that is read in radians and is larger than this is reported.
 inline constexpr double reported_angle = 2.0 * std::numbers::pi;
-/// ...and so is an angular velocity that is read in radians a second.
+/// An angular velocity that is read in radians a second and is larger than this is reported.
 inline constexpr double reported_velocity = 35.0;
 
-/// What is unusual about the numbers of an attitude; 0 where nothing is.
+/// What is unusual about the numbers of an attitude; 0 if nothing is.
 struct UnusualNumbers {
     double defect = 0.0; ///< a defect that is reported, or | length - 1 | of an axis
     double angle = 0.0;  ///< the largest angle or angular velocity that is reported
@@ -171,17 +171,17 @@ struct RowReport {
     std::size_t row = 0; ///< its index among the rows of the run
     Error error = Error::none;
     bool of_reference = false; ///< for rows that hold two attitudes: error and defect are those of the second
-    bool of_later = false;     ///< if the second lies between two others: they are those of the later
+    bool of_later = false;     ///< if the second lies between two others: error and defect are those of the later
     DiagnosticSet diagnostics{};
     double defect = 0.0; ///< below `reported_defect` and without ConversionSettings::sensitivity only an upper bound
-    Sensitivity sensitivity{};     ///< of a row with diagnostics of its result, or with ConversionSettings::sensitivity
+    Sensitivity sensitivity{};     ///< set if the result has diagnostics, or with ConversionSettings::sensitivity
     double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
     double deviation =
         0.0; ///< radians, or a comparison's unit: the angle that method_error, coarse_step and beyond are about
     double openness = 0.0;              ///< how far the result is open by the digits given, which few_digits is about
-    UnusualNumbers unusual{};           ///< of the first attitude...
-    UnusualNumbers reference_unusual{}; ///< ...and of the second
-    std::vector<PartReport> parts{};    ///< of a result in several representations: on each
+    UnusualNumbers unusual{};           ///< in the first attitude
+    UnusualNumbers reference_unusual{}; ///< in the second attitude
+    std::vector<PartReport> parts{};    ///< one for each representation of the result, if there are several
 
     /// Adds the diagnostics of the unusual numbers of the first attitude.
     void report_numbers() noexcept {
@@ -192,9 +192,9 @@ struct RowReport {
 
 /// Attitudes nearer than this (radians) to a half-turn are reported as a half-turn.
 inline constexpr double half_turn_margin = 1e-15;
-/// Euler angles with a greater condition are reported as near gimbal lock.
+/// Euler angles with a larger condition are reported as near gimbal lock.
 inline constexpr double near_lock_condition = 1e6;
-/// Only rows with a greater condition are held against the digits of their numbers.
+/// Only rows with a larger condition are held against the digits of their numbers.
 inline constexpr double few_digits_condition = 10.0;
 /// A result that is open by more than this (radians) is reported as of few digits.
 inline constexpr double reported_openness = 1e-2;

@@ -97,7 +97,7 @@ public:
 
 private:
     Rotation(double w, double x, double y, double z) noexcept : q_{w, x, y, z} {}
-    /// Of a quaternion whose |q|^2, `square`, does not overflow and is not tiny.
+    /// The rotation of a quaternion whose |q|^2, `square`, does not overflow and is not tiny.
     static Rotation with_square(double square, double w, double x, double y, double z) noexcept {
         // times 2^-n with 4^n <= |q|^2 < 4^(n + 1)
         const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(square) >> 52U) - 1023;

@@ -44,15 +44,15 @@ public:
     void run(std::span<const double> rows, std::span<double> out);
 
 private:
-    /// Any quaternion but 0.
+    /// A quaternion other than 0.
     [[nodiscard]] std::array<double, 4> attitude_of(std::uint64_t row) const;
-    /// Replaces the numbers of the attitude where the row is chosen otherwise.
+    /// Replaces the attitude's numbers in rows that are chosen otherwise.
     void choose_numbers(std::uint64_t row, std::span<double> numbers) const;
 
     Conversion conversion_; ///< from quat
     SampleSettings settings_;
     std::vector<std::array<double, 4>> cube_;
-    std::vector<double> attitudes_; ///< of the rows at hand
+    std::vector<double> attitudes_; ///< for the rows at hand
     std::vector<RowReport> reports_;
 };
 

@@ -38,7 +38,7 @@ struct Project {
     std::string_view source;    ///< the file, page or book that says so
     std::string_view remark;
 
-    /// Its numbers are one SPEC, for which the name stands.
+    /// Whether its numbers are one SPEC, for which the name stands.
     [[nodiscard]] constexpr bool is_spec() const noexcept {
         return !specs.empty() && specs.find(' ') == std::string_view::npos;
     }
@@ -48,7 +48,7 @@ struct Project {
 struct PresetMeaning {
     std::string_view preset{};
     ModifierSet modifiers{};
-    std::optional<EulerSequence> sequence{}; ///< where the SPEC gives none
+    std::optional<EulerSequence> sequence{}; ///< if the SPEC gives none
 };
 
 /// What a representation is called and how it is written.
@@ -63,7 +63,7 @@ struct Representation {
     std::array<std::uint8_t, 9> other_order{}; ///< with col or xyzw: for each number as written, its own place
     bool takes_sequence = false;               ///< an Euler sequence follows the text
     bool has_gimbal_lock = false;              ///< Euler angles; the outer ones have the range (-pi, pi]
-    std::string_view range;                    ///< of the numbers on output, for people
+    std::string_view range;                    ///< range of the numbers on output, for people
     std::string_view singular = "none";        ///< where it is singular, for people
     std::string_view singular_attitude{};      ///< where its kinematic equation is, such as "a half-turn"
     std::string_view formula;                  ///< for people
@@ -86,8 +86,8 @@ struct Representation {
 /// A representation with its conventions resolved: the meaning of `NAME[:MODIFIER]...`. NAME may be a project's.
 struct Spec {
     RepresentationId name = RepresentationId::quat;
-    EulerSequence sequence = roll_pitch_yaw; ///< of euler and rpy
-    AngleUnit unit = AngleUnit::radians;     ///< of angles
+    EulerSequence sequence = roll_pitch_yaw; ///< for euler and rpy
+    AngleUnit unit = AngleUnit::radians;     ///< for angles
     bool passive = false;                    ///< the numbers describe the inverse
     bool column_major = false;               ///< dcm listed column by column
     bool scalar_last = false;                ///< quat as x y z w

@@ -51,8 +51,8 @@ public:
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
     /// In the order of the table of representations.
     [[nodiscard]] std::span<const RepresentationSurvey> representations() const noexcept { return surveys_; }
-    /// The representation that serves with the fewest numbers; of several, the one with the smallest greatest
-    /// condition. Null if none serves.
+    /// The representation that serves with the fewest numbers; of several, the one whose largest condition is smallest.
+    /// Null if none serves.
     [[nodiscard]] const RepresentationSurvey* smallest(double limit) const noexcept;
 
 private:
