@@ -49,7 +49,7 @@ std::vector<double> run(const Conversion& conversion, std::span<const double> in
     return out;
 }
 
-/// Turns Euler angles of the sequence without its signs into those of the SPEC.
+/// Converts Euler angles of the sequence without its signs to those of the SPEC.
 void put_in_range(const Spec& to, double* angles) noexcept {
     const double half_turn = to.unit == AngleUnit::degrees ? 180.0 : std::numbers::pi;
     const bool is_second_triple = to.sequence.proper() && to.sequence.sign(1) < 0.0; // a + pi, -b, c + pi

@@ -12,7 +12,7 @@ __extension__ using Uint128 = unsigned __int128;
 
 /// The exact distance of two keys.
 struct KeyDistance {
-    Uint128 units = 0; ///< of 1e-18
+    Uint128 units = 0; ///< 1e-18 each
 
     friend auto operator<=>(const KeyDistance&, const KeyDistance&) = default;
     /// The nearest double.
@@ -23,7 +23,7 @@ struct KeyDistance {
 
 /// A key or a time as a fixed-point number of 18 decimals.
 struct Key {
-    Int128 units = 0; ///< of 1e-18
+    Int128 units = 0; ///< 1e-18 each
 
     friend auto operator<=>(const Key&, const Key&) = default;
     /// The nearest double.

@@ -50,7 +50,7 @@ struct PairColumns {
     [[nodiscard]] constexpr std::size_t width() const noexcept { return interpolates ? fraction() + 1 : later(); }
 };
 
-/// Turns the numbers of rows into results.
+/// Computes results from the numbers of rows.
 class RowOperation {
 public:
     RowOperation() = default;
@@ -63,8 +63,7 @@ public:
     /// answered, as many as can be, or all with `rows.are_last`; the others come first in the next call.
     /// @return how many rows are answered
     virtual std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) = 0;
-    /// Makes each result follow from the result before: called after run() of the same rows, for all rows in their
-    /// order.
+    /// Makes results follow each other: called after run() of the same rows, for all rows in their order.
     virtual void make_continuous(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
 
     [[nodiscard]] std::size_t answers_of_row() const noexcept { return answers.empty() ? 1 : answers.size(); }
@@ -79,7 +78,7 @@ public:
     std::pair<double, std::size_t> first_step{};
     std::string_view unit{};    ///< the unit of angles beyond a limit
     bool in_order = false;      ///< rows must come in their order; otherwise each copy may answer any rows
-    bool is_continuous = false; ///< results pass make_continuous()
+    bool is_continuous = false; ///< results then pass make_continuous()
 
 protected:
     RowOperation(const RowOperation&) = default;

@@ -24,8 +24,8 @@ namespace rotconv::stream {
 /// @return false if the run is over: nothing was done and nothing is to be written
 using Ordered = std::function<bool(const std::function<void()>& what)>;
 
-/// Turns blocks of rows into their output. What a block becomes depends on the block, the options and the layout alone
-/// (unless the operation remembers rows), so that several transformers may work on the blocks of one stream.
+/// Converts blocks of rows to their output. The output depends only on the block, the options and the layout (unless
+/// the operation remembers rows), so that several transformers may work on the blocks of one stream.
 class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
