@@ -235,7 +235,7 @@ TEST_CASE("keys are the nearest to each other by all their digits") {
     CHECK(pairs_of("1e20,1,0,0,0\n", rows) == "!1-0 0 2");
 }
 
-// Would catch: a row of a pair with no room behind it, where the scan of its numbers looks; digits there that would
+// Catches a row of a pair with no room behind it, where the scan of its numbers looks; digits there that would
 // count as its own.
 TEST_CASE("behind each row of a pair stand the next ones of its block, then zeros") {
     const Options options = keyed_pairs("0.5");
