@@ -166,7 +166,7 @@ struct Program {
     [[nodiscard]] bool has_text_alone() const { return !options().writes_rows && !command.is_check; }
     /// It serves one run.
     [[nodiscard]] bool remembers() const {
-        return operation().in_order || operation().is_continuous || options().input.take_count != nullptr ||
+        return operation().in_order || operation().is_continuous || options().fold || options().input.take_count ||
                command.source != nullptr || command.first_pass || reports;
     }
 };
