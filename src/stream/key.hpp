@@ -14,7 +14,8 @@ __extension__ using Uint128 = unsigned __int128;
 struct KeyDistance {
     Uint128 units = 0; ///< 1e-18 each
 
-    friend auto operator<=>(const KeyDistance&, const KeyDistance&) = default;
+    friend constexpr bool operator==(const KeyDistance&, const KeyDistance&) = default;
+    friend constexpr auto operator<=>(const KeyDistance& a, const KeyDistance& b) noexcept { return a.units <=> b.units; }
     /// The nearest double.
     [[nodiscard]] double rounded() const;
     /// All its digits.
@@ -25,7 +26,8 @@ struct KeyDistance {
 struct Key {
     Int128 units = 0; ///< 1e-18 each
 
-    friend auto operator<=>(const Key&, const Key&) = default;
+    friend constexpr bool operator==(const Key&, const Key&) = default;
+    friend constexpr auto operator<=>(const Key& a, const Key& b) noexcept { return a.units <=> b.units; }
     /// The nearest double.
     [[nodiscard]] double rounded() const;
 };
