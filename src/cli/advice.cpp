@@ -253,7 +253,7 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
     }
     const auto lines = lines_of(beginning);
     const std::size_t at = line - 1;
-    if (at >= lines.size()) {
+    if (at >= lines.size() || reads(beginning, input)) { // what is wrong is not how the numbers stand
         return {};
     }
     const auto fields_of = [&](std::size_t index) { return split(lines[index].text, input); };

@@ -72,7 +72,14 @@ private:
     }
     /// Its value, of pairs of which there is at least one.
     [[nodiscard]] double figure_of(const CheckLimit& limit) const {
-        return limit.is_of_all() ? pairs_.worst().begin()->angle : pairs_.angles().percentile(limit.percent);
+        if (limit.is_of_all()) {
+            return pairs_.worst().begin()->angle;
+        }
+        const operations::PairLimit& counted_limit =
+            pairs_.limits()[static_cast<std::size_t>(&limit - check_.limits.data())];
+        const double estimate = pairs_.angles().percentile(limit.percent); // which must not belie the count
+        return counted_limit.holds(pairs_.pairs()) ? std::min(estimate, counted_limit.angle)
+                                                   : std::max(estimate, counted_limit.angle);
     }
     /// "p95 0.02 deg".
     [[nodiscard]] std::string named_figure(const CheckLimit& limit) const {

@@ -56,6 +56,8 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"inplace overwrite", "", "not here: -o FILE is the file to write, and it cannot be the one that is read"},
     {"keep keepcolumns passthrough addcolumns", "--append", "(other columns are kept without it)"},
     {"digits", "--precision", ""},
+    {"withinp95 percentile percentiles p95 quantile", "--within ANGLE@PERCENT", "(--within 0.3deg@95: of 95 in 100)"},
+    {"as relative", "compose", "(rotconv compose -f quat:passive --by quat REFERENCE FILE)"},
     {"round places", "--decimals", ""},
     {"sep separator fs F", "--delimiter", ""},
     {"noheader", "--header no", ""},

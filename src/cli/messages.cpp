@@ -42,7 +42,10 @@ DiagnosticWords words_for(DiagnosticKind kind) {
     using enum DiagnosticKind;
     switch (kind) {
     case normalized: return {"defect", "the numbers were not exactly those of a rotation"};
-    case large_angle: return {"angle", "angles are read in radians; if these are degrees: :deg after the NAME, or -d"};
+    case large_angle:
+        return {
+            "angle",
+            "angles and velocities are read in radians; if these are degrees: -d, or of angles :deg after the NAME"};
     case gimbal_lock:
         return {"margin", "only the sum or difference of the outer angles is defined; the third is set to 0"};
     case near_gimbal_lock: return {"condition", "the outer angles are ill-conditioned, the attitude is not"};
@@ -215,8 +218,8 @@ std::string few_keys_met(const stream::KeysMet& keys) {
     const std::string within = keys.within.text();
     const std::string_view few = keys.any_pair ? "fewer than half of FILE's keys are" : "no key of FILE is";
     std::string text = keys.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
-                                         : fmt::format("{} within {} of {} of REFERENCE", few, within,
-                                                       keys.any_pair ? "those" : "one");
+                       : keys.any_pair   ? fmt::format("{} the nearest, within {}, of one of REFERENCE", few, within)
+                                         : fmt::format("{} within {} of one of REFERENCE", few, within);
     std::string mend;
     if (keys.nearest && *keys.nearest > keys.within) {
         text += fmt::format("; the nearest {}are {} apart", keys.any_pair ? "others " : "", keys.nearest->text());
@@ -229,10 +232,14 @@ std::string few_keys_met(const stream::KeysMet& keys) {
     const auto size_of = [](const stream::KeysMet::Range& range) {
         return std::max(std::abs(range.first.rounded()), std::abs(range.last.rounded()));
     };
-    const double size = size_of(own);
-    const double other = size_of(reference);
-    if (std::max(size, other) >= 900.0 * std::min(size, other)) { // nearly a thousandfold: other units
-        return text + fmt::format("; FILE's go to {}, REFERENCE's to {}: --time-unit", rough(size), rough(other));
+    const auto span_of = [&size_of](const stream::KeysMet::Range& range) {
+        return range.first < range.last ? distance(range.first, range.last).rounded() : size_of(range);
+    };
+    const double span = span_of(own);
+    const double other = span_of(reference);
+    if (std::min(span, other) > 0.0 && std::max(span, other) >= 900.0 * std::min(span, other)) { // other units
+        return text + fmt::format("; FILE's go to {}, REFERENCE's to {}: --time-unit", rough(size_of(own)),
+                                  rough(size_of(reference)));
     }
     text += mend;
     if (own.last < reference.first || reference.last < own.first) {

@@ -180,6 +180,10 @@ Spec RowOptions::spec_of(const Option& option, const std::string& text, bool as_
     }
     const auto parsed = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&parsed)) {
+        const auto is_spec = [](std::string_view each) { return std::holds_alternative<Spec>(parse_spec(each)); };
+        if (std::ranges::all_of(items_of(text), is_spec)) {
+            throw Usage("{} {}: it takes one SPEC here", option.name(), quoted(text));
+        }
         throw Usage("{} {}: {}", option.name(), quoted(text), messages::explain(*error));
     }
     const Spec& spec = std::get<Spec>(parsed);

@@ -15,7 +15,9 @@ struct KeyDistance {
     Uint128 units = 0; ///< 1e-18 each
 
     friend constexpr bool operator==(const KeyDistance&, const KeyDistance&) = default;
-    friend constexpr auto operator<=>(const KeyDistance& a, const KeyDistance& b) noexcept { return a.units <=> b.units; }
+    friend constexpr auto operator<=>(const KeyDistance& a, const KeyDistance& b) noexcept {
+        return a.units <=> b.units;
+    }
     /// The nearest double.
     [[nodiscard]] double rounded() const;
     /// All its digits.

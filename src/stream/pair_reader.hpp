@@ -30,7 +30,10 @@ public:
 
     bool read(Job& job) override;
     [[nodiscard]] bool is_ready() const override { return dry_ == nullptr || dry_->is_ready(); }
-    void finish(Output& output, bool at_end) override { rows_.blocks.finish(output, at_end); }
+    void finish(Output& output, bool at_end) override {
+        rows_.blocks.finish(output, at_end);
+        references_.blocks.finish(output, at_end);
+    }
     [[nodiscard]] std::optional<StreamError> error() const override;
     [[nodiscard]] const Layout& layout() const override { return rows_.blocks.layout(); }
     [[nodiscard]] const Layout* reference_layout() const override { return &references_.blocks.layout(); }

@@ -302,7 +302,8 @@ void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
 
 void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
-    auto next_key = json_keys_.begin();
+    auto next_key = json_keys_.begin(); // those of the result are not used in a block
+    next_key += options_->block ? static_cast<std::ptrdiff_t>(row.result.size()) : 0;
     const auto begin_member = [&to] {
         if (to[to.size() - 1] != '{') {
             append(to, ", ");
