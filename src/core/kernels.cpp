@@ -143,7 +143,7 @@ Turns move_axes(const Spec& spec, bool inverse, Turns turns, const double*& in, 
 // Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
 
 /// No branch, and bits of a double's size: the loop vectorises.
-template <bool (*is_plain)(double) noexcept> bool all(const double* numbers, std::size_t count) noexcept {
+template <class Function> bool all(const double* numbers, std::size_t count, const Function& is_plain) noexcept {
     std::uint64_t others = 0;
     for (std::size_t i = 0; i < count; ++i) {
         others |= is_plain(numbers[i]) ? 0U : 1U;
@@ -151,25 +151,28 @@ template <bool (*is_plain)(double) noexcept> bool all(const double* numbers, std
     return others == 0;
 }
 
-bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows) noexcept {
-    return kernel_of(spec.name).reading_is_exact || all<is_plain_number>(numbers, rows * spec.size());
+bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows, bool exactly) noexcept {
+    const Kernel& kernel = kernel_of(spec.name);
+    const double least = exactly ? kernel.least_plain_number : 0x1p-112;
+    return kernel.reading_is_exact ||
+           all(numbers, rows * spec.size(), [least](double number) { return is_plain_number(number, least); });
 }
 
 template <class T> bool all_plain(const AttitudeBatch<T>& attitudes, std::size_t first, std::size_t rows) noexcept {
-    const auto is_plain = [&](std::size_t k) { return all<is_plain_component>(attitudes[k].hi + first, rows); };
+    const auto is_plain = [&](std::size_t k) { return all(attitudes[k].hi + first, rows, is_plain_component); };
     return is_plain(0) && is_plain(1) && is_plain(2) && is_plain(3);
 }
 
 /// Calls careful(i) for each row without error that is one of them.
 template <class T, class Function> void for_each_careful_row(const Spec& spec, const double* numbers,
                                                              const AttitudeBatch<T>& attitudes, std::size_t rows,
-                                                             const Function& careful) noexcept {
-    if (all_plain(attitudes, 0, rows) && all_plain_numbers(spec, numbers, rows)) {
+                                                             const Function& careful, bool exactly = true) noexcept {
+    if (all_plain(attitudes, 0, rows) && all_plain_numbers(spec, numbers, rows, exactly)) {
         return;
     }
     for (std::size_t i = 0; i < rows; ++i) {
         if (attitudes.error[i] == Error::none &&
-            !(all_plain(attitudes, i, 1) && all_plain_numbers(spec, numbers + i * spec.size(), 1))) {
+            !(all_plain(attitudes, i, 1) && all_plain_numbers(spec, numbers + i * spec.size(), 1, exactly))) {
             careful(i);
         }
     }
@@ -245,11 +248,12 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     const Turns turns = read_plainly(from, inverse, *batch.turns, in, rows, moved, attitudes);
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
     round(attitudes, rows, rounded);
-    for_each_careful_row(from, in, attitudes, rows, [&](std::size_t i) {
+    const auto careful = [&](std::size_t i) {
         if (to.name != RepresentationId::quat || !keeps_bits(attitudes, i)) {
             convert_carefully(batch, turns, in, i, rounded, out, rest, diagnostics);
         }
-    });
+    };
+    for_each_careful_row(from, in, attitudes, rows, careful, !std::is_same_v<T, double>);
 }
 
 bool convert_first(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
@@ -449,8 +453,8 @@ void rotate(const Spec& spec, const double* numbers, const double* vectors, std:
     };
     for_each_careful_row(spec, numbers, attitudes, rows, careful);
     for (std::size_t i = 0; i < rows; ++i) {
-        if (!all<is_plain_number>(vectors + 3 * i, 3) && all_finite(vectors + 3 * i, 3) &&
-            attitudes.error[i] == Error::none) {
+        if (!all(vectors + 3 * i, 3, [](double number) { return is_plain_number(number); }) &&
+            all_finite(vectors + 3 * i, 3) && attitudes.error[i] == Error::none) {
             careful(i);
         }
     }
@@ -458,7 +462,7 @@ void rotate(const Spec& spec, const double* numbers, const double* vectors, std:
 
 Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
     const Error error = kernel_of(spec.name).one.read(spec, numbers, q, defect);
-    if (error == Error::none && !all_plain_numbers(spec, numbers, 1)) [[unlikely]] {
+    if (error == Error::none && !all_plain_numbers(spec, numbers, 1, false)) [[unlikely]] {
         Careful careful[4];
         read_carefully(spec, numbers, false, no_turns, careful);
         for (std::size_t k = 0; k < 4; ++k) {
@@ -469,7 +473,7 @@ Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& 
 }
 
 DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept {
-    if (!all<is_plain_component>(q, 4)) [[unlikely]] {
+    if (!all(q, 4, is_plain_component)) [[unlikely]] {
         return write_carefully(spec, lock_margin, {q[0], q[1], q[2], q[3]}, numbers, nullptr);
     }
     return kernel_of(spec.name).one.write(spec, lock_margin, q, numbers);

@@ -198,10 +198,10 @@ ROTCONV_INLINE DoubleDouble precise_product(double a, double b) noexcept { retur
 template <class T> ROTCONV_INLINE T precise_product(const T& a, const T& b) noexcept { return a * b; }
 
 /// 0, or of a size at which no product that a formula forms of such numbers, and of what comes of them, leaves the
-/// range of DoubleDouble.
-ROTCONV_INLINE bool is_plain_number(double value) noexcept {
+/// range of DoubleDouble: of the eighth degree, or as `least` says.
+ROTCONV_INLINE bool is_plain_number(double value, double least = 0x1p-112) noexcept {
     const double size = __builtin_fabs(value);
-    return size == 0.0 || (size >= 0x1p-112 && size <= 0x1p112);
+    return size == 0.0 || (size >= least && size <= 0x1p112);
 }
 /// The same of a component of a quaternion of ordinary length.
 ROTCONV_INLINE bool is_plain_component(double value) noexcept {

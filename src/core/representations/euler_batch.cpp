@@ -342,7 +342,9 @@ constexpr Kernel kernel_of_angles{.fast = {.read = Angles::read<double>, .write 
                                   .careful = {.read = Angles::read_carefully, .write = Angles::write_one<Careful>},
                                   // elsewhere they gain nothing
                                   .read_first = ROTCONV_HAS_FMA != 0 ? Angles::read_first : nullptr,
-                                  .write_first = ROTCONV_HAS_FMA != 0 ? Angles::write_first : nullptr};
+                                  .write_first = ROTCONV_HAS_FMA != 0 ? Angles::write_first : nullptr,
+                                  // the sines of three halves are multiplied, which are 2^-7 of degrees
+                                  .least_plain_number = 0x1p-300};
 
 } // namespace
 

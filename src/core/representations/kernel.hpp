@@ -66,14 +66,17 @@ struct Kernel {
     BatchKernel<DoubleDouble> exact;
     RowKernel one;
     CarefulKernel careful;
-    // First phases, to about 2^-66, or null. They leave rows open, and must leave those that are not plain; what they
-    // make of the others is what the exact kernels make of them, and nothing to report.
+    // First phases of plain rows, to about 2^-66, or null. They leave some rows open. What they make of the others is
+    // what the exact kernels make of them, with nothing to report.
     /// BatchKernel::read() to a quaternion that is unit: each component as it is printed, except for its sign.
     void (*read_first)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
                        bool* open) noexcept = nullptr;
     /// BatchKernel::write().
     void (*write_first)(const Spec& spec, double lock_margin, const AttitudeBatch<DoubleDouble>& attitudes,
                         std::size_t rows, double* numbers, bool* open) noexcept = nullptr;
+    /// Numbers of this size or more are plain for exact.read. It forms products of the eighth degree, or of one that is
+    /// stated beside another limit: they stay above 2^-960.
+    double least_plain_number = 0x1p-112;
     bool reading_is_exact = false; ///< numbers of any size, but for a power of two
 };
 
