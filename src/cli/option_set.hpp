@@ -49,8 +49,18 @@ struct Option {
     [[nodiscard]] const std::string& text() const noexcept;
 };
 
-/// The options of a command, in the order of its help, and the words of a command line that are not options.
-class OptionSet {
+/// The words of a command line that are not options, and what is wrong with those that are.
+struct Operands {
+    std::vector<std::string> values{};
+    std::vector<std::string> files{};
+    std::vector<WordEnd> file_words{}; ///< of FILEs
+    std::string first_option{};
+    std::string unknown{}; ///< the first option that the command does not have
+    std::string misuse{};  ///< what is wrong with an option, in words
+};
+
+/// The options of a command, in the order of its help, and what is given beside them.
+class OptionSet : public Operands {
 public:
     OptionSet() = default;
     OptionSet(const OptionSet&) = delete;
@@ -83,13 +93,6 @@ public:
     [[nodiscard]] std::size_t read(const std::vector<std::string>& words, std::size_t begin,
                                    const std::function<bool(std::string_view)>& is_command,
                                    const std::function<bool(std::string_view)>& has_meaning);
-
-    std::vector<std::string> values{};
-    std::vector<std::string> files{};
-    std::vector<WordEnd> file_words{}; ///< of FILEs
-    std::string first_option{};
-    std::string unknown{}; ///< the first option that the command does not have
-    std::string misuse{};  ///< what is wrong with an option, in words
 
 private:
     std::vector<Option*> options_;
