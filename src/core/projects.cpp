@@ -139,7 +139,8 @@ std::span<const Project> presets() noexcept { return std::span(project_table).fi
 
 const Project* find_project(std::string_view name) noexcept {
     const auto* const found = std::ranges::find_if(project_table, [name](const Project& each) {
-        return each.text == name || std::ranges::count(split(each.others, ' '), name) != 0;
+        return each.text == name || (each.others.find(name) != std::string_view::npos && // most are not split
+                                     std::ranges::count(split(each.others, ' '), name) != 0);
     });
     return name.empty() || found == project_table.end() ? nullptr : found;
 }
