@@ -8,19 +8,6 @@
 namespace rotconv::stream {
 namespace {
 
-std::size_t count_newlines(std::string_view text) noexcept {
-    constexpr std::size_t most = 240; // fits one byte, so that the inner loop runs over whole vectors of bytes
-    std::size_t count = 0;
-    for (; !text.empty(); text.remove_prefix(std::min(most, text.size()))) {
-        unsigned char part = 0;
-        for (const char c : text.substr(0, most)) {
-            part = static_cast<unsigned char>(part + (c == '\n' ? 1 : 0));
-        }
-        count += part;
-    }
-    return count;
-}
-
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 } // namespace
@@ -62,7 +49,7 @@ bool IoBlockReader::read(IoBlock& block) {
     if (row_size_ == 0 && line_ == 1 && block.text.starts_with(byte_order_mark)) {
         block.text.remove_prefix(byte_order_mark.size());
     }
-    line_ += row_size_ > 0 ? *size / row_size_ : count_newlines(block.text);
+    line_ += row_size_ > 0 ? *size / row_size_ : count_of('\n', block.text);
     return true;
 }
 
@@ -81,6 +68,19 @@ std::optional<std::size_t> IoBlockReader::whole_rows(std::string_view bytes, std
         return std::nullopt;
     }
     return finished_ ? bytes.size() : newline == std::string_view::npos ? 0 : bytes.rfind('\n') + 1;
+}
+
+std::size_t count_of(char character, std::string_view text) noexcept {
+    constexpr std::size_t most = 240; // fits one byte, so that the inner loop runs over whole vectors of bytes
+    std::size_t count = 0;
+    for (; !text.empty(); text.remove_prefix(std::min(most, text.size()))) {
+        unsigned char part = 0;
+        for (const char c : text.substr(0, most)) {
+            part = static_cast<unsigned char>(part + (c == character ? 1 : 0));
+        }
+        count += part;
+    }
+    return count;
 }
 
 Line next_line(std::string_view& text) noexcept {

@@ -1,10 +1,7 @@
 #include "row_reader.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -33,37 +30,6 @@ static_assert(RowReader::room_behind >= NumberScan::reach);
             return nullptr;
         }
     }
-}
-
-using Bytes [[gnu::vector_size(16)]] = char;
-
-Bytes sixteen(const char* at) noexcept {
-    Bytes bytes;
-    std::memcpy(&bytes, at, sizeof bytes);
-    return bytes;
-}
-
-/// How often a character stands between `at` and the end of a row of sixteen or more. std::count adds up numbers of
-/// eight bytes, and takes twice as long.
-std::size_t count_of(char character, const char* at, const char* end) noexcept {
-    constexpr std::ptrdiff_t size = sizeof(Bytes);
-    if (end - at > 126 * size) { // otherwise the sum of two counts is a byte
-        return static_cast<std::size_t>(std::count(at, end, character));
-    }
-    static constexpr auto masks = [] { // none, and all
-        std::array<char, 2 * size> made{};
-        std::fill(made.begin() + size, made.end(), static_cast<char>(-1));
-        return made;
-    }();
-    Bytes counts{};
-    for (; end - at >= size; at += size) {
-        counts -= sixteen(at) == character;
-    }
-    counts -= (sixteen(end - size) == character) & sixteen(masks.data() + (end - at)); // those that are not yet counted
-    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(counts);
-    constexpr std::uint64_t even = 0x00FF00FF00FF00FF;
-    const std::uint64_t sums = halves[0] + halves[1];
-    return static_cast<std::size_t>((((sums & even) + ((sums >> 8U) & even)) * 0x0001000100010001) >> 48U);
 }
 
 } // namespace
@@ -105,8 +71,8 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
         if (is_plain && width_.fields > 0) {
             const auto last = static_cast<unsigned char>(end[-1]); // of an empty field, perhaps
             is_plain = ends_here ? behind_ == 0
-                                 : last > ' ' && end[-1] != delimiter.text() && line.text.size() >= sizeof(Bytes) &&
-                                       count_of(delimiter.text(), at, end) == behind_;
+                                 : last > ' ' && end[-1] != delimiter.text() &&
+                                       count_of(delimiter.text(), {at, end}) == behind_;
         }
     } else if (is_plain) {
         const char* const newline = at != end && *at == '\r' ? at + 1 : at;
