@@ -97,7 +97,7 @@ std::string advice_on_print(std::string_view text, const std::vector<stream::Lin
         return "messages that are parted by --- are printed as rows by ros2 topic echo --csv";
     }
     Values values = values_of({std::string(text)}, std::nullopt);
-    if (input.numbers.attitude) {
+    if (input.numbers.attitude && values.labels.empty()) {
         take_attitude(values, *input.numbers.attitude);
     }
     Fields fields;

@@ -139,6 +139,20 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& spelling, con
     return {};
 }
 
+/// The first spelling of which all names are there.
+std::optional<KnownNames> find_spelling(const std::vector<Spelling>& spellings, std::span<const std::string> names) {
+    const auto texts = mapped(names, [](const std::string& name) { return lower(name); });
+    const auto without_units = mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
+    for (const Spelling& spelling : spellings) {
+        for (const auto* each : {&texts, &without_units}) {
+            if (auto places = places_of(spelling.names, *each); !places.empty()) {
+                return KnownNames{std::move(places), spelling.is_numbered};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 /// The name and the unit that a text of a header holds: "yaw [deg]", "w_x_rad_s".
@@ -164,16 +178,19 @@ bool KnownNames::are_in_order() const noexcept {
 }
 
 std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names) {
-    const auto texts = mapped(names, [](const std::string& name) { return lower(name); });
-    const auto without_units = mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
-    for (const Spelling& spelling : spellings(spec)) {
-        for (const auto* each : {&texts, &without_units}) {
-            if (auto places = places_of(spelling.names, *each); !places.empty()) {
-                return KnownNames{std::move(places), spelling.is_numbered};
-            }
-        }
-    }
-    return std::nullopt;
+    return find_spelling(spellings(spec), names);
+}
+
+std::optional<KnownNames> find_names(std::span<const std::string> own, std::span<const std::string> names) {
+    return find_spelling({{{own.begin(), own.end()}}}, names);
+}
+
+std::string wrong_order(std::span<const std::string> own, std::span<const std::string> names) {
+    const auto known = find_names(own, names);
+    return !known || known->are_in_order()
+               ? ""
+               : fmt::format("{} is not the order of {}", quoted(fmt::format("{}", fmt::join(names, ","))),
+                             fmt::join(own, ","));
 }
 
 std::string wrong_order(const Spec& spec, std::span<const std::string> names) {

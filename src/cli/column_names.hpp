@@ -31,6 +31,13 @@ struct KnownNames {
 /// y z; 11 to 33, or 00 to 22; roll pitch yaw; 0 1 2 3 for a quaternion.
 [[nodiscard]] std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names);
 
+/// The same of names that are given, such as those of a vector, which count in that spelling alone.
+[[nodiscard]] std::optional<KnownNames> find_names(std::span<const std::string> own,
+                                                   std::span<const std::string> names);
+
+/// What is wrong with names that are `own` ones in another order, as the end of a sentence; otherwise empty.
+[[nodiscard]] std::string wrong_order(std::span<const std::string> own, std::span<const std::string> names);
+
 /// What is wrong with names that are those of the SPEC's numbers in another order, as the end of a sentence; otherwise
 /// empty.
 [[nodiscard]] std::string wrong_order(const Spec& spec, std::span<const std::string> names);

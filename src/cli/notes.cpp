@@ -46,6 +46,13 @@ public:
                 units_[first + i] = spec.unit == AngleUnit::degrees ? "deg" : "rad";
             }
         }
+        const std::size_t begin = input.numbers.kept + (input.numbers.attitude ? input.numbers.attitude->size() : 0);
+        const std::size_t end = names.size() - (input.numbers.second ? input.numbers.second->size() : 0);
+        if (begin < end) {
+            vector_ = {
+                begin,
+                {names.begin() + static_cast<std::ptrdiff_t>(begin), names.begin() + static_cast<std::ptrdiff_t>(end)}};
+        }
     }
 
     [[nodiscard]] std::vector<std::string> own_names(std::vector<std::string> names) const {
@@ -62,14 +69,19 @@ public:
 
     /// Refuses selected names in another order than the SPEC's, which would give a wrong attitude in silence.
     void refuse_other_order(const stream::ColumnList& columns, std::string_view option) const {
-        const auto names = columns.names();
+        const auto views = columns.names();
+        const std::vector<std::string> names(views.begin(), views.end());
+        const auto refuse = [&option](const std::string& wrong) {
+            if (!wrong.empty()) {
+                throw Usage("{} {} (if the file is mislabelled, select by index)", option, wrong);
+            }
+        };
+        refuse(wrong_order(vector_.second, std::span(names).subspan(vector_.first, vector_.second.size())));
         for (const auto& [first, spec] : attitudes_) {
             const std::vector<std::string> own(names.begin() + static_cast<std::ptrdiff_t>(first),
                                                names.begin() + static_cast<std::ptrdiff_t>(first + spec.size()));
             const auto known = find_names(spec, own);
-            if (const std::string wrong = wrong_order(spec, own); !wrong.empty() && !known->is_numbered) {
-                throw Usage("{} {} (if the file is mislabelled, select by index)", option, wrong);
-            }
+            refuse(known && known->is_numbered ? "" : wrong_order(spec, own));
         }
     }
 
@@ -93,6 +105,10 @@ public:
                 tell_names(spec, std::span(said.names).subspan(first, spec.size()), said.header, add);
             }
         }
+        if (said.names.size() >= vector_.first + vector_.second.size()) {
+            add_order(wrong_order(vector_.second, std::span(said.names).subspan(vector_.first, vector_.second.size())),
+                      refuses_, add);
+        }
         for (std::size_t i = 0; i < said.names.size(); ++i) {
             const auto unit = name_and_unit(said.names[i]).second;
             const std::string& own = units_[i];
@@ -105,17 +121,19 @@ public:
     }
 
 private:
-    /// Of the columns that are read, and of the header that they are in.
+    template <class Add> static void add_order(const std::string& wrong, bool is_error, const Add& add) {
+        if (!wrong.empty()) {
+            add(Kind::order,
+                fmt::format("the header {}{}", wrong, is_error ? " (if it is mislabelled, select by index)" : ""),
+                is_error);
+        }
+    }
+
+    /// Tells what the names of the columns that are read say, and the header that they are in.
     template <class Add> void tell_names(const Spec& spec, std::span<const std::string> names,
                                          std::span<const std::string> header, const Add& add) const {
         if (const auto known = find_names(spec, names)) {
-            const bool is_error = refuses_ && !known->is_numbered;
-            const std::string wrong = wrong_order(spec, names);
-            add(Kind::order,
-                wrong.empty()
-                    ? wrong
-                    : fmt::format("the header {}{}", wrong, is_error ? " (if it is mislabelled, select by index)" : ""),
-                is_error);
+            add_order(wrong_order(spec, names), refuses_ && !known->is_numbered, add);
         } else if (const auto others = is_by_index_ ? find_names(spec, header) : known;
                    others && !others->is_numbered) {
             const auto& places = others->places;
@@ -148,12 +166,13 @@ private:
                            unit == "deg" ? "add" : "leave out");
     }
 
-    bool degrees_;                                        ///< angular velocities too
-    std::string time_option_;                             ///< that names the unit
-    bool refuses_;                                        ///< names in another order
-    bool is_by_index_;                                    ///< the columns are selected so, and not by name
-    std::vector<std::string> units_;                      ///< of each number; empty: not one of those in headers
-    std::vector<std::pair<std::size_t, Spec>> attitudes_; ///< each with the place of its first number
+    bool degrees_;                                            ///< angular velocities too
+    std::string time_option_;                                 ///< that names the unit
+    bool refuses_;                                            ///< names in another order
+    bool is_by_index_;                                        ///< the columns are selected so, and not by name
+    std::vector<std::string> units_;                          ///< of each number; empty: not one of those in headers
+    std::vector<std::pair<std::size_t, Spec>> attitudes_;     ///< each with the place of its first number
+    std::pair<std::size_t, std::vector<std::string>> vector_; ///< the names of a vector or of rates, from that place on
 };
 
 /// The first of the texts that is a change of axes, as an option; nothing where the axes stay as they are.

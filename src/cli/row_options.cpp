@@ -164,11 +164,19 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
         }
         command.notes.push_back(std::move(note));
     }
-    if (const auto& spec = in.numbers.attitude; spec && !find_names(*spec, std::span(labels).first(spec->size()))) {
+    const auto& spec = in.numbers.attitude;
+    if (!spec) {
+        return;
+    }
+    const auto own = std::span(labels).subspan(kept, spec->size());
+    std::vector<std::string> given(own.begin(), own.end());
+    std::erase(given, "");
+    const auto known = find_names(operations::names_of(*spec), own);
+    if (!given.empty() && !find_names(*spec, own) && !(known && known->are_in_order())) {
         command.notes.push_back(
             {.kind = stream::Note::Kind::order,
              .text = fmt::format("the labels {} are not names of {}: the numbers are read as they stand",
-                                 fmt::join(labels, ","), spec->text())});
+                                 fmt::join(given, ","), spec->text())});
     }
 }
 
@@ -420,7 +428,8 @@ RowsCommand RowOptions::rows_command(const stream::RowNumbers& numbers, operatio
     command.input = or_else(files.empty() ? input.text() : files[0], command.input);
     command.output = or_else(output.text(), command.output);
     command.options = {
-        .input = input_of(*this, selected, time_unit, numbers, subject, numbers.attitude.has_value()),
+        .input = input_of(*this, selected, time_unit, numbers, subject,
+                          numbers.attitude || !numbers.second), // identify does not refuse names
         .operation = std::move(operation),
         .format = one_of<Format>(
             "format", format,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <utility>
 
 #include "../stream/fmt.hpp"
@@ -196,22 +195,24 @@ void take_attitude(Values& values, const Spec& spec) {
         return stream::read_number(stream::trimmed(fields[at]), value) == stream::NumberError::none &&
                value == expected;
     };
-    const bool is_pose = spec.name == RepresentationId::dcm && fields.size() == 16 && is(12, 0.0) && is(13, 0.0) &&
-                         is(14, 0.0) && is(15, 1.0);
-    std::vector<std::size_t> places;
-    if (is_pose) {
-        places = {0, 1, 2, 4, 5, 6, 8, 9, 10};
-    } else if (fields.size() > spec.size() && values.labels.size() == fields.size() &&
-               std::set(values.labels.begin(), values.labels.end()).size() == fields.size()) {
-        const auto known = find_names(spec, values.labels);
-        places = known && !known->is_numbered ? known->places : places;
-        std::ranges::sort(places); // another order is told as such
-    }
-    if (!places.empty()) {
+    if (spec.name == RepresentationId::dcm && fields.size() == 16 && is(12, 0.0) && is(13, 0.0) && is(14, 0.0) &&
+        is(15, 1.0)) {
+        const std::array<std::size_t, 9> places{0, 1, 2, 4, 5, 6, 8, 9, 10};
         const auto kept = mapped(places, [&fields](std::size_t place) { return fields[place]; });
         values.row = fmt::format("{}", fmt::join(kept, std::string(1, values.delimiter.text())));
-        values.labels = is_pose ? std::vector<std::string>()
-                                : mapped(places, [&values](std::size_t place) { return values.labels[place]; });
+        values.labels.clear();
+    } else if (const auto known = find_names(spec, values.labels); known && !known->is_numbered &&
+                                                                   fields.size() > spec.size() &&
+                                                                   std::ranges::all_of(fields, stream::is_number)) {
+        std::vector<std::string> names;
+        std::vector<std::size_t> columns;
+        for (const std::size_t place : known->places) {
+            names.push_back(values.labels[place]);
+            columns.push_back(place + 1);
+        }
+        const std::string list = fmt::format("{}", fmt::join(columns, ","));
+        throw Usage("{} where {} has {}: {} are at {} (--columns {})", counted(fields.size(), "number"), spec.text(),
+                    spec.size(), fmt::format("{}", fmt::join(names, ",")), list, list);
     }
 }
 

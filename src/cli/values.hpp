@@ -31,8 +31,8 @@ struct Values {
 /// without a number, a word before the first number alone, and marks without letters and digits are left out.
 [[nodiscard]] Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given);
 
-/// Leaves the attitude of a pose: the rotation of a matrix of 4x4, row by row, whose last row is 0 0 0 1; of more
-/// numbers than the SPEC has, each with a label of its own, those with the names of the SPEC's.
+/// Leaves the rotation of a matrix of 4x4, row by row, whose last row is 0 0 0 1.
+/// @throw Usage if there are more numbers than the SPEC has, and labels that name its own among them
 void take_attitude(Values& values, const Spec& spec);
 
 } // namespace rotconv::cli
