@@ -108,7 +108,8 @@ const Meaning* find_meaning(std::string_view word) {
     const std::string plain = without_marks(lower(word));
     const auto* const found = std::ranges::find_if(meanings, [&](const Meaning& meaning) {
         const auto words = words_in(meaning.words);
-        return std::ranges::count(words, plain) + std::ranges::count(words, word) != 0;
+        const bool is_whole = plain.size() > 1 || word.size() == 1; // not the t of -t
+        return (is_whole && std::ranges::count(words, plain) > 0) || std::ranges::count(words, word) > 0;
     });
     return found == meanings.end() ? nullptr : &*found;
 }
