@@ -108,7 +108,11 @@ Error polar_factor(const double* matrix, double* factor, double& defect) noexcep
     const Vector3d u2 = singular.left.col(1) / values[1];
     const Vector3d v1 = singular.right.col(0);
     const Vector3d v2 = singular.right.col(1);
-    Eigen::Map<RowMajor>{factor} = u1 * v1.transpose() + u2 * v2.transpose() + u1.cross(u2) * v1.cross(v2).transpose();
+    const Vector3d u3 = u1.cross(u2);
+    const Vector3d v3 = v1.cross(v2);
+    for (Eigen::Index i = 0; i < 9; ++i) { // an expression of Eigen's would leave a symbol that users could replace
+        factor[i] = u1[i / 3] * v1[i % 3] + u2[i / 3] * v2[i % 3] + u3[i / 3] * v3[i % 3];
+    }
     return Error::none;
 }
 
