@@ -14,7 +14,7 @@ using accuracy::spec;
 
 constexpr int size = tried(2000);
 
-// Would catch: any loss of digits anywhere, however near to a singularity.
+// Catches any loss of digits anywhere, however near to a singularity.
 TEST_CASE("every way stays within its limit in radians") {
     const auto way = GENERATE(from_range(accuracy::ways()));
     const auto worst = accuracy::worst_of(way, size);
@@ -23,7 +23,7 @@ TEST_CASE("every way stays within its limit in radians") {
     CHECK((is_sanitized || worst.error > 0.3 * way.worst)); // a check that sees no error sees nothing
 }
 
-// Would catch: a reduction of degrees or a factor of pi/180 that costs digits.
+// Catches a reduction of degrees or a factor of pi/180 that costs digits.
 TEST_CASE("every way stays within its limit in degrees") {
     for (const auto& way : accuracy::ways()) {
         if (spec(way.from == "euler" ? "rpy" : way.from).in_degrees().unit == rotconv::AngleUnit::radians &&
@@ -36,7 +36,7 @@ TEST_CASE("every way stays within its limit in degrees") {
     }
 }
 
-// Would catch: squares that underflow, sums that swallow a small angle.
+// Catches squares that underflow, sums that swallow a small angle.
 TEST_CASE("tiny angles keep their relative accuracy") {
     strata::Source source(21);
     const std::vector<std::string> names{"quat", "rotvec", "cayley", "mrp"};
@@ -57,7 +57,7 @@ TEST_CASE("tiny angles keep their relative accuracy") {
     }
 }
 
-// Would catch: a projection by 1 in the place of a length that is nearly 1, which is lost beside a turn of ordinary
+// Catches a projection by 1 in the place of a length that is nearly 1, which is lost beside a turn of ordinary
 // size.
 TEST_CASE("matrices and columns that are nearly clean keep the relative accuracy of a small angle") {
     strata::Source source(22);
@@ -78,7 +78,7 @@ TEST_CASE("matrices and columns that are nearly clean keep the relative accuracy
     }
 }
 
-// Would catch: an argument reduction that fails for huge angles. sin and cos of 1e22 are Payne and Hanek's example;
+// Catches an argument reduction that fails for huge angles. sin and cos of 1e22 are Payne and Hanek's example;
 // the digits come from 60-digit arithmetic.
 TEST_CASE("angles of any finite size are taken modulo the full turn") {
     const auto quat = spec("quat");
@@ -103,7 +103,7 @@ TEST_CASE("angles of any finite size are taken modulo the full turn") {
     CHECK(turned[1] == Approx(16.0).epsilon(1e-15));
 }
 
-// Would catch: a page that claims other limits or figures than the tests hold.
+// Catches a page that claims other limits or figures than the tests hold.
 TEST_CASE("the page on accuracy shows the table of limits") {
     std::ifstream file(ROTCONV_EXAMPLES "/accuracy.md");
     const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -115,7 +115,7 @@ TEST_CASE("the page on accuracy shows the table of limits") {
     }
 }
 
-// Would catch: a README that promises less or more than the table.
+// Catches a README that promises less or more than the table.
 TEST_CASE("the README lists the limits of plain double arithmetic") {
     std::ifstream file(ROTCONV_README);
     std::string readme{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -141,7 +141,7 @@ double alternated(const std::vector<Pair>& pairs, Quaternion right) {
 
 } // namespace
 
-// Would catch: a turn on the wrong side or the wrong way round, a sum that depends on the sign or the norm of a row,
+// Catches a turn on the wrong side or the wrong way round, a sum that depends on the sign or the norm of a row,
 // and digits lost in sums.
 TEST_CASE("exact constant turns are found to a few eps") {
     Source source(1);
@@ -163,7 +163,7 @@ TEST_CASE("exact constant turns are found to a few eps") {
     }
 }
 
-// Would catch: sums whose differences tell the turn, and steps that a sum of cosines is to judge.
+// Catches sums whose differences tell the turn, and steps that a sum of cosines is to judge.
 TEST_CASE("small motions keep the digits of turns on both sides that they have") {
     Source source(2);
     for (const double spread : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
@@ -179,7 +179,7 @@ TEST_CASE("small motions keep the digits of turns on both sides that they have")
     }
 }
 
-// Would catch: sums that drift.
+// Catches sums that drift.
 TEST_CASE("a hundred thousand pairs lose no digits") {
     Source source(3);
     for (const AlignedSide side : sides) {
@@ -192,7 +192,7 @@ TEST_CASE("a hundred thousand pairs lose no digits") {
     }
 }
 
-// Would catch: a step that stops early, and a maximum that is not the highest.
+// Catches a step that stops early, and a maximum that is not the highest.
 TEST_CASE("no other turns leave less than those that are found") {
     Source source(4);
     for (int run = 0; run < tried(1000); ++run) {
@@ -230,7 +230,7 @@ TEST_CASE("the first pair alone tells its turn") {
     }
 }
 
-// Would catch: an answer from rounding alone.
+// Catches an answer from rounding alone.
 TEST_CASE("pairs that do not determine turns are told") {
     Source source(6);
     for (const AlignedSide side : sides) {
@@ -268,7 +268,7 @@ TEST_CASE("pairs that do not determine turns are told") {
     }
 }
 
-// Would catch: a spread that drowns in the sums of the turns themselves.
+// Catches a spread that drowns in the sums of the turns themselves.
 TEST_CASE("the spread of turns about their mean keeps its digits") {
     Source source(7);
     for (const double size : {1e-12, 1e-9, 1e-6, 1e-3, 0.1}) {

@@ -50,7 +50,7 @@ const std::vector<std::string>& specs() {
 
 } // namespace
 
-// Would catch: an arc cosine (wrong by 1e-8 near 0 and pi), a product in plain double, a convention of one side only.
+// Catches an arc cosine (wrong by 1e-8 near 0 and pi), a product in plain double, a convention of one side only.
 TEST_CASE("the angle between any two representations is right near 0, near pi and between") {
     strata::Source source(41);
     for (const auto& from : specs()) {
@@ -84,7 +84,7 @@ TEST_CASE("the angle between any two representations is right near 0, near pi an
     }
 }
 
-// Would catch: a turn of the reference too, sides exchanged, a turn of numbers that are the inverse, and one that the
+// Catches a turn of the reference too, sides exchanged, a turn of numbers that are the inverse, and one that the
 // product or extraordinary rows miss.
 TEST_CASE("constant rotations turn the first attitude of a comparison") {
     strata::Source source(44);
@@ -116,7 +116,7 @@ TEST_CASE("constant rotations turn the first attitude of a comparison") {
     }
 }
 
-// Would catch: quotients, norms or roots that are rounded for one of two equal attitudes.
+// Catches quotients, norms or roots that are rounded for one of two equal attitudes.
 TEST_CASE("the same numbers, of either sign, are 0 apart") {
     strata::Source source(42);
     for (const auto& text : specs()) {
@@ -141,7 +141,7 @@ TEST_CASE("the same numbers, of either sign, are 0 apart") {
     }
 }
 
-// Would catch: a small angle that a square loses, or that a component near 1 swallows.
+// Catches a small angle that a square loses, or that a component near 1 swallows.
 TEST_CASE("quaternions near the identity give their angle in its own digits") {
     for (const double tiny : {1e-8, 1e-17, 1e-100, 1e-150, 1e-160}) {
         // 2 atan(|tiny - 3 tiny|), and across two axes
@@ -152,7 +152,7 @@ TEST_CASE("quaternions near the identity give their angle in its own digits") {
     }
 }
 
-// Would catch: two triples of one locked attitude that are told apart, a quaternion and its matrix.
+// Catches two triples of one locked attitude that are told apart, a quaternion and its matrix.
 TEST_CASE("one attitude in other numbers is at most 4 eps apart") {
     strata::Source source(43);
     for (int i = 0; i < 500; ++i) {
@@ -167,7 +167,7 @@ TEST_CASE("one attitude in other numbers is at most 4 eps apart") {
     }
 }
 
-// Would catch: an angle at the limit that is told, one above that is not, an error of the wrong attitude.
+// Catches an angle at the limit that is told, one above that is not, an error of the wrong attitude.
 TEST_CASE("what there is to tell of a comparison") {
     const auto within = [](double limit) {
         return compare("rotvec", "rotvec", {0, 0, 0.25, 0, 0, 0}, {.within = limit}).reports;
@@ -192,7 +192,7 @@ TEST_CASE("what there is to tell of a comparison") {
     CHECK(reports[0].reference_defect == Approx(0.0005));
 }
 
-// Would catch: readings in plain double, which are 3 eps off at worst. Found by a search against 100 digits.
+// Catches readings in plain double, which are 3 eps off at worst. Found by a search against 100 digits.
 TEST_CASE("the worst pairs that are known") {
     const auto off = [](const std::string& from, const std::string& reference, const std::vector<double>& row,
                         const char* exact) {

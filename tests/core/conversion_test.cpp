@@ -9,7 +9,7 @@
 
 using namespace rotconv;
 
-// Would catch: a typed conversion that means something else than its SPEC.
+// Catches a typed conversion that means something else than its SPEC.
 TEST_CASE("typed codecs convert a quarter turn about z") {
     const Reading reading = euler::to_rotation({{90, 0, 0}, "ZYX", AngleUnit::degrees});
     REQUIRE(reading);
@@ -29,7 +29,7 @@ TEST_CASE("typed codecs convert a quarter turn about z") {
     CHECK(euler::from_rotation(turn, roll_pitch_yaw).angles[2] == Approx(std::numbers::pi / 2));
 }
 
-// Would catch: a hub that scales by anything but powers of two, or prints the wrong one of its two signs.
+// Catches a hub that scales by anything but powers of two, or prints the wrong one of its two signs.
 TEST_CASE("the hub keeps a quaternion exactly up to a power of two") {
     const auto rotation = Rotation::from_components(-3e150, 0, 1.1e150, -7e140).canonical();
     CHECK(rotation.w() > 0);

@@ -69,7 +69,7 @@ double condition_by_differences(const std::string& to, const oracle::Quaternion&
 
 } // namespace
 
-// Would catch: a kind that is not noticed, or noticed where it is not there.
+// Catches a kind that is not noticed, or noticed where it is not there.
 TEST_CASE("each kind is reported where it holds and nowhere else") {
     const double s = std::sqrt(0.5);
     CHECK(kinds_of(report_of("quat", "dcm", {1, 0, 0, 2e-6})).empty());
@@ -95,14 +95,14 @@ TEST_CASE("each kind is reported where it holds and nowhere else") {
     CHECK(kinds_of(report_of("quat", "cayley", {1e-300, 0, 1, 0})).empty());
 }
 
-// Would catch: an infinite vector that loses its direction.
+// Catches an infinite vector that loses its direction.
 TEST_CASE("an infinite Cayley vector keeps its signs") {
     const auto cayley = accuracy::own(spec("quat"), spec("cayley"));
     CHECK(cayley(std::vector<double>{0, 0, -0.6, 0.8}) == std::vector<double>{0, infinity, -infinity});
     CHECK(cayley(std::vector<double>{1e-320, 1e-5, -1, 0}) == std::vector<double>{infinity, -infinity, 0});
 }
 
-// Would catch: a locked answer that is not the promised one, or a lock margin that is read in other units.
+// Catches a locked answer that is not the promised one, or a lock margin that is read in other units.
 TEST_CASE("locked angles have a zero third and a middle at its limit") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
         const std::string text = "euler:" + sequence.text();
@@ -123,7 +123,7 @@ TEST_CASE("locked angles have a zero third and a middle at its limit") {
     }
 }
 
-// Would catch: digits given up near lock at a lock margin of 0, an angle that noise has split at the default.
+// Catches digits given up near lock at a lock margin of 0, an angle that noise has split at the default.
 TEST_CASE("the third angle at exact lock is zero by default") {
     const auto to = spec("euler:ZYX:deg");
     const auto angles = accuracy::converted(to, to, std::vector<double>{30, 90, 20}).numbers;
@@ -132,7 +132,7 @@ TEST_CASE("the third angle at exact lock is zero by default") {
     CHECK(angles[2] == 0.0);
 }
 
-// Would catch: a figure that is not the defined one.
+// Catches a figure that is not the defined one.
 TEST_CASE("condition is the largest singular value of the map from small rotations") {
     strata::Source source(51);
     for (const std::string& to : accuracy::all_specs()) {
@@ -151,7 +151,7 @@ TEST_CASE("condition is the largest singular value of the map from small rotatio
     }
 }
 
-// Would catch: a margin measured to the wrong set, or with the digits of pi - theta lost.
+// Catches a margin measured to the wrong set, or with the digits of pi - theta lost.
 TEST_CASE("margin is the angle to the nearest singular attitude") {
     const auto about_z = [](double angle) { return std::vector<double>{0, 0, 1, angle}; };
     for (const std::string to : {"quat", "dcm", "6d", "5d"}) {
@@ -172,7 +172,7 @@ TEST_CASE("margin is the angle to the nearest singular attitude") {
     CHECK(report_of("quat", "axis-angle", {1, 0, 0, 0}, with_figures).sensitivity.condition == infinity);
 }
 
-// Would catch: a defect in another norm, or one that is only a bound where it decides.
+// Catches a defect in another norm, or one that is only a bound where it decides.
 TEST_CASE("the defect is the largest deviation of a singular value") {
     strata::Source source(61);
     for (const std::string from : {"dcm", "6d", "5d", "quat"}) {
@@ -194,7 +194,7 @@ TEST_CASE("the defect is the largest deviation of a singular value") {
     CHECK(report_of("rotvec", "quat", {1, 2, 3}, with_figures).defect == 0.0);
 }
 
-// Would catch: a test of clean columns that leaves out one length, or their angle.
+// Catches a test of clean columns that leaves out one length, or their angle.
 TEST_CASE("each way in which columns can be off is seen") {
     for (const std::size_t entry : {0U, 4U, 3U}) { // first length, second length, angle
         std::vector<double> row{1, 0, 0, 0, 1, 0};
@@ -208,7 +208,7 @@ TEST_CASE("each way in which columns can be off is seen") {
     }
 }
 
-// Would catch: a crash, or an answer, where there is no attitude.
+// Catches a crash, or an answer, where there is no attitude.
 TEST_CASE("numbers without an attitude are errors") {
     const rotconv::ConversionSettings any{.tolerance = infinity};
     CHECK(report_of("quat", "dcm", {0, 0, 0, 0}, any).error == Error::zero_quaternion);
@@ -236,7 +236,7 @@ TEST_CASE("numbers without an attitude are errors") {
     }
 }
 
-// Would catch: a representation whose numbers are said to turn the attitude by a multiple of what they do.
+// Catches a representation whose numbers are said to turn the attitude by a multiple of what they do.
 TEST_CASE("an error in a number turns the attitude by about what is said") {
     constexpr double error = 1e-7;
     strata::Source source(24);
@@ -262,7 +262,7 @@ TEST_CASE("an error in a number turns the attitude by about what is said") {
     }
 }
 
-// Would catch: a small number, an exponent, zeros at the end or a sign that has a part in the last place, an integer
+// Catches a small number, an exponent, zeros at the end or a sign that has a part in the last place, an integer
 // that has none.
 TEST_CASE("the last place of numbers is that of the large ones, printed with the fewest digits") {
     const auto last_place = [](const std::vector<double>& numbers) { return rotconv::last_place(numbers); };
@@ -284,7 +284,7 @@ TEST_CASE("the last place of numbers is that of the large ones, printed with the
     CHECK(last_place({0, 0}) == 0.0);
 }
 
-// Would catch: a defect that the digits explain and that is reported, or one that they do not explain and that is not;
+// Catches a defect that the digits explain and that is reported, or one that they do not explain and that is not;
 // a sum of both sides of a pair.
 TEST_CASE("a defect is reported where two units of the last place do not explain it") {
     const auto is_normalized = [](const std::vector<double>& row, bool decimal) {
@@ -305,7 +305,7 @@ TEST_CASE("a defect is reported where two units of the last place do not explain
     CHECK(reports[0].reference_unusual.defect == reports[0].reference_defect);
 }
 
-// Would catch: a figure that says too little or too much for one of the representations that are read, or at one end of
+// Catches a figure that says too little or too much for one of the representations that are read, or at one end of
 // the conditions.
 TEST_CASE("numbers within half a digit leave the result open by as much as is said") {
     constexpr int rows = 20'000;
@@ -394,7 +394,7 @@ TEST_CASE("numbers within half a digit leave the result open by as much as is sa
     CHECK(judged > 45);
 }
 
-// Would catch: a word about digits where the result has those that were given, or where it is a convention.
+// Catches a word about digits where the result has those that were given, or where it is a convention.
 TEST_CASE("few digits are looked at from a condition of 10 on, where asked for") {
     const auto found = [](const std::string& from, const std::string& to, const std::vector<double>& row,
                           bool asked = true) {
@@ -445,7 +445,7 @@ TEST_CASE("few digits are looked at from a condition of 10 on, where asked for")
     CHECK(found("quat", "axis-angle", {1, 0, 0, 0}) == false);
 }
 
-// Would catch: a bound on the defect that is below it, so that a decision depends on whether figures are asked for.
+// Catches a bound on the defect that is below it, so that a decision depends on whether figures are asked for.
 TEST_CASE("the defect decides the same with and without figures") {
     for (const double off : {1e-6, 1e-3, 0.04}) {
         for (const double sign : {1.0, -1.0}) {
@@ -466,7 +466,7 @@ TEST_CASE("the defect decides the same with and without figures") {
     }
 }
 
-// Would catch: a reflection in the place of the polar factor, a sign that is lost where the matrix is scaled.
+// Catches a reflection in the place of the polar factor, a sign that is lost where the matrix is scaled.
 TEST_CASE("nearly singular matrices have the polar factor of their sign") {
     const rotconv::ConversionSettings any{.tolerance = infinity};
     for (const auto& row : std::vector<std::vector<double>>{{1, 0, 0, 0, 1, 0, 0, 0, 1e-40},
@@ -509,7 +509,7 @@ TEST_CASE("nearly singular matrices have the polar factor of their sign") {
     CHECK(proper > 500);
 }
 
-// Would catch: digits of the plane lost in a difference of products.
+// Catches digits of the plane lost in a difference of products.
 TEST_CASE("nearly parallel columns keep their accuracy") {
     strata::Source source(72);
     for (int i = 0; i < 400; ++i) {
@@ -530,7 +530,7 @@ TEST_CASE("nearly parallel columns keep their accuracy") {
     CHECK(far[1] == Approx(std::sqrt(0.2)).epsilon(1e-15));
 }
 
-// Would catch: a report of another row, one that is left over from the run before, and one of a row without anything.
+// Catches a report of another row, one that is left over from the run before, and one of a row without anything.
 TEST_CASE("reports are of the remarkable rows alone, in their order") {
     std::vector<double> rows;
     for (int i = 0; i < 400; ++i) {

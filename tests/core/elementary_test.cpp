@@ -132,7 +132,7 @@ std::vector<exact::DoubleDouble> near_quarter_turns() {
 
 } // namespace
 
-// Would catch: a digit of a table, a term of a series, a product that loses its low part.
+// Catches a digit of a table, a term of a series, a product that loses its low part.
 TEST_CASE("sine and cosine are right to 2^-103, in radians and degrees") {
     Source source;
     std::vector<exact::DoubleDouble> turns;
@@ -152,7 +152,7 @@ TEST_CASE("sine and cosine are right to 2^-103, in radians and degrees") {
     CHECK(worst_of_sine_cosine<70>(small, AngleUnit::degrees) <= -103.0);
 }
 
-// Would catch: an angle reduced with too few digits of pi, or a large one with the wrong ones.
+// Catches an angle reduced with too few digits of pi, or a large one with the wrong ones.
 TEST_CASE("sine and cosine of large angles and near multiples of a quarter turn are right to 2^-103") {
     Source source;
     std::vector<exact::DoubleDouble> large;
@@ -168,7 +168,7 @@ TEST_CASE("sine and cosine of large angles and near multiples of a quarter turn 
     CHECK(worst_of_sine_cosine<450>(near_quarter_turns(), AngleUnit::radians) <= -103.0);
 }
 
-// Would catch: a quarter turn that leaves a rest.
+// Catches a quarter turn that leaves a rest.
 TEST_CASE("multiples of 90 degrees have a sine or cosine of 0 and the other of 1") {
     for (int k = -400; k <= 400; ++k) {
         exact::Column<exact::DoubleDouble> columns[3];
@@ -184,7 +184,7 @@ TEST_CASE("multiples of 90 degrees have a sine or cosine of 0 and the other of 1
     }
 }
 
-// Would catch: a wrong quadrant, a digit of the table, a lost small angle.
+// Catches a wrong quadrant, a digit of the table, a lost small angle.
 TEST_CASE("the angle of a vector is right to 2^-103, in radians and degrees") {
     Source source;
     std::vector<Vector<exact::DoubleDouble>> vectors;
@@ -204,7 +204,7 @@ TEST_CASE("the angle of a vector is right to 2^-103, in radians and degrees") {
     CHECK(worst_of_angles<70>(vectors, AngleUnit::degrees) <= -103.0);
 }
 
-// Would catch: a term too few in the series for doubles, a table's low part left out, a rest rounded too early.
+// Catches a term too few in the series for doubles, a table's low part left out, a rest rounded too early.
 TEST_CASE("in doubles the sine and cosine are right to 2^-51.5, the angle of a vector to 2^-51") {
     Source source;
     std::vector<exact::DoubleDouble> turns;
@@ -224,7 +224,7 @@ TEST_CASE("in doubles the sine and cosine are right to 2^-51.5, the angle of a v
     CHECK(worst_of_angles<70>(vectors, AngleUnit::degrees) <= -51.0);
 }
 
-// Would catch: a number made of what is none, and a place outside of a table.
+// Catches a number made of what is none, and a place outside of a table.
 TEST_CASE("of what is no number there is no sine, cosine or angle") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double value : {nan, HUGE_VAL, -HUGE_VAL}) {

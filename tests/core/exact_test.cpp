@@ -40,7 +40,7 @@ void check_rows(const std::string& from, const std::string& to, const std::vecto
 
 } // namespace
 
-// Would catch: a number that is not the nearest double.
+// Catches a number that is not the nearest double.
 TEST_CASE("every number of every pair is the double nearest to the exact function of the numbers read") {
     for (const auto& from : accuracy::compared_specs()) {
         for (const auto& to : accuracy::compared_specs()) {
@@ -49,7 +49,7 @@ TEST_CASE("every number of every pair is the double nearest to the exact functio
     }
 }
 
-// Would catch: an axis, a sign or an order that one sequence alone gets wrong, and a modifier that rounds.
+// Catches an axis, a sign or an order that one sequence alone gets wrong, and a modifier that rounds.
 TEST_CASE("every sequence and every modifier is rounded once") {
     for (const auto sequence : rotconv::EulerSequence::all()) {
         const std::string text = "euler:" + sequence.text();
@@ -67,7 +67,7 @@ TEST_CASE("every sequence and every modifier is rounded once") {
     }
 }
 
-// Would catch: a constant turn that is rounded before it turns.
+// Catches a constant turn that is rounded before it turns.
 TEST_CASE("attitudes that are turned are rounded once") {
     const Spec angles = accuracy::spec("rpy:deg");
     const Spec quat;
@@ -85,7 +85,7 @@ TEST_CASE("attitudes that are turned are rounded once") {
     }
 }
 
-// Would catch: an entry of a matrix, small after other axes are named, that has passed a sum with large ones; axes on
+// Catches an entry of a matrix, small after other axes are named, that has passed a sum with large ones; axes on
 // the wrong side of an inverse.
 TEST_CASE("matrices in other axes are rounded once, however small a number becomes") {
     strata::Source source(79);
@@ -122,7 +122,7 @@ TEST_CASE("matrices in other axes are rounded once, however small a number becom
     }
 }
 
-// Would catch: digits lost where a sum or a whole turn cancels, beyond what the promise says.
+// Catches digits lost where a sum or a whole turn cancels, beyond what the promise says.
 TEST_CASE("rows in which nearly everything cancels keep the promise") {
     strata::Source source(78);
     std::vector<std::vector<double>> near_turns{{0, -2.6386326881465196, -18.663959279216765}};
@@ -144,7 +144,7 @@ TEST_CASE("rows in which nearly everything cancels keep the promise") {
     check_rows("dcm", "quat", nearly_symmetric);
 }
 
-// Would catch: a component that is scaled to nothing with the quaternion, and then taken for 0 or for what it was.
+// Catches a component that is scaled to nothing with the quaternion, and then taken for 0 or for what it was.
 TEST_CASE("the smallest numbers beside large ones are rounded once") {
     const auto check_row = [](const char* from, std::vector<double> row) {
         const Spec dcm = accuracy::spec("dcm");
@@ -163,7 +163,7 @@ TEST_CASE("the smallest numbers beside large ones are rounded once") {
     check_row("mrp", {0.5, 0, 0x1p-1074});
 }
 
-// Would catch: a norm of 2^k taken for 1, digits lost in the smallest turns, a lost limit of a lock margin.
+// Catches a norm of 2^k taken for 1, digits lost in the smallest turns, a lost limit of a lock margin.
 TEST_CASE("rows at the ends of ranges are rounded once") {
     const auto converted = [](const char* from, const char* to, std::vector<double> row, double lock_margin = 0.0) {
         return accuracy::converted(accuracy::spec(from), accuracy::spec(to), row,

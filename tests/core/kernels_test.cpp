@@ -95,7 +95,7 @@ bool are_same(const Answers& a, const Answers& b, std::size_t row, std::size_t s
 
 } // namespace
 
-// Would catch: a product whose low part underflows, by which Dekker's way and a fused one differ; numbers that one
+// Catches a product whose low part underflows, by which Dekker's way and a fused one differ; numbers that one
 // target takes for plain and the other not; in plain double as well.
 TEST_CASE("both targets give the same bits for numbers of every size, row for row") {
     if (!has_fma()) {

@@ -20,7 +20,7 @@ std::vector<double> lock_threshold(Row q) {
 
 } // namespace
 
-// Would catch: checks that do not look near enough to lock.
+// Catches checks that do not look near enough to lock.
 TEST_CASE("the checks reject a lock threshold of 1e-7") {
     const auto from = spec("quat");
     const auto to = spec("euler:ZYX");
@@ -32,7 +32,7 @@ TEST_CASE("the checks reject a lock threshold of 1e-7") {
     CHECK(accuracy::worst_error(from, to, lock_threshold, {harmless}).error <= limit);
 }
 
-// Would catch: a suite whose limits no longer notice one lost digit.
+// Catches a suite whose limits no longer notice one lost digit.
 TEST_CASE("the checks reject an answer that is off by five eps") {
     const auto rotvec = spec("rotvec");
     const auto quat = spec("quat");

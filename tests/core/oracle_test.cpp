@@ -42,7 +42,7 @@ std::vector<Vector> vectors() {
 
 } // namespace
 
-// Would catch: an oracle that shares an error with the code.
+// Catches an oracle that shares an error with the code.
 TEST_CASE("the oracle agrees with vectors from elsewhere to a thousandth of eps") {
     const auto all = vectors();
     CHECK(all.size() == 904);
@@ -53,7 +53,7 @@ TEST_CASE("the oracle agrees with vectors from elsewhere to a thousandth of eps"
     CHECK(worst < 0.002);
 }
 
-// Would catch: an error common to the code and the oracle.
+// Catches an error common to the code and the oracle.
 TEST_CASE("conversions to quat stay within their limits on vectors from elsewhere") {
     const auto quat = accuracy::spec("quat");
     for (const auto& vector : vectors()) {
@@ -65,7 +65,7 @@ TEST_CASE("conversions to quat stay within their limits on vectors from elsewher
     }
 }
 
-// Would catch: a defect that is measured in another norm.
+// Catches a defect that is measured in another norm.
 TEST_CASE("the oracle's defect is the largest deviation of a singular value") {
     const std::vector<double> stretched{2, 0, 0, 0, 0.5, 0, 0, 0, 1};
     CHECK(static_cast<double>(oracle::defect(accuracy::spec("dcm"), stretched)) == Approx(1.0));

@@ -17,7 +17,7 @@ constexpr double any_limit = 8.0;
 
 } // namespace
 
-// Would catch: a convention applied on one side only, or a representation that is right alone and wrong behind another.
+// Catches a convention applied on one side only, or a representation that is right alone and wrong behind another.
 TEST_CASE("any pair errs by no more than its two ways together") {
     std::vector<rotconv::Spec> specs;
     for (const auto& text : accuracy::all_specs()) {
@@ -35,7 +35,7 @@ TEST_CASE("any pair errs by no more than its two ways together") {
     }
 }
 
-// Would catch: a way back that is another set's.
+// Catches a way back that is another set's.
 TEST_CASE("a round trip through any representation returns the attitude") {
     const auto quat = accuracy::spec("quat");
     for (const auto& text : accuracy::all_specs()) {
@@ -56,7 +56,7 @@ TEST_CASE("a round trip through any representation returns the attitude") {
     }
 }
 
-// Would catch: an alias that names another representation.
+// Catches an alias that names another representation.
 TEST_CASE("an alias means the same as its name") {
     for (const auto id : rotconv::all_representations) {
         const auto& entry = rotconv::representation(id);
@@ -68,7 +68,7 @@ TEST_CASE("an alias means the same as its name") {
     }
 }
 
-// Would catch: a block loop that mixes rows up at its border.
+// Catches a block loop that mixes rows up at its border.
 TEST_CASE("rows in blocks come out as rows one by one") {
     const auto from = accuracy::spec("quat:xyzw");
     const auto to = accuracy::spec("dcm:col:passive");

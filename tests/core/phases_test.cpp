@@ -138,7 +138,7 @@ void compare_uniform(std::size_t rows) {
 
 } // namespace
 
-// Would catch: a bound below the error, in some range of angles; a first phase that proves nothing, and costs time.
+// Catches a bound below the error, in some range of angles; a first phase that proves nothing, and costs time.
 TEST_CASE("the first phase gives the exact kernels' numbers, and leaves less than 0.5 % of the rows open") {
     if (!has_first_phase()) {
         WARN("this processor has no fused multiply-add");
@@ -148,7 +148,7 @@ TEST_CASE("the first phase gives the exact kernels' numbers, and leaves less tha
 }
 TEST_CASE("the same of 100 million rows", "[.long]") { compare_uniform(100'000'000); }
 
-// Would catch: an angle of 0, a gimbal lock or a half-turn that is taken for proven; a lock margin passed over.
+// Catches an angle of 0, a gimbal lock or a half-turn that is taken for proven; a lock margin passed over.
 TEST_CASE("hostile rows have the exact kernels' numbers") {
     if (!has_first_phase()) {
         WARN("this processor has no fused multiply-add");
@@ -177,7 +177,7 @@ TEST_CASE("hostile rows have the exact kernels' numbers") {
     }
 }
 
-// Would catch: rows that people have, turns about one axis, left to the exact kernels.
+// Catches rows that people have, turns about one axis, left to the exact kernels.
 TEST_CASE("turns about one axis are not left open") {
     if (!has_first_phase()) {
         WARN("this processor has no fused multiply-add");
@@ -234,7 +234,7 @@ DoubleDouble number(double high, double low) { return exact::two_sum(high, low *
 
 } // namespace
 
-// Would catch: a bound that is below the error of the series, or so far above it that rows are left open for nothing.
+// Catches a bound that is below the error of the series, or so far above it that rows are left open for nothing.
 TEST_CASE("the first phase's angle of a vector is off by 2^-65 of itself at most") {
     const double worst = climb<4>(tried(400), 400, [](const std::array<double, 4>& point) {
         exact::Column<Approximate> x;
@@ -274,7 +274,7 @@ Off off_of_turn(double angle, rotconv::AngleUnit unit) {
 
 } // namespace
 
-// Would catch: a bound below the error of the series; an angle next to a quarter turn that is reduced with too few
+// Catches a bound below the error of the series; an angle next to a quarter turn that is reduced with too few
 // digits.
 TEST_CASE("the first phase's sine and cosine are off by 2^-63 of themselves, as a vector by 2^-68.7") {
     for (const auto unit : {rotconv::AngleUnit::radians, rotconv::AngleUnit::degrees}) {
@@ -299,7 +299,7 @@ TEST_CASE("the first phase's sine and cosine are off by 2^-63 of themselves, as 
     CHECK(worst <= 0x1p-63);
 }
 
-// Would catch: a bound that is below what rounding and cleaned differences turn a vector by.
+// Catches a bound that is below what rounding and cleaned differences turn a vector by.
 TEST_CASE("the first phase's vectors are turned by 2^-95 r at most") {
     for (const char* sequence : {"xyz", "ZYX", "zxz", "YXZ"}) {
         const exact::FixedAxes axes(rotconv::EulerSequence::parse(sequence).value());

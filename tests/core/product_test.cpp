@@ -78,7 +78,7 @@ int wrong_of(std::span<const double> numbers, std::span<const oracle::Real> exac
 
 } // namespace
 
-// Would catch: the inverse, the wrong order, a sign, -0, a conjugate on one side only.
+// Catches the inverse, the wrong order, a sign, -0, a conjugate on one side only.
 TEST_CASE("the product is the first attitude times the second") {
     // R turns x to y and y to z, S by 90 degrees about z: R S takes x to z, y to -y turned on.
     const std::vector<double> row{0.5, 0.5, 0.5, 0.5, 1, 0, 0, 1};
@@ -98,7 +98,7 @@ TEST_CASE("the product is the first attitude times the second") {
     }
 }
 
-// Would catch: a factor that is rounded before it is multiplied, a modifier that counts on one side only.
+// Catches a factor that is rounded before it is multiplied, a modifier that counts on one side only.
 TEST_CASE("products of any two representations are rounded once") {
     strata::Source source(91);
     int held = 0;
@@ -122,7 +122,7 @@ TEST_CASE("products of any two representations are rounded once") {
     CHECK(held > 10'000);
 }
 
-// Would catch: products that underflow, a power of two that is lost, components that are not plain and stay so.
+// Catches products that underflow, a power of two that is lost, components that are not plain and stay so.
 TEST_CASE("products of extremely small turns and extremely scaled quaternions keep their digits") {
     strata::Source source(92);
     for (int i = 0; i < 300; ++i) {
@@ -141,7 +141,7 @@ TEST_CASE("products of extremely small turns and extremely scaled quaternions ke
     }
 }
 
-// Would catch: an error of the wrong attitude, one that is not told, a product of an attitude that is none.
+// Catches an error of the wrong attitude, one that is not told, a product of an attitude that is none.
 TEST_CASE("what there is to tell of a product") {
     const auto first = composed("quat", "quat", "dcm", {0, 0, 0, 0, 1, 0, 0, 0});
     REQUIRE(first.reports.size() == 1);
@@ -156,7 +156,7 @@ TEST_CASE("what there is to tell of a product") {
     CHECK(locked.numbers == std::vector<double>{0, 90, 0});
 }
 
-// Would catch: the inverse, columns for rows, a vector that is rounded with the quaternion's norm.
+// Catches the inverse, columns for rows, a vector that is rounded with the quaternion's norm.
 TEST_CASE("vectors are rotated as by the matrix, each number rounded once") {
     CHECK(rotated("rpy:deg", {0, 0, 90, 1, 2, 3}).numbers == std::vector<double>{-2, 1, 3});
     CHECK(rotated("rpy:deg:passive", {0, 0, 90, 1, 2, 3}).numbers == std::vector<double>{2, -1, 3});
@@ -179,7 +179,7 @@ TEST_CASE("vectors are rotated as by the matrix, each number rounded once") {
     CHECK(held > 5'000);
 }
 
-// Would catch: squares of numbers that leave the range, a subnormal result that is rounded twice, an infinite one that
+// Catches squares of numbers that leave the range, a subnormal result that is rounded twice, an infinite one that
 // is printed, nan that passes.
 TEST_CASE("vectors of any size are rotated") {
     strata::Source source(94);
@@ -211,7 +211,7 @@ TEST_CASE("vectors of any size are rotated") {
     CHECK(rotated("quat", {1, 0, 0, 0, 1, 2, 3}).reports.empty());
 }
 
-// Would catch: a margin of the result, which has none, or of the inverse.
+// Catches a margin of the result, which has none, or of the inverse.
 TEST_CASE("the sensitivity of a rotated vector is that of its attitude as it was read") {
     const auto made = rotated("rpy:deg:passive", {0, 60, 0, 1, 0, 0}, {.sensitivity = true});
     REQUIRE(made.reports.size() == 1);

@@ -30,7 +30,7 @@ bool canonical(double w, double x, double y, double z) {
 
 } // namespace
 
-// Would catch: a branch that leaves its range near a border, a modifier that is applied after the range was made, a -0.
+// Catches a branch that leaves its range near a border, a modifier that is applied after the range was made, a -0.
 TEST_CASE("outputs stay in their ranges with and without modifiers") {
     const auto quat = spec("quat");
     for (const std::string modifier : {"", ":passive", ":deg", ":deg:passive", ":positive", ":deg:positive"}) {
@@ -104,7 +104,7 @@ TEST_CASE("outputs stay in their ranges with and without modifiers") {
     }
 }
 
-// Would catch: a sign that follows the input where it should follow the rule, after the inverse too.
+// Catches a sign that follows the input where it should follow the rule, after the inverse too.
 TEST_CASE("the sign of a half-turn follows the quaternion rule") {
     const std::vector<double> turn{0, -0.6, 0.8, 0};
     for (const std::string modifier : {"", ":passive"}) {
@@ -120,7 +120,7 @@ TEST_CASE("the sign of a half-turn follows the quaternion rule") {
     }
 }
 
-// Would catch: quarter turns that pick up a rounding in degrees.
+// Catches quarter turns that pick up a rounding in degrees.
 TEST_CASE("multiples of 90 degrees are exact both ways") {
     for (const std::string& sequence : accuracy::signed_sequences()) {
         const std::string text = "euler:" + sequence + ":deg";
@@ -145,7 +145,7 @@ TEST_CASE("multiples of 90 degrees are exact both ways") {
           std::vector<double>{0, -1, 0, 1, 0, 0, 0, 0, 1});
 }
 
-// Would catch: a lower end of the range that is printed.
+// Catches a lower end of the range that is printed.
 TEST_CASE("minus pi comes out as plus pi") {
     const auto to = accuracy::own(spec("quat"), spec("euler:ZYX"));
     CHECK(to(std::vector<double>{-0.0, 0, 0, -1})[0] == pi);
@@ -153,7 +153,7 @@ TEST_CASE("minus pi comes out as plus pi") {
     CHECK(accuracy::own(spec("quat"), spec("euler:ZYX:deg"))(std::vector<double>{1e-300, 0, 0, -1})[0] == 180.0);
 }
 
-// Would catch: normalising what is normalised, so that a second pass changes bits.
+// Catches normalising what is normalised, so that a second pass changes bits.
 TEST_CASE("a unit quaternion keeps its bits") {
     const auto quat = accuracy::own(spec("quat"), spec("quat"));
     strata::Source source(41);

@@ -291,7 +291,7 @@ TEST_CASE("rates of all Euler angles are those of the oracle") {
     }
 }
 
-// Would catch: limits in rates.hpp below what is known. The rows are of a search that changes the numbers of a row as
+// Catches limits in rates.hpp below what is known. The rows are of a search that changes the numbers of a row as
 // long as the error grows; random rows stay below 3 eps.
 TEST_CASE("the worst rates that are known stay within the limits") {
     struct KnownRow {

@@ -19,7 +19,7 @@ oracle::Quaternion exact(const Rotation& r) { return oracle::attitude(r); }
 
 } // namespace
 
-// Would catch: factors in the wrong order, a sign, a product that leaves the range of a Rotation's norm.
+// Catches factors in the wrong order, a sign, a product that leaves the range of a Rotation's norm.
 TEST_CASE("the product of rotations is their composition") {
     strata::Source source(31);
     double worst = 0.0;
@@ -34,7 +34,7 @@ TEST_CASE("the product of rotations is their composition") {
     CHECK(worst > 0.1);
 }
 
-// Would catch: a vector that is turned the other way, or stretched by the norm of the quaternion.
+// Catches a vector that is turned the other way, or stretched by the norm of the quaternion.
 TEST_CASE("a rotation turns a vector as its matrix does") {
     strata::Source source(32);
     double worst = 0.0;
@@ -51,7 +51,7 @@ TEST_CASE("a rotation turns a vector as its matrix does") {
     CHECK((back.inverse() * (back * Eigen::Vector3d(1, -2, 5))).isApprox(Eigen::Vector3d(1, -2, 5), 1e-15));
 }
 
-// Would catch: the identity, or anything else, in the place of an answer.
+// Catches the identity, or anything else, in the place of an answer.
 TEST_CASE("a reading without a rotation gives none") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Reading reading = quaternion::to_rotation({0, 0, 0, 0});
@@ -64,7 +64,7 @@ TEST_CASE("a reading without a rotation gives none") {
     CHECK(quaternion::to_rotation({1, 0, 0, 0}));
 }
 
-// Would catch: literals that are taken at run time only, and a sequence that changes on the way.
+// Catches literals that are taken at run time only, and a sequence that changes on the way.
 TEST_CASE("a sequence literal is a constant") {
     constexpr EulerSequence sequence = "zXy"[0] == 'z' ? EulerSequence("zxy") : EulerSequence("ZXY");
     static_assert(!sequence.intrinsic() && sequence.axis(0) == 2 && sequence.axis(1) == 0 && sequence.axis(2) == 1);

@@ -84,7 +84,7 @@ std::vector<Spec> sampled_specs() {
 
 } // namespace
 
-// The known answers that Random123 is published with. Would catch: other numbers than those of Philox.
+// The known answers that Random123 is published with. Catches other numbers than those of Philox.
 TEST_CASE("Philox gives its published numbers") {
     using Words = std::array<std::uint32_t, 4>;
     constexpr std::uint32_t ones = 0xffffffff;
@@ -94,7 +94,7 @@ TEST_CASE("Philox gives its published numbers") {
           Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1});
 }
 
-// Would catch: a row that no program can read, such as an infinite one of cayley.
+// Catches a row that no program can read, such as an infinite one of cayley.
 TEST_CASE("every sample row is a finite attitude, of every kind in every representation") {
     for (const Spec& to : sampled_specs()) {
         for (const SampleKind kind : sample_kinds_of(to.name)) {
@@ -107,7 +107,7 @@ TEST_CASE("every sample row is a finite attitude, of every kind in every represe
     }
 }
 
-// Would catch: rows that depend on those before them, and thus on threads.
+// Catches rows that depend on those before them, and thus on threads.
 TEST_CASE("a sample row is the same in any order and company") {
     for (const char* text : {"quat", "dcm:passive", "euler:ZYX:deg", "rotvec"}) {
         const Spec to = spec(text);
@@ -133,7 +133,7 @@ TEST_CASE("a sample row is the same in any order and company") {
     }
 }
 
-// A unit quaternion keeps its bits, so that the row of quat is the exact attitude. Would catch: rows that were rounded
+// A unit quaternion keeps its bits, so that the row of quat is the exact attitude. Catches rows that were rounded
 // on the way.
 TEST_CASE("sample rows are rounded once") {
     using enum SampleKind;
@@ -159,7 +159,7 @@ TEST_CASE("sample rows are rounded once") {
     }
 }
 
-// Would catch: a corner of the rotations that is preferred.
+// Catches a corner of the rotations that is preferred.
 TEST_CASE("uniform sample rows are uniform") {
     constexpr std::size_t count = 20000;
     constexpr double within = 0.02;

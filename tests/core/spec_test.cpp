@@ -24,7 +24,7 @@ What fault_of(const std::string& text) { return error_of(text).what; }
 
 } // namespace
 
-// Would catch: a sequence that is refused, a non-sequence that is taken.
+// Catches a sequence that is refused, a non-sequence that is taken.
 TEST_CASE("there are 24 Euler sequences") {
     std::set<std::string> found;
     const std::string letters = "xyzXYZwW";
@@ -47,7 +47,7 @@ TEST_CASE("there are 24 Euler sequences") {
     CHECK_FALSE(rotconv::EulerSequence::parse("ZYx"));
 }
 
-// Would catch: a sign that is lost or counts for another letter, and signs where none belongs.
+// Catches a sign that is lost or counts for another letter, and signs where none belongs.
 TEST_CASE("a sequence may have signs") {
     std::set<std::string> found;
     for (const std::string& text : accuracy::signed_sequences()) {
@@ -67,7 +67,7 @@ TEST_CASE("a sequence may have signs") {
     }
 }
 
-// Would catch: a sequence that a preset overrides, or gives to what has none.
+// Catches a sequence that a preset overrides, or gives to what has none.
 TEST_CASE("a preset may stand in the place of the sequence that it has") {
     CHECK(spec("euler:bunge").text() == "euler:ZXZ");
     CHECK(spec("euler:bunge:deg:positive").text() == "euler:ZXZ:deg:positive");
@@ -80,7 +80,7 @@ TEST_CASE("a preset may stand in the place of the sequence that it has") {
     CHECK(fault_of("euler:px4") == What::unknown_sequence);
 }
 
-// Would catch: modifiers that are counted instead of set.
+// Catches modifiers that are counted instead of set.
 TEST_CASE("modifiers are a set") {
     CHECK(spec("dcm:passive:passive").passive);
     CHECK(spec("dcm:matlab:passive").passive);
@@ -92,7 +92,7 @@ TEST_CASE("modifiers are a set") {
     CHECK(spec("quat:tum:tum").scalar_last);
 }
 
-// Would catch: a wrong word that is taken for something, or explained as something else.
+// Catches a wrong word that is taken for something, or explained as something else.
 TEST_CASE("a text that is no SPEC says why") {
     CHECK(fault_of("") == What::unknown_name);
     CHECK(fault_of("Quat") == What::unknown_name);
@@ -112,7 +112,7 @@ TEST_CASE("a text that is no SPEC says why") {
     CHECK(fault_of("quat:tum:wxyz") == What::two_orders);
 }
 
-// Would catch: words of another error, and a message that does not name what is wrong.
+// Catches words of another error, and a message that does not name what is wrong.
 TEST_CASE("the message about a text that is not a SPEC names the part that is wrong") {
     CHECK(message(error_of("quatt:deg")) == "'quatt' is not a known representation");
     CHECK(message(error_of("euler")) == "euler needs its sequence, as in euler:ZYX");
@@ -123,7 +123,7 @@ TEST_CASE("the message about a text that is not a SPEC names the part that is wr
     CHECK(message(error_of("quat:tum:wxyz")) == "'quat:tum:wxyz' has the scalar first and last");
 }
 
-// Would catch: a preset that a representation refuses.
+// Catches a preset that a representation refuses.
 TEST_CASE("every preset is legal on every representation") {
     for (const auto id : rotconv::all_representations) {
         const auto& entry = rotconv::representation(id);
@@ -135,7 +135,7 @@ TEST_CASE("every preset is legal on every representation") {
     }
 }
 
-// Would catch: column names that do not follow the numbers.
+// Catches column names that do not follow the numbers.
 TEST_CASE("columns are named in the order in which they are written") {
     CHECK(spec("dcm:col").columns()[1] == "r21");
     CHECK(spec("dcm").columns()[1] == "r12");

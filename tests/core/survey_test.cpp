@@ -71,7 +71,7 @@ const RepresentationSurvey& smallest(const Survey& survey, double limit) {
 
 } // namespace
 
-// Would catch: a set that is left out or listed twice.
+// Catches a set that is left out or listed twice.
 TEST_CASE("a survey has every set once") {
     const Survey survey;
     for (const RepresentationId id : all_representations) {
@@ -92,7 +92,7 @@ TEST_CASE("a survey has every set once") {
     }
 }
 
-// Would catch: wraps and shadow switches that are not seen, and smooth sets that are accused.
+// Catches wraps and shadow switches that are not seen, and smooth sets that are accused.
 TEST_CASE("a spin about z through half-turns") {
     // three turns in steps of 1.23 degrees, never exactly at a half-turn: it is passed three times
     const Survey survey = survey_of([](int i) { return about_z(0.003 + i * 1.23 * pi / 180.0); }, 878);
@@ -112,7 +112,7 @@ TEST_CASE("a spin about z through half-turns") {
     CHECK(find(survey, "quat").serves(1e3));
 }
 
-// Would catch: margin and condition of the wrong attitude, or their row.
+// Catches margin and condition of the wrong attitude, or their row.
 TEST_CASE("figures of a slow spin about z") {
     const Survey survey = survey_of([](int i) { return about_z(0.1 * i); }, 21); // up to 2 radians
     const RepresentationSurvey& cayley = find(survey, "cayley");
@@ -138,7 +138,7 @@ TEST_CASE("figures of a slow spin about z") {
     CHECK(find(survey, "euler:XZY").jump_row == 17);
 }
 
-// Would catch: lock that lies between two rows, which both are in good condition, wherever it lies.
+// Catches lock that lies between two rows, which both are in good condition, wherever it lies.
 TEST_CASE("a pitch through lock") {
     for (const double offset : {0.5, 0.1, 0.02, 0.9}) { // of the step that crosses it
         INFO(offset);
@@ -155,7 +155,7 @@ TEST_CASE("a pitch through lock") {
     }
 }
 
-// Would catch: a motion past lock that is not what its rows show, and one that is.
+// Catches a motion past lock that is not what its rows show, and one that is.
 TEST_CASE("a pitch past lock at a distance") {
     const auto past = [](double distance) {
         return survey_of([distance](int i) { return turn(0, 1, 0, pi / 2 + (i - 9.5) * 0.02) * about_z(distance); },
@@ -166,7 +166,7 @@ TEST_CASE("a pitch past lock at a distance") {
     CHECK(find(past(0.2), "euler:ZYX").jumps == 0);
 }
 
-// Would catch: fast motions taken for jumps, and jumps that fast motions hide.
+// Catches fast motions taken for jumps, and jumps that fast motions hide.
 TEST_CASE("rows that are far apart") {
     const auto spin = [](double step) { return survey_of([step](int i) { return about_z(-1.4 + i * step); }, 3); };
     CHECK(find(spin(1.4), "rotvec").jumps == 0);
@@ -178,7 +178,7 @@ TEST_CASE("rows that are far apart") {
     CHECK(find(spin(2.4), "euler:ZYX").jumps == 1);
 }
 
-// Would catch: an infinite set that serves, and a loop without end.
+// Catches an infinite set that serves, and a loop without end.
 TEST_CASE("rows exactly at a half-turn") {
     Survey survey;
     survey.add(Rotation::near_unit(0.1, 0, 0, 1), 1);
@@ -194,14 +194,14 @@ TEST_CASE("rows exactly at a half-turn") {
     CHECK(find(survey, "rotvec").jump_row == 4);
 }
 
-// Would catch: a limit that is not asked for.
+// Catches a limit that is not asked for.
 TEST_CASE("no set serves a limit below its condition") {
     const Survey survey = survey_of([](int i) { return about_z(0.1 * i); }, 3);
     CHECK(survey.smallest(0.2) == nullptr);
     CHECK(smallest(survey, 0.3).spec.size() == 3);
 }
 
-// Would catch: numbers that are not finite, served to whoever sets no limit to the condition.
+// Catches numbers that are not finite, served to whoever sets no limit to the condition.
 TEST_CASE("a set with infinite numbers serves nobody") {
     const double infinite = std::numeric_limits<double>::infinity();
     Survey turned;
@@ -270,7 +270,7 @@ private:
 
 } // namespace
 
-// Would catch: a search that finds other jumps than the manual says, such as those of the parts that it does not keep.
+// Catches a search that finds other jumps than the manual says, such as those of the parts that it does not keep.
 TEST_CASE("jumps are those of the manual's rule") {
     const auto check = [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
         Survey survey;
@@ -304,7 +304,7 @@ TEST_CASE("jumps are those of the manual's rule") {
     CHECK(found > 500);
 }
 
-// Would catch: a switch to the shadow within a step that ends near to where it began.
+// Catches a switch to the shadow within a step that ends near to where it began.
 TEST_CASE("a jump within a long step is seen") {
     for (const double from : {95.0, 100.0, 120.0}) {
         Survey survey;

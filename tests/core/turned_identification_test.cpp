@@ -178,7 +178,7 @@ void check(const Case& each, int seed, std::size_t count, double noise, double w
 
 } // namespace
 
-// Would catch: a turn on the wrong side or the wrong way round, a sign or an order that is not tried, one of two
+// Catches a turn on the wrong side or the wrong way round, a sign or an order that is not tried, one of two
 // conventions that are the same but for turns.
 TEST_CASE("conventions with constant turns are found, and no wrong one is") {
     int seed = 1;
@@ -187,7 +187,7 @@ TEST_CASE("conventions with constant turns are found, and no wrong one is") {
     }
 }
 
-// Would catch: turns that are taken from the first rows alone, and limits for exact numbers.
+// Catches turns that are taken from the first rows alone, and limits for exact numbers.
 TEST_CASE("conventions with constant turns are found in noise of 0.2 degrees") {
     int seed = 100;
     for (const Case& each : cases()) {
@@ -195,7 +195,7 @@ TEST_CASE("conventions with constant turns are found in noise of 0.2 degrees") {
     }
 }
 
-// Would catch: an answer that is right on these rows alone.
+// Catches an answer that is right on these rows alone.
 TEST_CASE("no wrong convention is found where all rows turn little, or about one axis") {
     int seed = 200;
     std::size_t answered = 0;

@@ -143,7 +143,7 @@ std::string name_in_table(const std::string& text) {
 
 } // namespace
 
-// Would catch: a limit below what is known, and a table whose worst error is not that of these rows.
+// Catches a limit below what is known, and a table whose worst error is not that of these rows.
 TEST_CASE("the worst rows that are known stay within the limits") {
     for (const auto& way : accuracy::ways()) {
         double worst = 0.0;
@@ -158,7 +158,7 @@ TEST_CASE("the worst rows that are known stay within the limits") {
     }
 }
 
-// Would catch: a limit in rotation.hpp below what is known.
+// Catches a limit in rotation.hpp below what is known.
 TEST_CASE("the worst products of rotations that are known stay within the limit") {
     const auto error = [](const std::vector<double>& v) {
         const Rotation a = Rotation::near_unit(v[0], v[1], v[2], v[3]);
@@ -171,7 +171,7 @@ TEST_CASE("the worst products of rotations that are known stay within the limit"
     CHECK(worst <= 4.25);
 }
 
-// Would catch: the same.
+// Catches the same.
 TEST_CASE("the worst turns of a vector that are known stay within the limit") {
     const auto error = [](const std::vector<double>& v) {
         const Rotation rotation = Rotation::near_unit(v[0], v[1], v[2], v[3]);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# vectors_test.sh FOLDER: two of the examples with vectors, by SciPy. Would catch the inverse, and columns that are taken
+# vectors_test.sh FOLDER: two of the examples with vectors, by SciPy. Catches the inverse, and columns that are taken
 # for each other.
 set -eu
 cd "$1"
