@@ -141,7 +141,7 @@ private:
         return {.text = text, .percent = percent};
     }
 
-    /// Of angles in degrees a limit without a unit is in radians all the same, which may not be meant.
+    /// Notes limits without a unit, which are in radians also if the angles that are read are in degrees.
     void tell_radians(const std::vector<CheckLimit>& limits, RowsCommand& made) const {
         for (const auto& [angle, percent, percent_text, text] : limits) {
             if (angle.is_bare && angle.unit.text == "rad" && std::isfinite(angle.value)) {

@@ -61,9 +61,9 @@ private:
         stream::append_number(text, value, check_.digits);
         return fmt::to_string(text);
     }
-    /// Of radians.
+    /// The angle in the unit of the report.
     [[nodiscard]] double in_unit(double radians) const { return check_.unit.per_radian * radians; }
-    /// With its unit.
+    /// The angle with its unit.
     [[nodiscard]] std::string angle(double value) const { return fmt::format("{} {}", number(value), unit_); }
 
     /// The name of a limit's figure.

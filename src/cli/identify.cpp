@@ -106,7 +106,7 @@ public:
 
     [[nodiscard]] std::shared_ptr<Identification> identification() const noexcept { return identification_; }
 
-    /// Of many rows only some were kept to find turns: all are held against the answer.
+    /// Holds all rows against the answer: if there are many, only some were kept to find turns.
     [[nodiscard]] Operation look_again() {
         verdict_ = identification_->verdict();
         if (!verdict_.answer || verdict_.answer->rows == identification_->rows()) {

@@ -12,8 +12,7 @@
 namespace rotconv::cli {
 namespace {
 
-/// Of the parts of CLI11's help those that it knows: the options. Those of which another help says the same are only
-/// named.
+/// Prints the part of CLI11's help that lists the options. Those that another help describes alike are only named.
 class Formatter : public CLI::Formatter {
 public:
     Formatter(const OptionSet& own, const OptionSet* other) : own_(&own), other_(other) {}

@@ -29,7 +29,7 @@ template <class T> const BatchKernel<T>& batch_kernel_of(RepresentationId name) 
     }
 }
 
-// Of one attitude, in any scalar.
+// Functions of one attitude, in any scalar.
 
 /// b q or q b.
 template <class T> ROTCONV_INLINE void turn(const T (&by)[4], bool from_the_left, T (&q)[4]) noexcept {
@@ -66,7 +66,7 @@ template <class T> ROTCONV_INLINE void rotate(const T (&q)[4], const Given<T> (&
     divide(rotated, squared_norm(q));
 }
 
-// Of a batch.
+// Functions of a batch.
 
 template <class T> void turn(const Turns& by, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
     for (std::size_t i = 0; i < rows && (by.has_left || by.has_right); ++i) {

@@ -10,7 +10,7 @@
 namespace rotconv {
 namespace {
 
-/// Of numbers of the SPEC that mean the attitude.
+/// The sensitivity of numbers of the SPEC that mean the attitude.
 Sensitivity sensitivity_of(const Spec& spec, const Rotation& attitude) noexcept {
     return codec_of(spec.name).sensitivity(spec, spec.passive ? attitude.inverse() : attitude);
 }

@@ -121,7 +121,7 @@ struct PrincipalAxes {
     Eigen::Matrix3d axes;
 };
 
-/// Of an axis and its opposite that whose largest component is positive.
+/// The axis or its opposite: the one whose largest component is positive.
 Eigen::Vector3d with_positive_leader(const Eigen::Vector3d& axis) noexcept {
     Eigen::Index leader = 0;
     axis.cwiseAbs().maxCoeff(&leader);

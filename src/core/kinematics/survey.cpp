@@ -33,7 +33,7 @@ struct Arc {
     Unit from;
     Unit to;
 
-    /// Of both signs of the second quaternion the one that makes the arc short.
+    /// Takes the sign of the second quaternion that makes the arc short.
     Arc(const Unit& a, const Unit& b) noexcept
         : from(a), to((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]) < 0.0 ? Unit(-b) : b) {}
 

@@ -17,7 +17,7 @@
 #define ROTCONV_HAS_FMA 0
 #endif
 
-/// Of functions that stand in loops over rows, which vectorise only where all is inline.
+/// Marks functions that stand in loops over rows, which vectorise only if all is inline.
 #if defined(__GNUC__)
 #define ROTCONV_INLINE __attribute__((always_inline)) inline
 #else
@@ -188,9 +188,9 @@ template <class T> struct Scalars {
     using Precise = DoubleDouble;
     using Given = double;
 };
-/// Of what counts twice, such as a length.
+/// The scalar of what counts twice, such as a length.
 template <class T> using Precise = typename Scalars<T>::Precise;
-/// Of the numbers that are read.
+/// The scalar of the numbers that are read.
 template <class T> using Given = typename Scalars<T>::Given;
 
 /// a b, of doubles without a rounding.

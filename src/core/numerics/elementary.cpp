@@ -34,7 +34,7 @@ struct Steps {
     DoubleDouble rest;
 };
 
-/// Of angles below 2^12. The product of the count with each part of pi/64 is exact.
+/// Valid range: angles below 2^12. The product of the count with each part of pi/64 is exact.
 ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, DoubleDouble /*scalar*/) noexcept {
     const double count = (angle.hi * 0x1.45f306dc9c883p+4 + rounding) - rounding;
     const DoubleDouble first = two_prod(count, step_parts[0]);
@@ -55,15 +55,15 @@ template <class T> ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, T /
     return {count, fast_two_sum(rest.hi, rest.lo + (angle.lo + count * -step_parts[2]))};
 }
 
-/// Of angles below 2^44: a step is 2.8125 degrees, of which multiples are doubles.
+/// Valid range: angles below 2^44. A step is 2.8125 degrees, of which multiples are doubles.
 ROTCONV_INLINE Steps steps_in_degrees(DoubleDouble angle) noexcept {
     constexpr double step_in_degrees = 2.8125;
     const double count = (angle.hi * (1.0 / step_in_degrees) + rounding) - rounding;
     return {count, two_sum(angle.hi - count * step_in_degrees, angle.lo) * exact_radians_per_degree};
 }
 
-/// Of any double of 1 or more: the digits of angle/(2 pi) behind the point, by way of 320 digits of 1/pi (Payne and
-/// Hanek 1983).
+/// Valid range: any double of 1 or more. Takes the digits of angle/(2 pi) behind the point, by way of 320 digits of
+/// 1/pi (Payne and Hanek 1983).
 Steps steps_in_large_radians(double angle) noexcept {
     const Binary binary(angle);
     constexpr int words = 5;
@@ -111,7 +111,7 @@ Steps steps_in_large(DoubleDouble angle, AngleUnit unit) noexcept {
     return {high.count + low.count, high.rest + low.rest};
 }
 
-/// Of any angle.
+/// Valid range: any angle.
 template <class T> ROTCONV_INLINE Steps steps_of_any(DoubleDouble angle, AngleUnit unit, T scalar) noexcept {
     const bool in_degrees = unit == AngleUnit::degrees;
     if (!(__builtin_fabs(angle.hi) < (in_degrees ? 0x1p44 : 0x1p12))) [[unlikely]] {

@@ -5,7 +5,7 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-/// Of what is called for a few rows alone, and would be long in line.
+/// Marks functions that are called for a few rows alone, and would be long in line.
 #if defined(__GNUC__)
 #define ROTCONV_NOINLINE __attribute__((noinline))
 #else
@@ -49,9 +49,9 @@ public:
     [[nodiscard]] bool is_zero() const noexcept { return part_.hi == 0.0; }
     [[nodiscard]] bool is_negative() const noexcept { return part_.hi < 0.0; }
     [[nodiscard]] ScaledDoubleDouble magnitude() const noexcept { return is_negative() ? -*this : *this; }
-    /// Of the power of two that its leading bit stands for; very low for 0.
+    /// The exponent of the power of two that its leading bit stands for; very low for 0.
     [[nodiscard]] int exponent() const noexcept { return is_zero() ? -1'000'000 : exponent_ + exponent_of(part_.hi); }
-    /// Times 2^power.
+    /// This times 2^power.
     [[nodiscard]] ScaledDoubleDouble shifted(int power) const noexcept { return {part_, exponent_ + power}; }
 
     friend ScaledDoubleDouble operator-(const ScaledDoubleDouble& a) noexcept { return {-a.part_, a.exponent_}; }
@@ -99,7 +99,7 @@ public:
     }
     /// The nearest double, which may be 0 or infinite; see sign_of().
     friend double to_double(const ScaledDoubleDouble& a) noexcept { return a.rounded(); }
-    /// Of the value's sign, and 0 only for 0.
+    /// A number with the sign of this one, and 0 only for 0.
     friend double sign_of(const ScaledDoubleDouble& a) noexcept { return a.part_.hi; }
 
 private:

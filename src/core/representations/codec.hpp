@@ -36,8 +36,8 @@ struct Codec {
     /// Numbers in this range have a condition of at most `few_digits_condition`; null where all have one.
     NumberRange (*well_conditioned)(const Spec& spec) noexcept = nullptr;
 
-    /// Of all numbers that mean the attitude, puts those nearest to `last` in the place of the canonical ones, or
-    /// leaves these if they are as near. All are as they are written: what has a choice has no order of its own that
+    /// Replaces the canonical numbers by those nearest to `last` among all that mean the attitude, or leaves them if
+    /// they are as near. All are as they are written: what has a choice has no order of its own that
     /// would count. `rest` is what the exact canonical numbers have beside those written, and the diagnostics are
     /// theirs. Null where there are no others.
     void (*nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest,

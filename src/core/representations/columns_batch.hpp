@@ -30,7 +30,7 @@ template <class Formula> struct ColumnsKernel {
         Formula::directions(own, first, second);
     }
 
-    /// Of finite numbers: whether the columns span no plane.
+    /// Whether the columns, of finite numbers, span no plane.
     static bool is_deficient(const double (&numbers)[size]) noexcept {
         Careful first[3];
         Careful second[3];

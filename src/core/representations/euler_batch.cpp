@@ -236,7 +236,7 @@ struct Angles {
         }
     }
 
-    /// Of w, i, j, k: whether the sums of TurnVectors that make an angle of 0 lose no digit, or only 0 is multiplied.
+    /// Whether the sums of w, i, j, k in TurnVectors that make an angle of 0 lose no digit, or only multiply 0.
     static bool zeros_are_exact(const FixedAxes& axes, const DoubleDouble (&q)[4]) noexcept {
         bool are_doubles = true;
         bool is_0[4];

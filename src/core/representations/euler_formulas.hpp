@@ -109,7 +109,7 @@ template <class T> struct TurnVectors {
                   axes.proper ? sine_length : scaled(clean_difference(q[0] * q[2], q[1] * k), 2.0)};
     }
 
-    /// Of a proper sequence the other triple, a + pi, -b, c + pi.
+    /// Takes the other triple of a proper sequence, a + pi, -b, c + pi.
     ROTCONV_INLINE void take_other() noexcept {
         first = {-first.x, -first.y};
         last = {-last.x, -last.y};

@@ -32,7 +32,7 @@ struct FiveNumbers {
         first[2] = scaled(y[1], 2.0);
         take(y + 2, second);
     }
-    /// Of numbers of any size.
+    /// The two columns, from numbers of any size.
     ROTCONV_INLINE static void columns(const double (&y)[5], double (&m)[6]) noexcept {
         const double largest = largest_magnitude(y[0], y[1], y[2], y[3], y[4]);
         const double f = largest < 0x1p500 ? 1.0 : 0x1p-600; // f^2 (y'y + 1) does not overflow

@@ -40,7 +40,7 @@ using Careful = ScaledDoubleDouble;
 
 /// One row of numbers of any size.
 struct CarefulKernel {
-    /// Of a row that the other kernels find no error in; a quaternion of any length.
+    /// Reads a row in which the other kernels find no error, as a quaternion of any length.
     void (*read)(const Spec& spec, const double* numbers, Careful (&q)[4]) noexcept;
     DiagnosticSet (*write)(const Spec& spec, double lock_margin, const Careful (&q)[4], Careful* numbers) noexcept;
 };
@@ -188,7 +188,7 @@ template <class Formula> constexpr Kernel kernel_of_formula{
     .one = {.read = read_row<Formula>, .write = write_row<Formula, double>},
     .careful = {.read = read_carefully<Formula>, .write = write_row<Formula, Careful>}};
 
-/// Of an attitude with pi - theta <= half_turn_margin.
+/// The diagnostic half_turn if pi - theta <= half_turn_margin, otherwise none.
 template <class T> ROTCONV_INLINE DiagnosticSet half_turn_of(const T (&q)[4]) noexcept {
     const double w = to_double(q[0]);
     const double x = to_double(q[1]);
