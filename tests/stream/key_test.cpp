@@ -130,7 +130,7 @@ TEST_CASE("keys, distances and fractions are those of rational arithmetic") {
         if (exact < 100000 / unit * 1000000000000000) {
             CHECK(read_distance(found.text()) == found);
         }
-        const auto& [small, large] = std::minmax(found, KeyDistance{found.units / 7 * 2 + 3});
+        const auto [small, large] = std::minmax({found, KeyDistance{found.units / 7 * 2 + 3}});
         if (large.units > 0) {
             const Rational share = units(small) / units(large);
             CHECK(abs(Rational(ratio(small, large)) - share) <= Rational(3 * 0x1p-53) * share);
