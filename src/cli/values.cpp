@@ -7,6 +7,7 @@
 #include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"
 #include "column_names.hpp"
+#include "option_set.hpp"
 #include "words.hpp"
 
 namespace rotconv::cli {
