@@ -76,7 +76,7 @@ struct CompareOptions final : RowOptions {
         rows.delta = count_of(delta, 1'000'000);
         rows.unit = check.unit.text;
         const auto pairs = std::make_shared<operations::PairFold>(
-            rows.columns(read, reference), std::max<std::size_t>(check.worst, 1), std::move(pair_limits));
+            comparison, rows, std::max<std::size_t>(check.worst, 1), std::move(pair_limits));
         check.pairs = pairs;
         RowsCommand made = pairs_command(read, reference, operations::compare(comparison, rows));
         made.options.append = as_rows;

@@ -70,20 +70,17 @@ private:
     [[nodiscard]] static std::string name_of(const CheckLimit& limit) {
         return limit.is_of_all() ? "max" : "p" + limit.percent_text;
     }
-    /// Its value, of pairs of which there is at least one.
-    [[nodiscard]] double figure_of(const CheckLimit& limit) const {
-        if (limit.is_of_all()) {
+    /// Its value, if there is a pair.
+    [[nodiscard]] double figure_of(const operations::PairLimit& limit) const {
+        if (limit.percent == 100.0) {
             return pairs_.worst().begin()->angle;
         }
-        const operations::PairLimit& counted_limit =
-            pairs_.limits()[static_cast<std::size_t>(&limit - check_.limits.data())];
         const double estimate = pairs_.angles().percentile(limit.percent); // which must not belie the count
-        return counted_limit.holds(pairs_.pairs()) ? std::min(estimate, counted_limit.angle)
-                                                   : std::max(estimate, counted_limit.angle);
+        return limit.holds(pairs_.pairs()) ? std::min(estimate, limit.angle) : std::max(estimate, limit.angle);
     }
     /// "p95 0.02 deg".
-    [[nodiscard]] std::string named_figure(const CheckLimit& limit) const {
-        return fmt::format("{} {}", name_of(limit), angle(figure_of(limit)));
+    [[nodiscard]] std::string named_figure(std::size_t index) const {
+        return fmt::format("{} {}", name_of(check_.limits[index]), angle(figure_of(pairs_.limits()[index])));
     }
     /// A limit as it is given, or in the unit of the figures.
     [[nodiscard]] std::string text_of(const CheckLimit& limit) const {
@@ -92,19 +89,19 @@ private:
     /// What pairs within all limits are like.
     [[nodiscard]] std::string figures_of_limits() const {
         std::string text;
-        for (const CheckLimit& limit : check_.limits) {
-            text += fmt::format("{}, limit {}, ", named_figure(limit), text_of(limit));
+        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
+            text += fmt::format("{}, limit {}, ", named_figure(i), text_of(check_.limits[i]));
         }
         return text + counted(pairs_.pairs(), "pair");
     }
     /// Why a limit does not hold; empty if it does.
     [[nodiscard]] std::string fault_of_limit(std::size_t index) const {
         const operations::PairLimit& counts = pairs_.limits()[index];
-        const CheckLimit& limit = check_.limits[index];
         return counts.holds(pairs_.pairs())
                    ? std::string()
-                   : fmt::format("{} is beyond {}, {} of {}, first at line {}", named_figure(limit), text_of(limit),
-                                 counts.beyond, counted(pairs_.pairs(), "pair"), counts.first_beyond);
+                   : fmt::format("{} is beyond {}, {} of {}, first at line {}", named_figure(index),
+                                 text_of(check_.limits[index]), counts.beyond, counted(pairs_.pairs(), "pair"),
+                                 counts.first_beyond);
     }
     /// Why too few pairs were compared; empty if there are enough.
     [[nodiscard]] std::string fault_of_count(const RowsResult& result) const {
@@ -204,9 +201,10 @@ private:
             for (const auto& [name, value] : figures()) {
                 text += line(name, angle(value));
             }
-            for (const CheckLimit& limit : check_.limits) {
+            for (std::size_t i = 0; i < check_.limits.size(); ++i) {
+                const CheckLimit& limit = check_.limits[i];
                 if (limit.percent != 50.0 && limit.percent != 95.0 && !limit.is_of_all()) {
-                    text += line(name_of(limit), angle(figure_of(limit)));
+                    text += line(name_of(limit), angle(figure_of(pairs_.limits()[i])));
                 }
             }
         }
@@ -253,13 +251,12 @@ private:
     }
     [[nodiscard]] JsonValue limits_in_json() const {
         std::vector<std::string> limits;
-        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
-            const CheckLimit& limit = check_.limits[i];
+        for (const operations::PairLimit& limit : pairs_.limits()) {
             const bool has_pairs = pairs_.pairs() > 0;
             limits.push_back(
                 json_object({{"percent", limit.percent},
-                             {"angle", limit.angle.in(check_.unit)},
-                             {"beyond", pairs_.limits()[i].beyond},
+                             {"angle", limit.angle},
+                             {"beyond", limit.beyond},
                              {"percentile", has_pairs ? JsonValue::as_written(number(figure_of(limit))) : JsonValue()}})
                     .text);
         }

@@ -178,8 +178,9 @@ struct PairLimit {
 class PairFold final : public stream::Fold {
 public:
     /// @param most how many of the worst pairs are kept
-    PairFold(const stream::PairColumns& columns, std::size_t most, std::vector<PairLimit> limits)
-        : columns_(columns), most_(most), limits_(std::move(limits)) {}
+    PairFold(const Comparison& comparison, const ComparisonRows& rows, std::size_t most, std::vector<PairLimit> limits)
+        : columns_(rows.columns(comparison.from(), comparison.reference())),
+          finds_turns_(rows.with_attitudes && rows.delta == 0), most_(most), limits_(std::move(limits)) {}
 
     void add(const stream::AnsweredRows& rows) override;
 
@@ -188,7 +189,7 @@ public:
     [[nodiscard]] const std::set<WorstPair>& worst() const noexcept { return worst_; }
     [[nodiscard]] const std::vector<PairLimit>& limits() const noexcept { return limits_; }
     /// The mean rotation from the attitudes to their references, from the left and from the right; for rows with
-    /// attitudes.
+    /// attitudes, without a delta.
     [[nodiscard]] const MeanTurn& left() const noexcept { return left_; }
     [[nodiscard]] const MeanTurn& right() const noexcept { return right_; }
 
@@ -196,6 +197,7 @@ private:
     void keep(const stream::AnsweredRows& rows, std::size_t row);
 
     stream::PairColumns columns_;
+    bool finds_turns_;
     std::size_t most_;
     std::vector<PairLimit> limits_;
     AngleStatistics angles_;

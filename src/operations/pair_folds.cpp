@@ -17,7 +17,7 @@ void PairFold::add(const stream::AnsweredRows& rows) {
             continue;
         }
         angles_.add(angle);
-        if (width > 1) {
+        if (finds_turns_) {
             const Rotation inverse = rotation_at(pair + 1).inverse();
             const Rotation reference = rotation_at(pair + 5);
             left_.add(reference * inverse);
