@@ -6,6 +6,7 @@
 
 #include <rotconv/euler.hpp>
 
+#include "../operations/operations.hpp"
 #include "words.hpp"
 
 namespace rotconv::cli {
@@ -34,24 +35,46 @@ std::string_view unit_of(std::string_view text) {
     return {};
 }
 
-/// The canonical names of a project's numbers, quat, dcm, or roll, pitch and yaw, in the SPEC's order; none for other
-/// SPECs.
-std::vector<std::string_view> name_order(const Spec& spec) {
-    if (spec.has_own_columns || spec.name == RepresentationId::quat || spec.name == RepresentationId::dcm) {
-        const auto columns = spec.columns();
-        return {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())};
+/// What the names of a part's numbers may be, without what they share.
+struct Spelling {
+    std::vector<std::string> names; ///< in the order of the part
+    bool is_numbered = false;
+};
+
+/// How headers spell a representation's own names, in its own order.
+constexpr auto usual_spellings =
+    std::to_array<std::pair<RepresentationId, std::string_view>>({{RepresentationId::quat, "w x y z"},
+                                                                  {RepresentationId::quat, "s x y z"},
+                                                                  {RepresentationId::quat, "scalar x y z"},
+                                                                  {RepresentationId::quat, "0 1 2 3"},
+                                                                  {RepresentationId::dcm, "11 12 13 21 22 23 31 32 33"},
+                                                                  {RepresentationId::dcm, "00 01 02 10 11 12 20 21 22"},
+                                                                  {RepresentationId::rpy, "roll pitch yaw"}});
+
+/// In the order of a SPEC; none for most representations.
+std::vector<Spelling> spellings_of(const Spec& spec) {
+    std::array<std::size_t, 9> places{};
+    std::ranges::copy(spec.order(), places.begin());
+    RepresentationId name = spec.name;
+    if (name == RepresentationId::euler || name == RepresentationId::rpy) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            places.at(i) = static_cast<std::size_t>(spec.sequence.axis(i));
+        }
+        // Roll is about x and pitch about y: not in Metashape's -ZXY of yaw, pitch and roll, for example.
+        const bool has_usual_axes = !spec.sequence.has_signs() || places[1] == 1;
+        name = !spec.sequence.proper() && has_usual_axes ? RepresentationId::rpy : name;
     }
-    std::vector<std::string_view> order;
-    // Roll is about x and pitch about y: not in Metashape's -ZXY of yaw, pitch and roll, for example.
-    const bool has_usual_axes = !spec.sequence.has_signs() || spec.sequence.axis(1) == 1;
-    if (spec.name == RepresentationId::rpy ||
-        (spec.name == RepresentationId::euler && !spec.sequence.proper() && has_usual_axes)) {
-        for (std::size_t i = 0; i < spec.size(); ++i) {
-            order.push_back(
-                representation(RepresentationId::rpy).columns.at(static_cast<std::size_t>(spec.sequence.axis(i))));
+    std::vector<Spelling> spellings;
+    for (const auto& [known, text] : usual_spellings) {
+        if (known == name) {
+            const auto words = words_in(text);
+            Spelling& spelling = spellings.emplace_back(Spelling{{}, words[0] == "0"});
+            for (std::size_t i = 0; i < spec.size(); ++i) {
+                spelling.names.push_back(words[places.at(i)]);
+            }
         }
     }
-    return order;
+    return spellings;
 }
 
 /// The SPECs with the same modifiers whose numbers have those names in an order of their own.
@@ -74,45 +97,6 @@ std::array<Spec, 2> alike(const Spec& like) {
         second.sequence = EulerSequence("ZYX").with_signs(z, y, x);
     }
     return specs;
-}
-
-/// What the names of a SPEC's numbers may be, without what they share.
-struct Spelling {
-    std::vector<std::string> names; ///< in the order of the SPEC
-    bool is_numbered = false;
-};
-std::vector<Spelling> usual_spellings(const Spec& spec) {
-    const auto order = name_order(spec);
-    if (spec.name == RepresentationId::dcm) {
-        return {{mapped(order, [](auto name) { return std::string(name.substr(1)); })},
-                {mapped(order, [](auto name) { return fmt::format("{:c}{:c}", name[1] - 1, name[2] - 1); })}};
-    }
-    if (spec.name != RepresentationId::quat) {
-        return {{{order.begin(), order.end()}}};
-    }
-    std::vector<Spelling> made;
-    for (const std::string_view scalar : {"w", "s", "scalar", "0"}) {
-        const bool is_numbered = scalar == "0";
-        made.push_back({mapped(order,
-                               [&](auto name) {
-                                   return name == "qw"  ? std::string(scalar)
-                                          : is_numbered ? std::string(1, static_cast<char>(name[1] - 'x' + '1'))
-                                                        : std::string(name.substr(1));
-                               }),
-                        is_numbered});
-    }
-    return made;
-}
-
-/// The names of the project come first.
-std::vector<Spelling> spellings(const Spec& spec) {
-    Spec usual = spec;
-    usual.has_own_columns = false;
-    auto made = name_order(usual).empty() ? std::vector<Spelling>() : usual_spellings(usual);
-    if (spec.has_own_columns) {
-        made.insert(made.begin(), {mapped(name_order(spec), lower)});
-    }
-    return made;
 }
 
 /// The places of a spelling among names, which may share a prefix and a suffix; none if not all of it is there.
@@ -139,20 +123,6 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& spelling, con
     return {};
 }
 
-/// The first spelling of which all names are there.
-std::optional<KnownNames> find_spelling(const std::vector<Spelling>& spellings, std::span<const std::string> names) {
-    const auto texts = mapped(names, [](const std::string& name) { return lower(name); });
-    const auto without_units = mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
-    for (const Spelling& spelling : spellings) {
-        for (const auto* each : {&texts, &without_units}) {
-            if (auto places = places_of(spelling.names, *each); !places.empty()) {
-                return KnownNames{std::move(places), spelling.is_numbered};
-            }
-        }
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
 /// The name and the unit that a text of a header holds: "yaw [deg]", "w_x_rad_s".
@@ -177,33 +147,62 @@ bool KnownNames::are_in_order() const noexcept {
     return std::ranges::all_of(places, [&next](std::size_t place) { return place == next++; });
 }
 
-std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names) {
-    return find_spelling(spellings(spec), names);
+Part::Part(const Spec& spec, std::size_t begin_) : names(operations::names_of(spec)), begin(begin_), attitude(spec) {}
+
+std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
+    std::vector<Part> parts;
+    std::size_t begin = numbers.kept;
+    if (numbers.attitude) {
+        parts.emplace_back(*numbers.attitude, begin);
+        begin += numbers.attitude->size();
+    }
+    const auto at = [&numbers](std::size_t place) {
+        return numbers.names.begin() + static_cast<std::ptrdiff_t>(place);
+    };
+    const std::size_t end = numbers.names.size() - (numbers.second ? numbers.second->size() : 0);
+    if (begin < end) {
+        parts.emplace_back(std::vector(at(begin), at(end)), begin);
+    }
+    if (numbers.second) {
+        parts.emplace_back(*numbers.second, end);
+    }
+    return parts;
 }
 
-std::optional<KnownNames> find_names(std::span<const std::string> own, std::span<const std::string> names) {
-    return find_spelling({{{own.begin(), own.end()}}}, names);
+std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
+    const auto& spec = part.attitude;
+    auto spellings = spec ? spellings_of(*spec) : std::vector<Spelling>();
+    if (!spec || spec->has_own_columns) { // which come first
+        spellings.insert(spellings.begin(), {spec ? mapped(part.names, lower) : part.names});
+    }
+    const auto texts = mapped(names, lower);
+    const auto without_units = mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
+    for (const Spelling& spelling : spellings) {
+        for (const auto* each : {&texts, &without_units}) {
+            if (auto places = places_of(spelling.names, *each); !places.empty()) {
+                return KnownNames{std::move(places), spelling.is_numbered};
+            }
+        }
+    }
+    return std::nullopt;
 }
 
-std::string wrong_order(std::span<const std::string> own, std::span<const std::string> names) {
-    const auto known = find_names(own, names);
-    return !known || known->are_in_order()
-               ? ""
-               : fmt::format("{} is not the order of {}", quoted(fmt::format("{}", fmt::join(names, ","))),
-                             fmt::join(own, ","));
-}
-
-std::string wrong_order(const Spec& spec, std::span<const std::string> names) {
-    const auto known = find_names(spec, names);
+std::string wrong_order(const Part& part, std::span<const std::string> names) {
+    const auto known = find_names(part, names);
     if (!known || known->are_in_order()) {
         return {};
     }
-    const auto specs = alike(spec);
-    const auto* const right =
-        std::ranges::find_if(specs, [&](const Spec& each) { return find_names(each, names)->are_in_order(); });
-    return fmt::format("{} is not the order of {}, which is {}{}", quoted(fmt::format("{}", fmt::join(names, ","))),
-                       spec.text(), fmt::join(name_order(spec), ","),
-                       right == specs.end() ? "" : fmt::format("; it is the order of {}", right->text()));
+    std::string order = fmt::format("{}", fmt::join(part.names, ","));
+    if (const auto& spec = part.attitude) {
+        const auto specs = alike(*spec);
+        const auto* const right =
+            std::ranges::find_if(specs, [&](const Spec& each) { return find_names(each, names)->are_in_order(); });
+        const bool is_euler = spec->name == RepresentationId::euler && !spec->has_own_columns;
+        order = fmt::format("{}, which is {}{}", spec->text(),
+                            is_euler ? fmt::format("{}", fmt::join(spellings_of(*spec)[0].names, ",")) : order,
+                            right == specs.end() ? "" : fmt::format("; it is the order of {}", right->text()));
+    }
+    return fmt::format("{} is not the order of {}", quoted(fmt::format("{}", fmt::join(names, ","))), order);
 }
 
 } // namespace rotconv::cli

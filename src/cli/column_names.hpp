@@ -10,6 +10,8 @@
 
 #include <rotconv/spec.hpp>
 
+#include "../stream/row_operation.hpp"
+
 /// Names of numbers, as headers have them, held against a SPEC.
 namespace rotconv::cli {
 
@@ -26,20 +28,31 @@ struct KnownNames {
     [[nodiscard]] bool are_in_order() const noexcept;
 };
 
-/// Looks among names for those of all numbers of a project, quat, dcm, or roll, pitch and yaw, in any case. What counts
-/// is what is left of them without a prefix and a suffix that all of them share, and without units: w (or s, scalar) x
-/// y z; 11 to 33, or 00 to 22; roll pitch yaw; 0 1 2 3 for a quaternion.
-[[nodiscard]] std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names);
+/// Numbers of a row that belong together: an attitude, a vector, or rates.
+struct Part {
+    Part(const Spec& spec, std::size_t begin_ = 0);
+    Part(std::vector<std::string> names_, std::size_t begin_ = 0) : names(std::move(names_)), begin(begin_) {}
 
-/// The same of names that are given, such as those of a vector, which count in that spelling alone.
-[[nodiscard]] std::optional<KnownNames> find_names(std::span<const std::string> own,
-                                                   std::span<const std::string> names);
+    std::vector<std::string> names{}; ///< as rotconv writes them
+    std::size_t begin = 0;            ///< the place of the first number
+    std::optional<Spec> attitude{};
 
-/// What is wrong with names that are `own` ones in another order, as the end of a sentence; otherwise empty.
-[[nodiscard]] std::string wrong_order(std::span<const std::string> own, std::span<const std::string> names);
+    /// Its own among what stands for each number of a row.
+    [[nodiscard]] std::span<const std::string> of(std::span<const std::string> row) const {
+        return row.subspan(begin, names.size());
+    }
+};
 
-/// What is wrong with names that are those of the SPEC's numbers in another order, as the end of a sentence; otherwise
+/// The numbers of a row, without the kept ones.
+[[nodiscard]] std::vector<Part> parts_of(const stream::RowNumbers& numbers);
+
+/// Looks among names, in any case, for those of all numbers of a project, quat, dcm, or roll, pitch and yaw, or of a
+/// part without an attitude. What counts is what is left of them without a prefix and a suffix that all of them share,
+/// and without units: w (or s, scalar) x y z; 11 to 33, or 00 to 22; roll pitch yaw; 0 1 2 3 for a quaternion.
+[[nodiscard]] std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names);
+
+/// What is wrong with names that are those of the part's numbers in another order, as the end of a sentence; otherwise
 /// empty.
-[[nodiscard]] std::string wrong_order(const Spec& spec, std::span<const std::string> names);
+[[nodiscard]] std::string wrong_order(const Part& part, std::span<const std::string> names);
 
 } // namespace rotconv::cli

@@ -16,52 +16,33 @@ using Kind = stream::Note::Kind;
 
 bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
 
-/// The first of a SPEC's numbers that is an angle, as are those after it.
-std::size_t first_angle(const Spec& spec) {
-    return !representation(spec.name).has_angles() ? spec.size() : spec.name == RepresentationId::axis_angle ? 3 : 0;
-}
-
 /// The notes on one stream.
 class Notes {
 public:
     Notes(const RowOptions& options, const Option& time_option, bool refuses, const stream::InputOptions& input)
         : degrees_(options.degrees.given()), time_option_(time_option.name()),
           refuses_(refuses && input.columns.empty()),
-          is_by_index_(!input.columns.empty() && !input.columns.has_names()), units_(input.numbers.names.size()) {
+          is_by_index_(!input.columns.empty() && !input.columns.has_names()), parts_(parts_of(input.numbers)) {
         const std::string& time_unit = (time_option.given() ? time_option : options.time_unit).text();
-        const auto& names = input.numbers.names;
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const bool is_rate = names[i] == "wx" || names[i] == "wy" || names[i] == "wz";
-            const bool is_time = names[i] == "t" || (names[i] == "key" && !time_unit.empty());
-            units_[i] = is_rate ? (degrees_ ? "deg" : "rad") : !is_time ? "" : time_unit.empty() ? "s" : time_unit;
-        }
-        if (input.numbers.attitude) {
-            attitudes_.emplace_back(input.numbers.kept, *input.numbers.attitude);
-        }
-        if (const auto& second = input.numbers.second) {
-            attitudes_.emplace_back(names.size() - second->size(), *second);
-        }
-        for (const auto& [first, spec] : attitudes_) {
-            for (std::size_t i = first_angle(spec); i < spec.size(); ++i) {
-                units_[first + i] = spec.unit == AngleUnit::degrees ? "deg" : "rad";
+        units_ = mapped(input.numbers.names, [&](const std::string& name) -> std::string {
+            const bool is_time = name == "t" || (name == "key" && !time_unit.empty());
+            return name == "wx" || name == "wy" || name == "wz" ? name_of(degrees_)
+                   : !is_time                                   ? ""
+                   : time_unit.empty()                          ? "s"
+                                                                : time_unit;
+        });
+        for (const Part& part : parts_) {
+            for (std::size_t i = first_angle(part); i < part.names.size(); ++i) {
+                units_[part.begin + i] = name_of(part.attitude->unit == AngleUnit::degrees);
             }
-        }
-        const std::size_t begin = input.numbers.kept + (input.numbers.attitude ? input.numbers.attitude->size() : 0);
-        const std::size_t end = names.size() - (input.numbers.second ? input.numbers.second->size() : 0);
-        if (begin < end) {
-            vector_ = {
-                begin,
-                {names.begin() + static_cast<std::ptrdiff_t>(begin), names.begin() + static_cast<std::ptrdiff_t>(end)}};
         }
     }
 
     [[nodiscard]] std::vector<std::string> own_names(std::vector<std::string> names) const {
-        for (const auto& [first, spec] : attitudes_) {
-            const auto own = std::span(names).subspan(first, spec.size());
-            if (const auto known = find_names(spec, own); known && !known->is_numbered) {
-                for (std::size_t i = 0; i < own.size(); ++i) {
-                    own[known->places[i]] = spec.columns().at(i);
-                }
+        for (const Part& part : parts_) {
+            const auto known = find_names(part, part.of(names));
+            for (std::size_t i = 0; part.attitude && known && !known->is_numbered && i < part.names.size(); ++i) {
+                names[part.begin + known->places[i]] = part.names[i];
             }
         }
         return mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
@@ -69,83 +50,81 @@ public:
 
     /// Refuses selected names in another order than the SPEC's, which would give a wrong attitude in silence.
     void refuse_other_order(const stream::ColumnList& columns, std::string_view option) const {
-        const auto views = columns.names();
-        const std::vector<std::string> names(views.begin(), views.end());
-        const auto refuse = [&option](const std::string& wrong) {
-            if (!wrong.empty()) {
+        const auto names = mapped(columns.names(), [](std::string_view name) { return std::string(name); });
+        for (const Part& part : parts_) {
+            if (const auto wrong = error_of_order(part, part.of(names)); !wrong.empty()) {
                 throw Usage("{} {} (if the file is mislabelled, select by index)", option, wrong);
             }
-        };
-        refuse(wrong_order(vector_.second, std::span(names).subspan(vector_.first, vector_.second.size())));
-        for (const auto& [first, spec] : attitudes_) {
-            const std::vector<std::string> own(names.begin() + static_cast<std::ptrdiff_t>(first),
-                                               names.begin() + static_cast<std::ptrdiff_t>(first + spec.size()));
-            const auto known = find_names(spec, own);
-            refuse(known && known->is_numbered ? "" : wrong_order(spec, own));
         }
     }
 
     [[nodiscard]] std::vector<stream::Note> operator()(const stream::Said& said) const {
         std::vector<stream::Note> notes;
-        const auto add = [&notes](Kind kind, const std::string& text, bool ends_run = false) {
-            if (!text.empty()) {
-                notes.push_back({kind, text, ends_run});
-            }
-        };
         if (!said.comment.empty()) {
-            const std::string comment = quoted(said.comment);
-            add(Kind::comments,
-                fmt::format("there were only comments, such as {}; if these are rows: --comment none", comment));
+            notes.push_back(
+                {Kind::comments, fmt::format("there were only comments, such as {}; if these are rows: --comment none",
+                                             quoted(said.comment))});
         }
         if (said.only_header) {
-            add(Kind::only_header, "the only row was taken for the header; if it is data: --header no");
+            notes.push_back({Kind::only_header, "the only row was taken for the header; if it is data: --header no"});
         }
-        for (const auto& [first, spec] : attitudes_) {
-            if (!said.names.empty()) {
-                tell_names(spec, std::span(said.names).subspan(first, spec.size()), said.header, add);
+        if (said.names.empty()) {
+            return notes;
+        }
+        for (const Part& part : parts_) {
+            const auto names = part.of(said.names);
+            if (const std::string wrong = wrong_order(part, names); !wrong.empty()) {
+                const bool is_error = refuses_ && !error_of_order(part, names).empty();
+                notes.push_back(
+                    {Kind::order,
+                     fmt::format("the header {}{}", wrong, is_error ? " (if it is mislabelled, select by index)" : ""),
+                     is_error});
+            } else if (part.attitude && is_by_index_ && !find_names(part, names)) {
+                add_others(part, names, said.header, notes);
             }
-        }
-        if (said.names.size() >= vector_.first + vector_.second.size()) {
-            add_order(wrong_order(vector_.second, std::span(said.names).subspan(vector_.first, vector_.second.size())),
-                      refuses_, add);
         }
         for (std::size_t i = 0; i < said.names.size(); ++i) {
             const auto unit = name_and_unit(said.names[i]).second;
             const std::string& own = units_[i];
             if (!unit.empty() && !own.empty() && unit != own && is_angle(unit) == is_angle(own)) {
-                add(is_angle(own) ? Kind::unit : Kind::time_unit,
-                    fmt::format("the header's {} is in {}, but {}", quoted(said.names[i]), unit, mend(i, unit)));
+                notes.push_back(
+                    {is_angle(own) ? Kind::unit : Kind::time_unit,
+                     fmt::format("the header's {} is in {}, but {}", quoted(said.names[i]), unit, mend(i, unit))});
             }
         }
         return notes;
     }
 
 private:
-    template <class Add> static void add_order(const std::string& wrong, bool is_error, const Add& add) {
-        if (!wrong.empty()) {
-            add(Kind::order,
-                fmt::format("the header {}{}", wrong, is_error ? " (if it is mislabelled, select by index)" : ""),
-                is_error);
-        }
+    static std::string name_of(bool degrees) { return degrees ? "deg" : "rad"; }
+
+    /// The first of a part's numbers that is an angle, as are those after it.
+    static std::size_t first_angle(const Part& part) {
+        const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
+        return !has_angles ? part.names.size() : part.attitude->name == RepresentationId::axis_angle ? 3 : 0;
     }
 
-    /// Tells what the names of the columns that are read say, and the header that they are in.
-    template <class Add> void tell_names(const Spec& spec, std::span<const std::string> names,
-                                         std::span<const std::string> header, const Add& add) const {
-        if (const auto known = find_names(spec, names)) {
-            add_order(wrong_order(spec, names), refuses_ && !known->is_numbered, add);
-        } else if (const auto others = is_by_index_ ? find_names(spec, header) : known;
-                   others && !others->is_numbered) {
+    /// What is wrong with the order of names; nothing where they are numbers, whose order is not known for sure.
+    static std::string error_of_order(const Part& part, std::span<const std::string> names) {
+        const auto known = find_names(part, names);
+        return known && known->is_numbered ? "" : wrong_order(part, names);
+    }
+
+    /// Tells where the header has the names of numbers that are read from other columns.
+    static void add_others(const Part& part, std::span<const std::string> names, std::span<const std::string> header,
+                           std::vector<stream::Note>& notes) {
+        if (const auto others = find_names(part, header); others && !others->is_numbered) {
             const auto& places = others->places;
             const auto last = std::ranges::adjacent_find(places, [](auto one, auto next) { return next != one + 1; });
-            add(Kind::order,
-                fmt::format(
-                    "the header has {} at {}, but {} are read",
-                    fmt::join(mapped(places, [&](auto place) { return header[place]; }), ","),
-                    last == places.end()
-                        ? fmt::format("{}-{}", places.front() + 1, places.back() + 1)
-                        : fmt::format("{}", fmt::join(mapped(places, [](auto place) { return place + 1; }), ",")),
-                    fmt::join(names, ",")));
+            notes.push_back(
+                {Kind::order,
+                 fmt::format(
+                     "the header has {} at {}, but {} are read",
+                     fmt::join(mapped(places, [&](auto place) { return header[place]; }), ","),
+                     last == places.end()
+                         ? fmt::format("{}-{}", places.front() + 1, places.back() + 1)
+                         : fmt::format("{}", fmt::join(mapped(places, [](auto place) { return place + 1; }), ",")),
+                     fmt::join(names, ","))});
         }
     }
 
@@ -153,26 +132,24 @@ private:
         if (!is_angle(unit)) {
             return fmt::format("times are read in {}: {} {}", units_[at], time_option_, unit);
         }
-        for (const auto& [first, spec] : attitudes_) {
-            if (at >= first && at < first + spec.size()) {
-                Spec right = spec;
+        for (const Part& part : parts_) {
+            if (part.attitude && at >= part.begin && at < part.begin + part.names.size()) {
+                Spec right = *part.attitude;
                 right.unit = unit == "deg" ? AngleUnit::degrees : AngleUnit::radians;
-                return fmt::format("{} reads {}: {}{}", spec.text(),
-                                   spec.unit == AngleUnit::degrees ? "degrees" : "radians", right.text(),
-                                   degrees_ ? ", without -d" : "");
+                return fmt::format("{} reads {}: {}{}", part.attitude->text(), unit == "deg" ? "radians" : "degrees",
+                                   right.text(), degrees_ ? ", without -d" : "");
             }
         }
         return fmt::format("angular velocities are read in {}/s: {} -d", units_[at],
                            unit == "deg" ? "add" : "leave out");
     }
 
-    bool degrees_;                                            ///< angular velocities too
-    std::string time_option_;                                 ///< that names the unit
-    bool refuses_;                                            ///< names in another order
-    bool is_by_index_;                                        ///< the columns are selected so, and not by name
-    std::vector<std::string> units_;                          ///< of each number; empty: not one of those in headers
-    std::vector<std::pair<std::size_t, Spec>> attitudes_;     ///< each with the place of its first number
-    std::pair<std::size_t, std::vector<std::string>> vector_; ///< the names of a vector or of rates, from that place on
+    bool degrees_;                   ///< angular velocities too
+    std::string time_option_;        ///< that names the unit
+    bool refuses_;                   ///< names in another order
+    bool is_by_index_;               ///< the columns are selected so, and not by name
+    std::vector<Part> parts_;        ///< of a row
+    std::vector<std::string> units_; ///< of each number; empty: not one of those in headers
 };
 
 /// The first of the texts that is a change of axes, as an option; nothing where the axes stay as they are.

@@ -143,15 +143,12 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
     if (labels.size() != in.numbers.names.size() || !in.columns.empty()) {
         return; // the count is told, or other numbers are read
     }
-    // The first attitude, the second, and what is between.
-    const std::size_t kept = in.numbers.kept;
-    const std::size_t end = kept + (in.numbers.attitude ? in.numbers.attitude->size() : 0);
-    const std::size_t second = labels.size() - (in.numbers.second ? in.numbers.second->size() : 0);
-    for (const auto& [from, to] : {std::pair(kept, end), std::pair(end, second), std::pair(second, labels.size())}) {
-        for (std::size_t i = from; i < to; ++i) {
-            const auto part = std::span(labels).subspan(from, i - from);
-            if (!labels[i].empty() && std::ranges::count(part, labels[i]) > 0) {
-                throw Usage("two of the numbers are called {}: {}", quoted(labels[i]), command.values);
+    const auto parts = parts_of(in.numbers);
+    for (const Part& part : parts) {
+        const auto own = part.of(labels);
+        for (auto label = own.begin(); label != own.end(); ++label) {
+            if (!label->empty() && std::count(own.begin(), label, *label) > 0) {
+                throw Usage("two of the numbers are called {}: {}", quoted(*label), command.values);
             }
         }
     }
@@ -164,19 +161,18 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
         }
         command.notes.push_back(std::move(note));
     }
-    const auto& spec = in.numbers.attitude;
-    if (!spec) {
+    if (!in.numbers.attitude) {
         return;
     }
-    const auto own = std::span(labels).subspan(kept, spec->size());
-    std::vector<std::string> given(own.begin(), own.end());
-    std::erase(given, "");
-    const auto known = find_names(operations::names_of(*spec), own);
-    if (!given.empty() && !find_names(*spec, own) && !(known && known->are_in_order())) {
+    const Part& part = parts.front();
+    const auto own = part.of(labels);
+    const auto given = filtered(own, [](const std::string& label) { return !label.empty(); });
+    const auto known = find_names(part.names, own);
+    if (!given.empty() && !find_names(part, own) && !(known && known->are_in_order())) {
         command.notes.push_back(
             {.kind = stream::Note::Kind::order,
              .text = fmt::format("the labels {} are not names of {}: the numbers are read as they stand",
-                                 fmt::join(given, ","), spec->text())});
+                                 fmt::join(given, ","), part.attitude->text())});
     }
 }
 
