@@ -17,45 +17,69 @@ namespace {
 /// The report and the verdict.
 class ComparisonReport {
 public:
-    explicit ComparisonReport(const Check& check) : check_(check), pairs_(*check.pairs), unit_(check_.unit.text) {
+    explicit ComparisonReport(const Check& check) : check_(check), pairs_(*check.pairs), unit_(check.unit.text) {
         if (check_.format == Check::Format::pretty && check_.digits.shortest()) {
             check_.digits.significant = 6;
+        }
+        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
+            const CheckLimit& given = check_.limits[i];
+            Limit& limit = limits_.emplace_back(Limit{given, pairs_.limits()[i]});
+            limit.name = given.is_of_all() ? "max" : "p" + given.percent_text;
+            limit.text = given.angle.unit.text == unit_ ? given.angle.text : angle(given.angle.in(check_.unit));
+            limit.figure = has_pairs() ? figure_of(limit.counts) : 0.0;
+            if (!limit.counts.holds(pairs_.pairs())) {
+                limit.fault = fmt::format("{} {} is beyond {}, {} of {}, first at line {}", limit.name,
+                                          angle(limit.figure), limit.text, limit.counts.beyond,
+                                          counted(pairs_.pairs(), "pair"), limit.counts.first_beyond);
+            }
         }
     }
 
     [[nodiscard]] Answer answer(const RowsResult& result) const {
-        const std::size_t pairs = pairs_.pairs();
         const std::size_t alone = result.unpaired[0].rows + (result.keys.any_pair ? 0 : result.unpaired[1].rows);
         if (check_.rows.by_key && 2 * alone > result.rows) {
             print_error(messages::few_keys_met(result.keys));
-        } else if (pairs == 0 && result.code == ExitCode::done) {
+        } else if (!has_pairs() && result.code == ExitCode::done) {
             print_error(check_.rows.delta > 0 && result.answered > 0
                             ? "no pair has one after it at the distance of --delta"
                             : std::string(messages::nothing_read));
         }
-        const std::string fault = fault_of(result);
-        const std::string verdict = check_.limits.empty() ? "not checked: no --within"
-                                    : fault.empty()       ? "pass: " + figures_of_limits()
-                                                          : "fail: " + fault;
-        if (check_.format == Check::Format::csv && pairs > 0) { // of which the rows do not tell
-            for (std::size_t i = 0; i < check_.limits.size(); ++i) {
-                if (const std::string found = check_.limits[i].is_of_all() ? "" : fault_of_limit(i); !found.empty()) {
-                    print_error(found);
-                }
+        const std::string few = has_pairs() ? fault_of_count(result) : "no pairs";
+        const std::string fault = fault_of(result, few);
+        const bool is_csv = check_.format == Check::Format::csv;
+        const auto tell = [this](const std::string& found) {
+            if (has_pairs() && !found.empty()) {
+                print_error(found);
             }
+        };
+        for (const Limit& limit : limits_) {
+            tell(is_csv && !limit.given.is_of_all() ? limit.fault : ""); // of which the rows do not tell
         }
-        const bool is_untold = check_.limits.empty() || check_.format == Check::Format::csv; // by the verdict
-        if (const std::string found = fault_of_count(result); is_untold && pairs > 0 && !found.empty()) {
-            print_error(found);
+        tell(is_csv || limits_.empty() ? few : "");
+        Answer answer{.text = "", .holds = fault.empty()};
+        if (!is_csv) {
+            const std::string verdict = limits_.empty() ? "not checked: no --within"
+                                        : fault.empty() ? "pass: " + figures_of_limits()
+                                                        : "fail: " + fault;
+            answer.text = check_.format == Check::Format::json
+                              ? in_json(result, limits_.empty() ? JsonValue() : verdict)
+                              : in_lines(result) + verdict + "\n";
         }
-        return {.text = check_.format == Check::Format::csv ? ""
-                        : check_.format == Check::Format::json
-                            ? in_json(result, check_.limits.empty() ? JsonValue() : verdict)
-                            : in_lines(result, verdict),
-                .holds = fault.empty()};
+        return answer;
     }
 
 private:
+    /// A limit, and what came of it.
+    struct Limit {
+        const CheckLimit& given;
+        const operations::PairLimit& counts;
+        std::string name{};  ///< of the figure that it limits
+        std::string text{};  ///< as it is given, or in the unit of the figures
+        double figure = 0.0; ///< 0 without a pair
+        std::string fault{}; ///< why it does not hold; empty if it does
+    };
+
+    [[nodiscard]] bool has_pairs() const { return pairs_.pairs() > 0; }
     [[nodiscard]] std::string number(double value) const {
         stream::Buffer text;
         stream::append_number(text, value, check_.digits);
@@ -66,11 +90,7 @@ private:
     /// The angle with its unit.
     [[nodiscard]] std::string angle(double value) const { return fmt::format("{} {}", number(value), unit_); }
 
-    /// The name of a limit's figure.
-    [[nodiscard]] static std::string name_of(const CheckLimit& limit) {
-        return limit.is_of_all() ? "max" : "p" + limit.percent_text;
-    }
-    /// Its value, if there is a pair.
+    /// What a limit is for, among the pairs.
     [[nodiscard]] double figure_of(const operations::PairLimit& limit) const {
         if (limit.percent == 100.0) {
             return pairs_.worst().begin()->angle;
@@ -78,30 +98,13 @@ private:
         const double estimate = pairs_.angles().percentile(limit.percent); // which must not belie the count
         return limit.holds(pairs_.pairs()) ? std::min(estimate, limit.angle) : std::max(estimate, limit.angle);
     }
-    /// "p95 0.02 deg".
-    [[nodiscard]] std::string named_figure(std::size_t index) const {
-        return fmt::format("{} {}", name_of(check_.limits[index]), angle(figure_of(pairs_.limits()[index])));
-    }
-    /// A limit as it is given, or in the unit of the figures.
-    [[nodiscard]] std::string text_of(const CheckLimit& limit) const {
-        return limit.angle.unit.text == unit_ ? limit.angle.text : angle(limit.angle.in(check_.unit));
-    }
     /// What pairs within all limits are like.
     [[nodiscard]] std::string figures_of_limits() const {
         std::string text;
-        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
-            text += fmt::format("{}, limit {}, ", named_figure(i), text_of(check_.limits[i]));
+        for (const Limit& limit : limits_) {
+            text += fmt::format("{} {}, limit {}, ", limit.name, angle(limit.figure), limit.text);
         }
         return text + counted(pairs_.pairs(), "pair");
-    }
-    /// Why a limit does not hold; empty if it does.
-    [[nodiscard]] std::string fault_of_limit(std::size_t index) const {
-        const operations::PairLimit& counts = pairs_.limits()[index];
-        return counts.holds(pairs_.pairs())
-                   ? std::string()
-                   : fmt::format("{} is beyond {}, {} of {}, first at line {}", named_figure(index),
-                                 text_of(check_.limits[index]), counts.beyond, counted(pairs_.pairs(), "pair"),
-                                 counts.first_beyond);
     }
     /// Why too few pairs were compared; empty if there are enough.
     [[nodiscard]] std::string fault_of_count(const RowsResult& result) const {
@@ -116,17 +119,10 @@ private:
                            least.text.empty() ? ": at least half, unless it says otherwise" : " " + least.text);
     }
 
-    /// What does not hold; empty if all does.
-    [[nodiscard]] std::string fault_of(const RowsResult& result) const {
-        std::vector<std::string> faults;
-        const std::size_t pairs = pairs_.pairs();
-        if (pairs == 0) {
-            faults.emplace_back("no pairs");
-        }
-        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
-            faults.push_back(fault_of_limit(i));
-        }
-        faults.push_back(pairs == 0 ? "" : fault_of_count(result));
+    /// What does not hold, `few` and others; empty if all does.
+    [[nodiscard]] std::string fault_of(const RowsResult& result, const std::string& few) const {
+        std::vector<std::string> faults = mapped(limits_, [](const Limit& limit) { return limit.fault; });
+        faults.insert(has_pairs() ? faults.end() : faults.begin(), few);
         for (const std::size_t side : {0U, 1U}) {
             const std::size_t rows = result.unpaired.at(side).rows;
             if (rows > 0 && !check_.allow_unpaired.at(side)) {
@@ -143,7 +139,7 @@ private:
         return fmt::format("{}", fmt::join(faults, "; "));
     }
 
-    /// The turns on one side that leave less than a hundredth, if there are such, and what they leave, in radians.
+    /// The rotations on one side that leave less than a hundredth, if there are any, and what they leave, in radians.
     [[nodiscard]] std::optional<std::pair<TurnOptions, double>> constant() const {
         if (check_.rows.delta > 0 || pairs_.pairs() < 2) {
             return std::nullopt;
@@ -163,54 +159,57 @@ private:
     }
 
     /// The figures of all angles by their names.
-    [[nodiscard]] std::vector<std::pair<std::string, double>> figures() const {
-        std::vector<std::pair<std::string, double>> all{{"rms", pairs_.angles().root_mean_square()},
-                                                        {"mean", pairs_.angles().mean()},
-                                                        {"std", pairs_.angles().standard_deviation()}};
-        for (const auto& [name, percent] : {std::pair("median", 50.0), std::pair("p95", 95.0)}) {
-            all.emplace_back(name, pairs_.angles().percentile(percent));
-        }
-        return all;
+    [[nodiscard]] std::vector<std::pair<std::string_view, double>> figures() const {
+        const operations::AngleStatistics& all = pairs_.angles();
+        return {{"rms", all.root_mean_square()},
+                {"mean", all.mean()},
+                {"std", all.standard_deviation()},
+                {"median", all.percentile(50.0)},
+                {"p95", all.percentile(95.0)}};
     }
 
-    [[nodiscard]] std::string in_lines(const RowsResult& result, const std::string& verdict) const {
-        const auto line = [](std::string_view name, const auto& value) {
-            return fmt::format("{:9} {}\n", name, value);
+    /// The limit without a percentage, or null.
+    [[nodiscard]] const operations::PairLimit* limit_of_all() const {
+        const auto found = std::ranges::find_if(limits_, [](const Limit& limit) { return limit.given.is_of_all(); });
+        return found == limits_.end() ? nullptr : &found->counts;
+    }
+
+    [[nodiscard]] std::string in_lines(const RowsResult& result) const {
+        std::string text;
+        const auto add = [&text](std::string_view name, const auto& value) {
+            text += fmt::format("{:9} {}\n", name, value);
         };
-        std::string text = line("rows", pairs_.pairs());
-        const std::size_t of_all = index_of_all();
-        if (of_all < check_.limits.size()) {
-            text += line("beyond", pairs_.limits()[of_all].beyond);
-        }
-        const auto& [own, other] = result.unpaired;
-        text +=
-            line("unpaired",
-                 own.rows + other.rows == 0 ? "0" : fmt::format("{} of FILE, {} of REFERENCE", own.rows, other.rows));
-        text += line("failed", result.failed);
         const auto at = [this](std::size_t row, const std::string& key) {
             return fmt::format("{}{}", row, check_.rows.by_key ? fmt::format(" (key {})", key) : "");
         };
         const auto where = [&](const operations::WorstPair& pair) {
             return fmt::format("{} at {}", angle(pair.angle), at(pair.line, pair.keys[0]));
         };
-        if (check_.aligned) {
-            text += line("aligned", in_words(*check_.aligned));
+        add("rows", pairs_.pairs());
+        if (const auto* limit = limit_of_all()) {
+            add("beyond", limit->beyond);
         }
-        if (pairs_.pairs() > 0) {
-            text += line("max", where(*pairs_.worst().begin()));
+        const auto& [own, other] = result.unpaired;
+        add("unpaired",
+            own.rows + other.rows == 0 ? "0" : fmt::format("{} of FILE, {} of REFERENCE", own.rows, other.rows));
+        add("failed", result.failed);
+        if (check_.aligned) {
+            add("aligned", in_words(*check_.aligned));
+        }
+        if (has_pairs()) {
+            add("max", where(*pairs_.worst().begin()));
             for (const auto& [name, value] : figures()) {
-                text += line(name, angle(value));
+                add(name, angle(value));
             }
-            for (std::size_t i = 0; i < check_.limits.size(); ++i) {
-                const CheckLimit& limit = check_.limits[i];
-                if (limit.percent != 50.0 && limit.percent != 95.0 && !limit.is_of_all()) {
-                    text += line(name_of(limit), angle(figure_of(pairs_.limits()[i])));
+            for (const Limit& limit : limits_) {
+                const double percent = limit.given.percent;
+                if (percent != 50.0 && percent != 95.0 && !limit.given.is_of_all()) {
+                    add(limit.name, angle(limit.figure));
                 }
             }
         }
         if (const auto found = constant()) {
-            text += line("constant",
-                         fmt::format("{}, which leaves {}", in_words(found->first), angle(in_unit(found->second))));
+            add("constant", fmt::format("{}, which leaves {}", in_words(found->first), angle(in_unit(found->second))));
         }
         std::size_t shown = 0;
         for (const operations::WorstPair& pair : pairs_.worst()) {
@@ -219,11 +218,11 @@ private:
             }
             const std::string reference =
                 pair.reference_line > 0 ? ", reference " + at(pair.reference_line, pair.keys[1]) : "";
-            text += line(fmt::format("worst {}", shown),
-                         fmt::format("{}{}: {} against {}", where(pair), reference, fmt::join(pair.attitudes[0], " "),
-                                     fmt::join(pair.attitudes[1], " ")));
+            add(fmt::format("worst {}", shown),
+                fmt::format("{}{}: {} against {}", where(pair), reference, fmt::join(pair.attitudes[0], " "),
+                            fmt::join(pair.attitudes[1], " ")));
         }
-        return text + verdict + "\n";
+        return text;
     }
 
     [[nodiscard]] std::string in_words(const TurnOptions& turns) const {
@@ -235,86 +234,68 @@ private:
         }
         return options.empty() ? "by nothing" : fmt::format("by {}:{}", sizes, options);
     }
+
+    /// A figure for JSON; null without a pair.
+    [[nodiscard]] JsonValue figure(double value) const {
+        return has_pairs() ? JsonValue::as_written(number(value)) : JsonValue();
+    }
     [[nodiscard]] JsonValue in_json(const TurnOptions& turns) const {
         std::vector<std::pair<std::string_view, JsonValue>> object;
         for (const TurnOption& turn : turns) {
             object.emplace_back(turn.side, turn.text);
-            object.emplace_back(turn.side == "left" ? "left_angle" : "right_angle",
-                                JsonValue::as_written(number(in_unit(turn.size))));
+            object.emplace_back(turn.side == "left" ? "left_angle" : "right_angle", figure(in_unit(turn.size)));
         }
         return json_object(object);
     }
-    /// The limit without a percentage, or the count of limits.
-    [[nodiscard]] std::size_t index_of_all() const {
-        return static_cast<std::size_t>(std::ranges::find_if(check_.limits, &CheckLimit::is_of_all) -
-                                        check_.limits.begin());
-    }
     [[nodiscard]] JsonValue limits_in_json() const {
-        std::vector<std::string> limits;
-        for (const operations::PairLimit& limit : pairs_.limits()) {
-            const bool has_pairs = pairs_.pairs() > 0;
-            limits.push_back(
-                json_object({{"percent", limit.percent},
-                             {"angle", limit.angle},
-                             {"beyond", limit.beyond},
-                             {"percentile", has_pairs ? JsonValue::as_written(number(figure_of(limit))) : JsonValue()}})
-                    .text);
-        }
-        return limits.empty() ? JsonValue() : JsonValue::as_written(fmt::format("[{}]", fmt::join(limits, ", ")));
+        const auto limits = mapped(limits_, [this](const Limit& limit) {
+            return json_object({{"percent", limit.counts.percent},
+                                {"angle", limit.counts.angle},
+                                {"beyond", limit.counts.beyond},
+                                {"percentile", figure(limit.figure)}});
+        });
+        return json_array(limits).unless(limits.empty());
     }
-
     /// The key of a row or, from 1, of its partner.
     [[nodiscard]] JsonValue key(const operations::WorstPair& pair, std::size_t side) const {
         const std::string& text = pair.keys.at(side);
         return !check_.rows.by_key ? JsonValue() : stream::is_json_number(text) ? JsonValue::as_written(text) : text;
     }
-
     [[nodiscard]] JsonValue worst_in_json() const {
-        std::vector<std::string> pairs;
-        for (const operations::WorstPair& pair : pairs_.worst()) {
-            const auto list = [](const auto& items) {
-                return JsonValue::as_written(fmt::format("[{}]", fmt::join(items, ", ")));
-            };
-            pairs.push_back(
-                json_object({{"angle", JsonValue::as_written(number(pair.angle))},
-                             {"line", pair.line},
-                             {"reference_line", pair.reference_line > 0 ? JsonValue(pair.reference_line) : JsonValue()},
-                             {"key", key(pair, 0)},
-                             {"reference_key", key(pair, 1)},
-                             {"attitude", list(pair.attitudes[0])},
-                             {"reference", list(pair.attitudes[1])}})
-                    .text);
-        }
-        return check_.worst == 0 ? JsonValue() : JsonValue::as_written(fmt::format("[{}]", fmt::join(pairs, ", ")));
+        const auto pairs = mapped(pairs_.worst(), [this](const operations::WorstPair& pair) {
+            return json_object({{"angle", figure(pair.angle)},
+                                {"line", pair.line},
+                                {"reference_line", JsonValue(pair.reference_line).unless(pair.reference_line == 0)},
+                                {"key", key(pair, 0)},
+                                {"reference_key", key(pair, 1)},
+                                {"attitude", json_array(pair.attitudes[0])},
+                                {"reference", json_array(pair.attitudes[1])}});
+        });
+        return json_array(pairs).unless(check_.worst == 0);
     }
 
     [[nodiscard]] std::string in_json(const RowsResult& result, const JsonValue& verdict) const {
-        const bool has_pairs = pairs_.pairs() > 0;
-        const auto value_if = [](bool is_there, JsonValue value) { return is_there ? std::move(value) : JsonValue(); };
-        const auto figure = [&](double value) { return value_if(has_pairs, JsonValue::as_written(number(value))); };
-        const std::size_t of_all = index_of_all();
-        const bool is_limited = of_all < check_.limits.size();
-        const operations::PairLimit limit = is_limited ? pairs_.limits()[of_all] : operations::PairLimit();
-        const operations::WorstPair worst = has_pairs ? *pairs_.worst().begin() : operations::WorstPair();
+        const operations::PairLimit* const of_all = limit_of_all();
+        const operations::PairLimit limit = of_all != nullptr ? *of_all : operations::PairLimit();
+        const operations::WorstPair worst = has_pairs() ? *pairs_.worst().begin() : operations::WorstPair();
         std::vector<std::pair<std::string_view, JsonValue>> object{
             {"rows", pairs_.pairs()},
             {"unit", std::string(unit_)},
             {"file", check_.file},
-            {"reference", value_if(!check_.reference.empty(), check_.reference)},
+            {"reference", JsonValue(check_.reference).unless(check_.reference.empty())},
             {"version", ROTCONV_VERSION},
-            {"within", value_if(is_limited, limit.angle)},
-            {"beyond", value_if(is_limited, limit.beyond)},
-            {"first_beyond", value_if(limit.beyond > 0, limit.first_beyond)},
+            {"within", JsonValue(limit.angle).unless(of_all == nullptr)},
+            {"beyond", JsonValue(limit.beyond).unless(of_all == nullptr)},
+            {"first_beyond", JsonValue(limit.first_beyond).unless(limit.beyond == 0)},
             {"limits", limits_in_json()},
             {"unpaired", result.unpaired[0].rows + result.unpaired[1].rows},
             {"unpaired_file", result.unpaired[0].rows},
             {"unpaired_reference", result.unpaired[1].rows},
             {"failed", result.failed},
             {"max", figure(worst.angle)},
-            {"max_line", value_if(has_pairs, worst.line)},
-            {"max_key", value_if(has_pairs, key(worst, 0))}};
-        const auto all = figures();
-        for (const auto& [name, value] : all) {
+            {"max_line", JsonValue(worst.line).unless(!has_pairs())},
+            {"max_key", key(worst, 0).unless(!has_pairs())}};
+        for (const auto& [name, value] : figures()) {
             object.emplace_back(name, figure(value));
         }
         const auto found = constant();
@@ -322,12 +303,13 @@ private:
         object.emplace_back("aligned", check_.aligned ? in_json(*check_.aligned) : JsonValue());
         object.emplace_back("worst", worst_in_json());
         object.emplace_back("verdict", verdict);
-        return json_line(object);
+        return json_object(object).text + "\n";
     }
 
     Check check_;
     const operations::PairFold& pairs_;
     std::string_view unit_; ///< of angles
+    std::vector<Limit> limits_;
 };
 
 } // namespace

@@ -85,7 +85,15 @@ struct JsonValue {
         value.text = std::move(number);
         return value;
     }
+    /// Null if that is so.
+    [[nodiscard]] JsonValue unless(bool is_absent) const { return is_absent ? JsonValue() : *this; }
 };
+
+/// An array of values or of numbers.
+[[nodiscard]] JsonValue json_array(const auto& items) {
+    const auto texts = mapped(items, [](const JsonValue& item) { return item.text; });
+    return JsonValue::as_written(fmt::format("[{}]", fmt::join(texts, ", ")));
+}
 
 /// An object of these keys, which must not need escapes.
 [[nodiscard]] JsonValue json_object(const std::vector<std::pair<std::string_view, JsonValue>>& object);
