@@ -17,7 +17,6 @@ begin(name) = sprintf("chart = '%s/%s.svg'; high = whole * ceil(1.0 * high / who
 # After `unset output`: `system described(...)` says in the file what it shows, for those who do not see it.
 described(title, text) = sprintf("sed -i 's|<title>Gnuplot</title>|<title>%s</title>|; s|<desc>.*</desc>|<desc>%s</desc>|' '%s'", \
     title, text, chart)
-width_of(text) = 6.6 * strlen(text) # of 11 pixels high, nearly
 
 # Pixels from the upper left corner.
 across(x) = x / page
@@ -43,7 +42,7 @@ label_of(method) = method eq "default" ? "rotconv, exact" : method eq "fast" ? "
 is_ours(method) = method eq "default" || method eq "fast" || method eq "typed"
 is_bold(method) = is_ours(method) || method eq "Eigen"
 
-# At most eight a panel; methods.csv has all.
+# At most eight of a pair; methods.csv has all.
 shown_methods(pair) = pair eq "dcm-quat" ? "default fast typed Eigen trace shepperd sarabandi-thomas bar-itzhack" \
     : pair eq "dcm-quat-line" ? "default fast Eigen trace shepperd sarabandi-thomas klumpp bar-itzhack" \
     : pair eq "dcm-quat-noise" ? "default fast Eigen trace shepperd compensated polar bar-itzhack" \
@@ -66,6 +65,8 @@ error_title = "worst error of attitude, 2^{-52} rad"
 error_tics = "set yrange [0:1]; set ytics ('≤ 0.2' h(0.2), '0.5' h(0.5), '1' h(1), '2' h(2), '5' h(5), '10' h(10), '10^4' h(1e4), " \
     . "'10^8' h(1e8), '10^{12}' h(1e12), '180°' h(half_turn), 'nan' no_number) scale 0.4 nomirror font small " \
     . "tc rgb ink offset 0.6,0"
+error_xtics = "set xtics ('≤ 0.2' h(0.2), '1' h(1), '10' h(10), '10^8' h(1e8), '180°' h(half_turn), '\nnan' no_number) " \
+    . "scale 0.4 nomirror font small tc rgb ink offset 0,0.4"
 good_half = "set object 1 rectangle from graph 0,0 to graph 1,0.5 fc rgb '#eef1f4' fs noborder behind"
 
 set border 3 lc rgb ink

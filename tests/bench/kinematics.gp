@@ -40,7 +40,7 @@ y_low = 1e-16
 y_high = 1.0
 x_title = "computing time, ns a simulated second"
 y_title = "largest error of attitude, rad"
-heading = "Work and precision: 20 s of six motions"
+heading = "In the same time, exponential steps gain about four digits over Runge-Kutta"
 eval begin("work-precision")
 set xtics ("10^3" 1e3, "10^4" 1e4, "10^5" 1e5, "10^6" 1e6) scale 0.4 nomirror font small tc rgb ink offset 0,0.3
 set ytics ("10^{-15}" 1e-15, "10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6, "10^{-3}" 1e-3, "1" 1) scale 0.4 nomirror font small tc rgb ink

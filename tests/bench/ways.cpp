@@ -82,6 +82,7 @@ std::vector<Pair> pairs() {
         found.back().ways.push_back({"default", nullptr, nullptr});
     }
     found.push_back(pair_of(RepresentationId::euler, RepresentationId::quat));
+    found.back().ways.push_back({"default", nullptr, nullptr});
     return found;
 }
 
