@@ -142,15 +142,6 @@ Turns move_axes(const Spec& spec, bool inverse, Turns turns, const double*& in, 
 
 // Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
 
-/// No branch, and bits of a double's size: the loop vectorises.
-template <class Function> bool all(const double* numbers, std::size_t count, const Function& is_plain) noexcept {
-    std::uint64_t others = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        others |= is_plain(numbers[i]) ? 0U : 1U;
-    }
-    return others == 0;
-}
-
 bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows, bool exactly) noexcept {
     const Kernel& kernel = kernel_of(spec.name);
     const double least = exactly ? kernel.least_plain_number : 0x1p-112;

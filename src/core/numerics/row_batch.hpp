@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "double_double.hpp"
 
@@ -66,6 +67,16 @@ ROTCONV_INLINE void to_rows(const Columns<double, N>& columns, std::size_t rows,
             numbers[N * i + k] = columns[k].hi[i];
         }
     }
+}
+
+/// Whether all numbers are so. No branch, and bits of a double's size: the loop vectorises.
+template <class Function>
+ROTCONV_INLINE bool all(const double* numbers, std::size_t count, const Function& is_so) noexcept {
+    std::uint64_t others = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        others |= is_so(numbers[i]) ? 0U : 1U;
+    }
+    return others == 0;
 }
 
 // NOLINTEND(*-avoid-c-arrays)
