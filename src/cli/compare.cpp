@@ -37,7 +37,7 @@ struct CompareOptions final : RowOptions {
     [[nodiscard]] Command command() const override {
         const Spec read = spec_of(from);
         const Spec reference = to.given() ? spec_of(to) : read;
-        const auto side = one_of<AlignedSide>(fmt::format("side of {}", align.name()), align,
+        const auto side = one_of<AlignedSide>("side of", align,
                                               {{"reference", AlignedSide::reference},
                                                {"body", AlignedSide::body},
                                                {"both", AlignedSide::both},
@@ -58,7 +58,7 @@ struct CompareOptions final : RowOptions {
                                            : AngleUnitName();
         if (allow_unpaired.given()) {
             check.allow_unpaired = one_of<std::array<bool, 2>>(
-                fmt::format("kind of rows for {}", allow_unpaired.name()), allow_unpaired,
+                "kind of rows for", allow_unpaired,
                 {{"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}});
         }
         const bool as_rows = check.format == Check::Format::csv;
@@ -104,7 +104,7 @@ private:
             if (at == 0) {
                 throw Usage("{} {} has a percentage, and no angle before it", within.name(), quoted(text));
             }
-            CheckLimit limit{.angle = given_angle(within, text.substr(0, at)), .text = text};
+            CheckLimit limit{.angle = given_angle(within, text.substr(0, at), degrees.given()), .text = text};
             if (at != std::string::npos) {
                 limit.percent_text = text.substr(at + 1);
                 if (stream::read_number(limit.percent_text, limit.percent) != stream::NumberError::none ||

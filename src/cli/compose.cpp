@@ -32,8 +32,7 @@ struct ComposeOptions final : RowOptions {
         };
         RowsCommand made = pairs_command(first, second, operations::several(mapped(written, product_as)));
         made.allow_unpaired =
-            allow_unpaired.given() && one_of<bool>(fmt::format("kind of rows for {}", allow_unpaired.name()),
-                                                   allow_unpaired, {{"reference", true}});
+            allow_unpaired.given() && one_of<bool>("kind of rows for", allow_unpaired, {{"reference", true}});
         if (rows.paired) {
             made.options.pairing->needs_partner = true;
             made.options.pairing->tells_partner = false;

@@ -28,7 +28,7 @@ struct PropagateOptions final : RowOptions {
                                          .stop_at_error = policy() == stream::OnError::stop};
         PropagationSettings& propagation = rows.settings;
         if (with.given()) {
-            propagation.representation = spec_of(with, with.text(), false);
+            propagation.representation = cli::spec_of(with, false);
         }
         require_rates(with, propagation.representation);
         propagation.integrator = integrator_of(propagation.representation);

@@ -1,71 +1,19 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <rotconv/conversion.hpp>
 
 #include "../operations/operations.hpp"
+#include "arguments.hpp"
 #include "command.hpp"
-#include "messages.hpp"
 
 /// The options of commands that go through rows.
 namespace rotconv::cli {
-
-// What the arguments of options mean; each function throws Usage on others.
-
-/// The value of a word that is one of the choices.
-template <class Value> using Choices = std::vector<std::pair<std::string_view, Value>>;
-template <class Value> Value one_of(std::string_view what, std::string_view text, const Choices<Value>& choices) {
-    const auto found = std::ranges::find(choices, text, &Choices<Value>::value_type::first);
-    if (found == choices.end()) {
-        throw Usage(messages::no_such_word(what, text, mapped(choices, &Choices<Value>::value_type::first)));
-    }
-    return found->second;
-}
-/// That of an option's argument; the first choice if the option is not given.
-template <class Value> Value one_of(std::string_view what, const Option& option, const Choices<Value>& choices) {
-    return option.given() ? one_of(what, option.text(), choices) : choices.front().second;
-}
-
-/// Refuses a SPEC whose numbers have no rates.
-void require_rates(const Option& option, const Spec& spec);
-/// An option's "SPEC: NUMBERS".
-struct GivenNumbers {
-    Spec spec;
-    std::string_view row; ///< the numbers as they are written
-    std::vector<double> numbers{};
-};
-/// A number for which `holds`; `must`: what it must be, such as "number from 0 to 1".
-[[nodiscard]] double number_of(const Option& option, double default_value, std::string_view must,
-                               const std::function<bool(double)>& holds);
-/// A number that is not negative.
-[[nodiscard]] double amount_of(const Option& option, double default_value, bool infinite);
-/// A whole number from `least` to `most`.
-[[nodiscard]] std::size_t count_of(const Option& option, std::size_t most, std::size_t least = 1,
-                                   std::size_t default_value = 0);
-/// The power of ten of the seconds in a unit of time; 0 if the option is not given.
-[[nodiscard]] int time_power_of(const Option& option);
-/// A unit of angles.
-struct AngleUnitName {
-    std::string_view text = "rad";
-    double per_radian = 1.0;
-};
-inline constexpr AngleUnitName in_degrees{"deg", degrees_per_radian};
-/// An ANGLE as it is given.
-struct GivenAngle {
-    std::string text{}; ///< with its unit
-    double value = 0.0;
-    AngleUnitName unit{};
-    bool is_bare = false; ///< it was given without the unit
-
-    [[nodiscard]] double in(const AngleUnitName& other) const noexcept;
-};
 
 inline constexpr std::size_t widest_row = 100'000; ///< doubles
 
@@ -129,18 +77,19 @@ struct RowOptions : CommandOptions {
 
     void check_attitudes() const override;
 
-    /// @param text the option's argument, or the part of it that is a SPEC
-    [[nodiscard]] static Spec spec_of(const Option& option, const std::string& text, bool as_degrees);
-    [[nodiscard]] Spec spec_of(const Option& option) const { return spec_of(option, option.text(), degrees.given()); }
-    /// The SPECs of an option that takes several, with commas between, whose column names differ.
-    [[nodiscard]] std::vector<Spec> specs_of(const Option& option) const;
-    [[nodiscard]] GivenNumbers numbers_of(const Option& option) const;
-    /// Their attitude; nothing if the option is not given.
-    [[nodiscard]] std::optional<FixedRotation> attitude_of(const Option& option) const;
-    /// @param text the option's argument, or the part of it that is an angle
-    [[nodiscard]] GivenAngle given_angle(const Option& option, const std::string& text) const;
+    [[nodiscard]] Spec spec_of(const Option& option) const { return cli::spec_of(option, degrees.given()); }
+    /// The SPECs of an option that takes several.
+    [[nodiscard]] std::vector<Spec> specs_of(const Option& option) const {
+        return cli::specs_of(option, degrees.given());
+    }
     /// The ANGLE of an option in radians, finite.
-    [[nodiscard]] double angle_of(const Option& option, double default_value) const;
+    [[nodiscard]] double angle_of(const Option& option, double default_value) const {
+        return cli::angle_of(option, degrees.given(), default_value);
+    }
+    /// Nothing if the option is not given.
+    [[nodiscard]] std::optional<FixedRotation> attitude_of(const Option& option) const {
+        return cli::attitude_of(option, degrees.given(), most_defect());
+    }
     [[nodiscard]] double most_defect() const;
     [[nodiscard]] stream::OnError policy() const;
     /// With the sensitivity of each row if its columns are shown.

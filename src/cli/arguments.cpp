@@ -1,0 +1,195 @@
+#include "arguments.hpp"
+
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include <rotconv/rates.hpp>
+
+#include "../operations/operations.hpp"
+#include "../stream/delimiter.hpp"
+#include "../stream/number_text.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+[[noreturn]] void refuse(const Option& option, const Spec& spec, const stream::RowError& error,
+                         double tolerance = 0.0) {
+    throw Usage("{}: {}{}", option.name(), messages::explain(error, messages::subject_of(spec, tolerance)),
+                messages::mend(error));
+}
+
+Spec spec_of(const Option& option, const std::string& text, bool degrees) {
+    if (text.empty()) {
+        throw MissingSpec("{} SPEC is missing; see rotconv --help", option.name());
+    }
+    const auto parsed = parse_spec(text);
+    if (const auto* error = std::get_if<SpecError>(&parsed)) {
+        const auto is_spec = [](std::string_view each) { return std::holds_alternative<Spec>(parse_spec(each)); };
+        if (std::ranges::all_of(items_of(text), is_spec)) {
+            throw Usage("{} {}: it takes one SPEC here", option.name(), quoted(text));
+        }
+        throw Usage("{} {}: {}", option.name(), quoted(text), messages::explain(*error));
+    }
+    const Spec& spec = std::get<Spec>(parsed);
+    return degrees ? spec.in_degrees() : spec;
+}
+
+} // namespace
+
+double number_of(const Option& option, double default_value, std::string_view must,
+                 const std::function<bool(double)>& holds) {
+    double value = default_value;
+    const std::string& text = option.text();
+    if (option.given() && (stream::read_number(text, value) != stream::NumberError::none || !holds(value))) {
+        throw Usage("{} {} must be a {}", option.name(), quoted(text), must);
+    }
+    return value;
+}
+
+double amount_of(const Option& option, double default_value, bool infinite) {
+    return number_of(option, default_value,
+                     infinite ? "number that is not negative" : "finite number that is not negative",
+                     [infinite](double value) { return value >= 0.0 && (infinite || !std::isinf(value)); });
+}
+
+std::size_t count_of(const Option& option, std::size_t most, std::size_t least, std::size_t default_value) {
+    const auto range = std::pair(static_cast<double>(least), static_cast<double>(most));
+    return static_cast<std::size_t>(number_of(
+        option, static_cast<double>(default_value), fmt::format("whole number from {} to {}", least, most),
+        [range](double value) { return value == std::floor(value) && value >= range.first && value <= range.second; }));
+}
+
+int time_power_of(const Option& option) {
+    return one_of<int>("time unit", option, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
+}
+
+double GivenAngle::in(const AngleUnitName& other) const noexcept {
+    if (unit.text == other.text) {
+        return value;
+    }
+    const double radians = unit.text == "deg" ? value * radians_per_degree : value / unit.per_radian;
+    return radians * other.per_radian;
+}
+
+GivenAngle given_angle(const Option& option, const std::string& text, bool degrees) {
+    static constexpr std::array<AngleUnitName, 3> units{{{"mrad", 1000.0}, {}, in_degrees}};
+    const auto* unit = std::ranges::find_if(units, [&](const auto& each) { return text.ends_with(each.text); });
+    const bool is_bare = unit == units.end();
+    const std::string number = text.substr(0, text.size() - (is_bare ? 0 : unit->text.size()));
+    double value = 0.0;
+    if (stream::trimmed(number) != number || stream::read_number(number, value) != stream::NumberError::none ||
+        !(value >= 0.0)) {
+        throw Usage("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option.name(),
+                    quoted(text));
+    }
+    const AngleUnitName own = !is_bare ? *unit : degrees ? in_degrees : AngleUnitName();
+    return {fmt::format("{} {}", number, own.text), value, own, is_bare};
+}
+
+double angle_of(const Option& option, bool degrees, double default_value) {
+    const double angle = option.given() ? given_angle(option, option.text(), degrees).in({}) : default_value;
+    if (std::isinf(angle)) {
+        throw Usage("{} {} must be a finite angle", option.name(), quoted(option.text()));
+    }
+    return angle;
+}
+
+Spec spec_of(const Option& option, bool degrees) { return spec_of(option, option.text(), degrees); }
+
+std::vector<Spec> specs_of(const Option& option, bool degrees) {
+    std::vector<Spec> specs;
+    std::vector<std::string> names;
+    for (const std::string_view text : items_of(option.text())) {
+        if (text.empty() && option.given()) {
+            throw Usage("{} {}: a SPEC of this list is empty", option.name(), quoted(option.text()));
+        }
+        specs.push_back(spec_of(option, std::string(text), degrees));
+        for (const std::string& name : operations::names_of(specs.back())) {
+            if (std::ranges::count(names, name) > 0) {
+                throw Usage("{} {}: two of these have a column {}", option.name(), quoted(option.text()), quoted(name));
+            }
+            names.push_back(name);
+        }
+    }
+    return specs;
+}
+
+void require_rates(const Option& option, const Spec& spec) {
+    if (!has_rates(spec.name)) {
+        throw Usage("{} {}: its axis has no rate at the identity, but rotvec has one", option.name(),
+                    representation(spec.name).text);
+    }
+}
+
+GivenNumbers numbers_of(const Option& option, bool degrees) {
+    const std::string& text = option.text();
+    const auto colon = text.rfind(':');
+    if (colon == std::string::npos) {
+        throw Usage("{} needs 'SPEC: NUMBERS' in one argument, such as 'quat: 1 0 0 0', not {}", option.name(),
+                    quoted(text));
+    }
+    GivenNumbers read{spec_of(option, text.substr(0, colon), degrees),
+                      stream::trimmed(std::string_view(text).substr(colon + 1))};
+    std::vector<std::string_view> fields;
+    stream::Delimiter::of_row(read.row).split(read.row, fields);
+    if (fields.size() != read.spec.size()) {
+        throw Usage("{}: {} has {} numbers, not {}: {}", option.name(), representation(read.spec.name).text,
+                    read.spec.size(), fields.size(), quoted(read.row));
+    }
+    for (const std::string_view field : fields) {
+        const auto error = stream::read_number(field, read.numbers.emplace_back());
+        if (error != stream::NumberError::none) {
+            using What = stream::RowError::What;
+            refuse(option, read.spec,
+                   {.what = error == stream::NumberError::too_large ? What::too_large : What::not_a_number,
+                    .text = std::string(read.row)});
+        }
+    }
+    return read;
+}
+
+std::optional<FixedRotation> attitude_of(const Option& option, bool degrees, double tolerance) {
+    if (!option.given()) {
+        return std::nullopt;
+    }
+    const GivenNumbers read = numbers_of(option, degrees);
+    std::array<double, 4> q{};
+    std::vector<RowReport> reports;
+    Conversion(read.spec, Spec{}, {.tolerance = tolerance}).run(read.numbers, q, reports);
+    if (!reports.empty() && reports.front().error != Error::none) {
+        refuse(option, read.spec,
+               {.what = stream::RowError::What::attitude,
+                .text = std::string(read.row),
+                .error = reports.front().error,
+                .defect = reports.front().defect},
+               tolerance);
+    }
+    return FixedRotation::of_numbers(read.spec, read.numbers);
+}
+
+AxesChange axes_of(const Option& option) {
+    const auto parsed = parse_axes(option.given() ? option.text() : "xyz:xyz");
+    if (const auto* error = std::get_if<AxesError>(&parsed)) {
+        throw Usage("{} {}", option.name(), message(AxesError{error->what, shortened(error->text), error->triple}));
+    }
+    return std::get<AxesChange>(parsed);
+}
+
+void require_same_hand(const Option& reference_axes, const Option& body_axes) {
+    const std::array<const Option*, 2> sides{&reference_axes, &body_axes};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Option& option = *sides.at(i);
+        const Option& other = *sides.at(1 - i);
+        const AxesChange change = axes_of(option);
+        if (change.changes_hand() && !axes_of(other).changes_hand()) {
+            const std::string& text = option.text();
+            const auto colon = text.find(':');
+            throw Usage("{0} {1} changes hand, because {2} is left-handed; so must {3}, such as {3} {1}", option.name(),
+                        text, quoted(change.from_left_handed ? text.substr(0, colon) : text.substr(colon + 1)),
+                        other.name());
+        }
+    }
+}
+
+} // namespace rotconv::cli
