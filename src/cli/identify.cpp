@@ -42,33 +42,33 @@ std::string no_such_count(std::size_t all, const operations::IdentificationRows&
                        fmt::join(legal, " "), rows.paired ? "" : "; or the known ones are in a second FILE");
 }
 
-/// A constant turn of the axes that options name, xyz:yx-z and the like, or of others.
-std::string turn_option(std::string_view side, std::string_view axes_option, const Rotation& rotation, bool inverse) {
-    const Dcm matrix = dcm::from_rotation(inverse ? rotation.inverse() : rotation);
-    std::string axes; // where each of the new axes points, in the old ones
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            if (std::fabs(matrix(i, k)) == 1.0) {
-                axes += fmt::format("{}{}", matrix(i, k) < 0.0 ? "-" : "", static_cast<char>('x' + k));
+/// A constant rotation as an option: by axes that have names, by others such as xyz:yx-z, or as a quaternion.
+/// @param axes its name, if it has one
+/// @param change the rotation as a change of axes
+std::string option_of(const std::optional<Rotation>& rotation, std::string_view axes, const Rotation& change,
+                      std::string_view side, std::string_view axes_option) {
+    if (!rotation) {
+        return {};
+    }
+    std::string named(axes);
+    const Dcm matrix = dcm::from_rotation(change);
+    if (axes.empty() && (matrix.array().abs() == 1.0).count() == 3) {
+        named = "xyz:"; // where each of the new axes points, in the old ones
+        for (Eigen::Index i = 0; i < 9; ++i) {
+            if (const double entry = matrix(i / 3, i % 3); entry != 0.0) {
+                named += fmt::format("{}{}", entry < 0.0 ? "-" : "", static_cast<char>('x' + i % 3));
             }
         }
     }
-    if (std::ranges::count(axes, '-') + 3 == static_cast<std::ptrdiff_t>(axes.size())) {
-        return fmt::format(" {} xyz:{}", axes_option, axes);
-    }
-    const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
-    return fmt::format(" {} 'quat: {} {} {} {}'", side, q.w(), q.x(), q.y(), q.z());
+    const Eigen::Quaterniond q = quaternion::from_rotation(*rotation);
+    return named.empty() ? fmt::format(" {} 'quat: {} {} {} {}'", side, q.w(), q.x(), q.y(), q.z())
+                         : fmt::format(" {} {}", axes_option, named);
 }
 
-std::string turn_options(const Candidate& candidate) {
-    const auto option = [](std::string_view side, std::string_view axes_option, std::string_view axes,
-                           const std::optional<Rotation>& turn, bool inverse) {
-        return !axes.empty() ? fmt::format(" {} {}", axes_option, axes)
-               : turn        ? turn_option(side, axes_option, *turn, inverse)
-                             : std::string();
-    };
-    return option("--left", "--reference-axes", candidate.reference_axes, candidate.left, false) +
-           option("--right", "--body-axes", candidate.body_axes, candidate.right, true);
+std::string rotation_options(const Candidate& candidate) {
+    const auto& [left, right] = std::tie(candidate.left, candidate.right);
+    return option_of(left, candidate.reference_axes, left.value_or(Rotation()), "--left", "--reference-axes") +
+           option_of(right, candidate.body_axes, right.value_or(Rotation()).inverse(), "--right", "--body-axes");
 }
 
 std::string in_brackets(const Eigen::Vector3d& v) {
@@ -150,7 +150,7 @@ public:
             const bool is_read = std::isfinite(each.angle);
             const double angle = each.angle * unit_;
             const bool fits = identification_->fits(each);
-            const std::string turns = turn_options(each);
+            const std::string turns = rotation_options(each);
             text += settings_.json ? json_line({{"spec", each.spec.text()},
                                                 {"columns", columns_of(each)},
                                                 {"angle", is_read ? JsonValue(angle) : JsonValue()},
@@ -165,7 +165,7 @@ public:
         std::string best = is_ambiguous ? "ambiguous" : "none";
         if (verdict.answer) {
             const Candidate& first = *verdict.answer;
-            best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), turn_options(first));
+            best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), rotation_options(first));
         }
         if (settings_.json) {
             text += json_line({{"rows", rows},
