@@ -41,7 +41,7 @@ struct ComposeOptions final : RowOptions {
     }
 
 private:
-    Option by{"--by", "SPEC", "The representation of REFERENCE, the right factor (default: that of --from)"};
+    Option by{"--by", "SPEC", "The representation of REFERENCE, the right factor (default: as --from)"};
     Option allow_unpaired{"--allow-unpaired", "WHOSE",
                           "reference: rows of REFERENCE that are left over are no failure"};
 };
