@@ -122,7 +122,7 @@ std::string why(const stream::RowError& error, const Subject& subject) {
 /// What to do about it.
 std::string after_text(const stream::RowError& error) {
     using What = stream::RowError::What;
-    if (error.what == What::key && error.of_reference && error.key == stream::KeyError::has_unit) {
+    if (error.what == What::key && error.place.is_in_reference() && error.key == stream::KeyError::has_unit) {
         return "; such times are in seconds: --reference-time-unit s";
     }
     const bool has_blank = error.what == What::wrong_count && has_blank_in_time(error.text);

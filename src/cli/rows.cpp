@@ -2,6 +2,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <set>
 #include <utility>
@@ -36,59 +37,60 @@ std::string rows_from(std::size_t rows, std::size_t first_line) {
 class Reporter {
 public:
     explicit Reporter(const RowsCommand& command)
-        : command_(&command), where_(command.has_values ? "argument" : shown(command.input)),
-          reference_(shown(command.reference)) {}
+        : command_(&command), inputs_{command.has_values ? "argument" : shown(command.input),
+                                      shown(command.reference)} {}
 
     void add(const stream::Event& event) {
         std::visit([this](const auto& what) { add(what); }, event);
     }
     void add(const stream::StreamError& error) const {
         using What = stream::StreamError::What;
-        std::string message = messages::explain(error, subject_of(error.of_reference));
+        std::string message = messages::explain(error, subject_of(error.place));
         if (error.what == What::json) {
             message += messages::json_advice(beginning_, command_->options.input);
-        } else if (error.what == What::columns && !error.of_reference) {
-            message += advice_at(error.line, !error.column.header.empty());
+        } else if (error.what == What::columns && !error.place.is_in_reference()) {
+            message += advice_at(error.place.line, !error.column.header.empty());
         }
-        tell(error.what == What::read ? 0 : error.line, message, error.of_reference);
+        tell({error.what == What::read ? 0 : error.place.line, error.place.side}, message);
     }
     void add(const std::array<stream::Unpaired, 2>& unpaired) const {
-        for (const bool of_reference : {false, true}) {
-            if (const auto& [rows, first_line] = unpaired.at(of_reference ? 1 : 0); rows > 0) {
-                tell(0, fmt::format("unpaired: {}", rows_from(rows, first_line)), of_reference);
+        for (const stream::Side side : stream::both_sides) {
+            if (const auto& [rows, first_line] = unpaired.at(index_of(side)); rows > 0) {
+                tell({.side = side}, fmt::format("unpaired: {}", rows_from(rows, first_line)));
             }
         }
     }
 
     void summarize() const {
-        for (const Count& count : counts_) {
+        for (const auto& [side_and_kind, count] : counts_) {
             const stream::Diagnostic& first = count.first;
-            if (command_->diagnostics == ShowDiagnostics::summary && count.rows > 0 && !is_told_apart(first)) {
-                tell(0,
-                     command_->has_values ? messages::describe(first)
-                                          : fmt::format("{}: {}; {}", name_of(first.kind),
-                                                        rows_from(count.rows, first.line), messages::meaning(first)),
-                     first.of_reference);
+            if (command_->diagnostics == ShowDiagnostics::summary && !is_told_apart(first)) {
+                tell({.side = first.place.side},
+                     command_->has_values
+                         ? messages::describe(first)
+                         : fmt::format("{}: {}; {}", name_of(first.kind), rows_from(count.rows, first.place.line),
+                                       messages::meaning(first)));
             }
         }
     }
     /// The row errors that were not told one by one.
     void count_rest() const {
         if (errors_ > most_errors) {
-            const std::string inputs = reference_.empty() ? where_ : fmt::format("{} and {}", where_, reference_);
-            print_error(fmt::format("{}: {} without a result", inputs, counted(errors_ - most_errors, "more row")));
+            print_error(fmt::format("{}: {} without a result",
+                                    fmt::join(inputs_.begin(), inputs_.end() - (inputs_[1].empty() ? 1 : 0), " and "),
+                                    counted(errors_ - most_errors, "more row")));
         }
     }
 
     void add(const stream::Note& note) {
-        const bool is_new = notes_.emplace(note.kind, note.of_reference).second;
+        const bool is_new = notes_.emplace(note.kind, note.place.side).second;
         if (!is_new || command_->diagnostics == ShowDiagnostics::off) {
             return;
         }
-        if (note.line == 0) {
+        if (note.place.line == 0) {
             print_error(note.text);
         } else {
-            tell(note.kind == stream::Note::Kind::comments ? 0 : note.line, note.text, note.of_reference);
+            tell({note.kind == stream::Note::Kind::comments ? 0 : note.place.line, note.place.side}, note.text);
         }
     }
 
@@ -98,10 +100,10 @@ public:
     }
     /// A note, or any kind but three.
     [[nodiscard]] bool met_diagnostic() const noexcept {
-        return !notes_.empty() || std::ranges::any_of(counts_, [](const Count& count) {
+        return !notes_.empty() || std::ranges::any_of(counts_, [](const auto& count) {
             using enum DiagnosticKind;
             constexpr DiagnosticSet ignored{normalized, large_angle, few_digits};
-            return count.rows > 0 && !ignored.has(count.first.kind);
+            return !ignored.has(count.first.second);
         });
     }
 
@@ -118,30 +120,29 @@ private:
             return;
         }
         const bool is_key = error.what == stream::RowError::What::key; // which is told with its mend
-        const bool is_first = errors_ == 1 && !error.of_reference && !is_key;
-        tell(error.line,
-             messages::explain(error, subject_of(error.of_reference)) + (command_->has_values ? messages::mend(error)
-                                                                         : is_first           ? advice_at(error.line)
-                                                                                              : ""),
-             error.of_reference);
+        const bool is_first = errors_ == 1 && !error.place.is_in_reference() && !is_key;
+        tell(error.place,
+             messages::explain(error, subject_of(error.place)) + (command_->has_values ? messages::mend(error)
+                                                                  : is_first           ? advice_at(error.place.line)
+                                                                                       : ""));
     }
     void add(const stream::Diagnostic& diagnostic) {
-        Count& count = counts_.at(index_of(diagnostic.kind, diagnostic.of_reference));
+        Count& count = counts_[{diagnostic.place.side, diagnostic.kind}];
         if (count.rows == 0) {
             count.first = diagnostic;
         }
-        if (count.rows == 0 || count.last_line != diagnostic.line) { // a row may have several answers
+        if (count.rows == 0 || count.last_line != diagnostic.place.line) { // a row may have several answers
             ++count.rows;
-            count.last_line = diagnostic.line;
+            count.last_line = diagnostic.place.line;
         }
         if (command_->diagnostics == ShowDiagnostics::rows || is_told_apart(diagnostic)) {
-            tell(diagnostic.line, messages::describe(diagnostic), diagnostic.of_reference);
+            tell(diagnostic.place, messages::describe(diagnostic));
         }
     }
 
-    void tell(std::size_t line, const std::string& message, bool of_reference = false) const {
-        const std::string at = line == 0 || command_->has_values ? "" : fmt::format(":{}", line);
-        print_error(fmt::format("{}{}: {}", of_reference ? reference_ : where_, at, message));
+    void tell(const stream::Place& place, const std::string& message) const {
+        const std::string at = place.line == 0 || command_->has_values ? "" : fmt::format(":{}", place.line);
+        print_error(fmt::format("{}{}: {}", inputs_.at(index_of(place.side)), at, message));
     }
     /// The end of the message on a line before the first row that could be read.
     [[nodiscard]] std::string advice_at(std::size_t line, bool has_header = false) const {
@@ -155,19 +156,15 @@ private:
     [[nodiscard]] bool is_told_apart(const stream::Diagnostic& diagnostic) const noexcept {
         return command_->has_values && command_->diagnostics == ShowDiagnostics::summary && !diagnostic.answer.empty();
     }
-    static constexpr std::size_t index_of(DiagnosticKind kind, bool of_reference) noexcept {
-        return static_cast<std::size_t>(kind) + (of_reference ? diagnostic_kind_count : 0);
-    }
-    [[nodiscard]] const messages::Subject& subject_of(bool of_reference) const noexcept {
-        return of_reference ? command_->reference_subject : *command_->subject;
+    [[nodiscard]] const messages::Subject& subject_of(const stream::Place& place) const noexcept {
+        return place.is_in_reference() ? command_->reference_subject : *command_->subject;
     }
 
     const RowsCommand* command_;
-    std::string where_;
-    std::string reference_;
-    std::string beginning_;                                 ///< of the input
-    std::array<Count, 2 * diagnostic_kind_count> counts_{}; ///< of the input, and of the reference
-    std::set<std::pair<stream::Note::Kind, bool>> notes_;   ///< that were met; whether of the reference
+    std::array<std::string, 2> inputs_; ///< by Side; no reference: empty
+    std::string beginning_;             ///< of the input
+    std::map<std::pair<stream::Side, DiagnosticKind>, Count> counts_;
+    std::set<std::pair<stream::Note::Kind, stream::Side>> notes_; ///< that were met
     std::size_t errors_ = 0;
 };
 
@@ -347,7 +344,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
             reporter.add(stream::Note{
                 .kind = stream::Note::Kind::time_unit,
                 .text = fmt::format("times {:.6g} apart are read in s; if not: --time-unit ms, us or ns", seconds),
-                .line = line});
+                .place = {line}});
         }
         if (result.keys.likely) {
             reporter.add(

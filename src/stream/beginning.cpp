@@ -119,7 +119,7 @@ public:
 
 private:
     static Beginning error(StreamError error, std::size_t line, bool is_end = false) {
-        error.line = line;
+        error.place.line = line;
         return {.is_data = !is_end, .error = std::move(error)};
     }
 

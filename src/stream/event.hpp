@@ -20,6 +20,20 @@
 
 namespace rotconv::stream {
 
+/// One of the streams of a run: the one whose rows are answered, or the reference that is read beside it.
+enum class Side : std::uint8_t { stream, reference };
+inline constexpr std::array both_sides{Side::stream, Side::reference};
+
+[[nodiscard]] constexpr std::size_t index_of(Side side) noexcept { return static_cast<std::size_t>(side); }
+
+/// A line of a stream; line 0: the stream as a whole.
+struct Place {
+    std::size_t line = 0;
+    Side side = Side::stream;
+
+    [[nodiscard]] bool is_in_reference() const noexcept { return side == Side::reference; }
+};
+
 /// A row error: where, why, and the text at fault.
 struct RowError {
     enum class What : std::uint8_t {
@@ -34,26 +48,24 @@ struct RowError {
         key,        ///< `text` is not read as a key, and `key` says why
         attitude,   ///< the numbers are not an attitude: see `error`, `defect`
     };
-    std::size_t line = 0;
+    Place place{};
     What what = What::attitude;
-    std::string text;
+    std::string text{};
     std::size_t found = 0;
     std::size_t expected = 0;
     std::size_t first_line = 0;
     Error error = Error::none;
     double defect = 0.0;
     KeyError key = KeyError::none;
-    double norm = 0.0;         ///< the quaternion's; 0 if it is not known
-    bool of_reference = false; ///< the line is one of the reference
+    double norm = 0.0; ///< the quaternion's; 0 if it is not known
 };
 
 /// One diagnostic of one row; the figure is the defect, the margin, the condition or an error, by kind.
 struct Diagnostic {
-    std::size_t line = 0;
+    Place place{};
     DiagnosticKind kind = DiagnosticKind::normalized;
     double figure = 0.0;
     RepresentationId result{};
-    bool of_reference = false; ///< the line is one of the reference
     std::string_view answer{}; ///< name of the answer, if a row has several
     std::string_view unit{};   ///< the figure's, for kinds with several units
 };
@@ -68,9 +80,8 @@ struct Note {
     enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, limit, axes };
     Kind kind = Kind::order;
     std::string text;
-    bool ends_run = false;     ///< it is an error
-    std::size_t line = 0;      ///< 0: the note is about the command line
-    bool of_reference = false; ///< the line is one of the reference
+    bool ends_run = false; ///< it is an error
+    Place place{};         ///< line 0: the note is about the command line
 };
 
 using Event = std::variant<RowError, Diagnostic, FirstBytes, Note>;
@@ -133,7 +144,7 @@ struct KeysMet {
     struct Range {
         Key first, last;
     };
-    std::array<std::optional<Range>, 2> ranges{}; ///< of the stream, then the reference
+    std::array<std::optional<Range>, 2> ranges{}; ///< by Side
     bool any_pair = false;
     bool interpolates = false;            ///< `within` and `nearest` are about neighbours in the reference
     std::optional<KeyDistance> nearest{}; ///< the smallest difference of a key without a partner and its neighbours
@@ -144,22 +155,21 @@ struct KeysMet {
 /// Why a run ended early, other than by a row error.
 struct StreamError {
     enum class What : std::uint8_t {
-        read,          ///< `error_number` is an errno
-        write,         ///< `error_number` is an errno
-        line_too_long, ///< line `line`
-        partial_row,   ///< the input ends in row `line`, which begins at byte `offset`
-        columns,       ///< the row at `line` is data or a header, and `column` says why no columns were found before it
-        names,         ///< the header at `line` contradicts how the columns are read; `wrong` says how
-        count,         ///< the row at `line`, `column.text`, has a wrong number of fields; `wrong` says why
-        json,          ///< the input begins with JSON
-        far_key,       ///< too much lies between the row at `line` and the next key, which its partner depends on
+        read,  ///< `error_number` is an errno
+        write, ///< `error_number` is an errno
+        line_too_long,
+        partial_row, ///< the input ends in the row, which begins at byte `offset`
+        columns,     ///< the row is data or a header, and `column` says why no columns were found before it
+        names,       ///< the header contradicts how the columns are read; `wrong` says how
+        count,       ///< the row, `column.text`, has a wrong number of fields; `wrong` says why
+        json,        ///< the input begins with JSON
+        far_key,     ///< too much lies between the row and the next key, which its partner depends on
     };
     What what = What::read;
-    std::size_t line = 0;
+    Place place{};
     int error_number = 0;
     ColumnError column{};
     std::size_t offset = 0;
-    bool of_reference = false; ///< the reference cannot be read
     std::string wrong{};
 };
 

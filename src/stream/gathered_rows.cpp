@@ -14,16 +14,15 @@ std::string_view with_room(std::string_view row) noexcept { return {row.data(), 
 } // namespace
 
 GatheredRows::GatheredRows(const Options& options, const Layout& layout, const Layout* reference_layout)
-    : options_(&options), layout_(&layout), reader_(options.input, layout) {
+    : options_(&options), layout_(&layout), readers_{RowReader(options.input, layout)} {
     if (reference_layout != nullptr) {
-        reference_reader_.emplace(options.pairing->reference, *reference_layout);
+        readers_.emplace_back(options.pairing->reference, *reference_layout);
     }
 }
 
 void GatheredRows::expect(const std::array<RowWidth, 2>& widths) noexcept {
-    reader_.expect(widths[0]);
-    if (reference_reader_) {
-        reference_reader_->expect(widths[1]);
+    for (std::size_t side = 0; side < readers_.size(); ++side) {
+        readers_[side].expect(widths.at(side));
     }
 }
 
@@ -40,7 +39,7 @@ void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t
     const std::size_t width = options_->input.width;
     const std::size_t size = text.size();
     while (!text.empty() && rows_.size() < most_rows && size - text.size() < most_bytes) {
-        const auto scanned = options_->input.is_comment(text) ? std::nullopt : reader_.scan(text, parts_);
+        const auto scanned = options_->input.is_comment(text) ? std::nullopt : readers_[0].scan(text, parts_);
         if (scanned) {
             Row& row = rows_.emplace_back(scanned->line, line++);
             row.numbers = scanned->numbers;
@@ -91,16 +90,16 @@ void GatheredRows::read(Row& row) {
     const std::size_t first_kept = parts_.kept.size();
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
-    const bool is_pair = row.reference_number > 0; // a single row is scanned by gather()
-    const auto scanned = is_pair ? reader_.scan(with_room(row.line.text), parts_) : std::nullopt;
+    const bool is_pair = row.partner.number > 0; // a single row is scanned by gather()
+    const auto scanned = is_pair ? readers_[0].scan(with_room(row.line.text), parts_) : std::nullopt;
     row.numbers = scanned ? scanned->numbers : std::string_view();
-    const bool is_own_read = scanned || reader_.read(row.line.text, parts_);
+    const bool is_own_read = scanned || readers_[0].read(row.line.text, parts_);
     row.field_count = parts_.fields.size() - row.first_field;
-    parts_.error.line = row.number;
+    parts_.error.place = {row.number};
     if (is_own_read && (!is_pair || read_partner(row))) {
         lines_.push_back(row.number);
         if (is_pair) {
-            reference_lines_.push_back(row.reference_number);
+            reference_lines_.push_back(row.partner.number);
         }
         return;
     }
@@ -111,7 +110,7 @@ void GatheredRows::read(Row& row) {
 }
 
 bool GatheredRows::read_partner(const Row& row) {
-    if (!read_reference(row.reference, row.reference_number)) {
+    if (!read(row.partner)) {
         return false;
     }
     if (!options_->pairing->interpolates) {
@@ -119,8 +118,7 @@ bool GatheredRows::read_partner(const Row& row) {
     }
     const std::size_t kept = parts_.kept.size();
     const std::size_t key = parts_.numbers.size();
-    const bool has_later = row.later_number > 0;
-    if (!read_reference(has_later ? row.later : row.reference, has_later ? row.later_number : row.reference_number)) {
+    if (!read(row.later)) {
         return false;
     }
     std::copy(parts_.numbers.begin() + key + 1, parts_.numbers.end(), parts_.numbers.begin() + key); // without the key
@@ -129,13 +127,11 @@ bool GatheredRows::read_partner(const Row& row) {
     return true;
 }
 
-bool GatheredRows::read_reference(std::string_view text, std::size_t line) {
-    if (reference_reader_->scan(with_room(text), parts_) || reference_reader_->read(text, parts_)) {
-        return true;
-    }
-    parts_.error.line = line;
-    parts_.error.of_reference = true;
-    return false;
+bool GatheredRows::read(const Partner& partner) {
+    const RowReader& reader = readers_[1];
+    const bool is_read = reader.scan(with_room(partner.text), parts_) || reader.read(partner.text, parts_);
+    parts_.error.place = {partner.number, Side::reference};
+    return is_read;
 }
 
 std::span<const double> GatheredRows::numbers_of(const Row& row) const noexcept {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,21 +55,19 @@ public:
     /// Hands over the numbers, lines and kept texts of the rows with numbers.
     void move_to(AnsweredBatch& batch);
 
-    [[nodiscard]] const RowReader& reader() const noexcept { return reader_; }
-    /// @pre rows are paired
-    [[nodiscard]] const RowReader& reference_reader() const noexcept { return *reference_reader_; }
+    /// @pre rows are paired, for Side::reference
+    [[nodiscard]] const RowReader& reader(Side side) const noexcept { return readers_[index_of(side)]; }
 
 private:
     void read(Row& row);
     /// Reads the numbers from the reference; see PairColumns.
     [[nodiscard]] bool read_partner(const Row& row);
-    [[nodiscard]] bool read_reference(std::string_view text, std::size_t line);
+    [[nodiscard]] bool read(const Partner& partner);
     void split_doubles(Row& row);
 
     const Options* options_;
     const Layout* layout_;
-    RowReader reader_;
-    std::optional<RowReader> reference_reader_;
+    std::vector<RowReader> readers_; ///< by Side
     std::vector<Row> rows_;
     RowParts parts_;
     std::vector<RowError> errors_;

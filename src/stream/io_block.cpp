@@ -28,7 +28,7 @@ bool IoBlockReader::read(IoBlock& block) {
     bytes.resize(held < block_size_ ? block_size_ : std::min(2 * held, longest_line + block_size_));
     const auto count = source_->read(std::span(bytes.data(), bytes.size()).subspan(held));
     if (count < 0) {
-        error_ = StreamError{StreamError::What::read, line_, errno, {}};
+        error_ = StreamError{StreamError::What::read, {line_}, errno};
         return false;
     }
     finished_ = count == 0;
@@ -56,15 +56,15 @@ bool IoBlockReader::read(IoBlock& block) {
 std::optional<std::size_t> IoBlockReader::whole_rows(std::string_view bytes, std::size_t searched) {
     if (row_size_ > 0) {
         if (finished_ && !bytes.empty()) {
-            error_ =
-                StreamError{.what = StreamError::What::partial_row, .line = line_, .offset = (line_ - 1) * row_size_};
+            error_ = StreamError{
+                .what = StreamError::What::partial_row, .place = {line_}, .offset = (line_ - 1) * row_size_};
             return std::nullopt;
         }
         return bytes.size() - bytes.size() % row_size_;
     }
     const std::size_t newline = bytes.find('\n', searched);
     if (std::min(newline, bytes.size()) > longest_line) {
-        error_ = StreamError{StreamError::What::line_too_long, line_, 0, {}};
+        error_ = StreamError{StreamError::What::line_too_long, {line_}};
         return std::nullopt;
     }
     return finished_ ? bytes.size() : newline == std::string_view::npos ? 0 : bytes.rfind('\n') + 1;

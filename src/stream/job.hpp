@@ -14,6 +14,12 @@
 
 namespace rotconv::stream {
 
+/// A row of the reference.
+struct Partner {
+    std::string_view text;
+    std::size_t number = 0; ///< the line's; 0: there is none
+};
+
 /// A row of a stream, perhaps with the row of the reference that it is compared with.
 struct Row {
     static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
@@ -22,14 +28,12 @@ struct Row {
     explicit Row(const Line& line_ = {}, std::size_t number_ = 0) noexcept : line(line_), number(number_) {}
 
     Line line;
-    std::size_t number; ///< the line's; 0 if there is only a row of the reference
-    std::string_view reference{};
-    std::size_t reference_number = 0; ///< 0: there is none
-    std::string_view later{};         ///< the next row of the reference, if the partner is interpolated
-    std::size_t later_number = 0;     ///< 0: there is none
-    double fraction = 0.0;            ///< where the row's key is between theirs, from 0 to 1
-    bool passes = false;              ///< blank or comment: goes out as it is
-    std::size_t error = no_error;     ///< index of the error, for a row without numbers
+    std::size_t number;           ///< the line's; 0 if there is only a row of the reference
+    Partner partner{};            ///< the row of the reference
+    Partner later{};              ///< the next row of the reference, if the partner is interpolated
+    double fraction = 0.0;        ///< where the row's key is between theirs, from 0 to 1
+    bool passes = false;          ///< blank or comment: goes out as it is
+    std::size_t error = no_error; ///< index of the error, for a row without numbers
     // Set when the row is read:
     std::string_view numbers{}; ///< their text, if the row was scanned without looking for fields
     std::size_t first_field = 0;
@@ -86,12 +90,11 @@ public:
     /// To be called at the end of a run, `at_end` of the stream: adds lines that still wait for a data row.
     virtual void finish(Output& output, bool at_end) = 0;
     [[nodiscard]] virtual std::optional<StreamError> error() const = 0;
-    [[nodiscard]] virtual const Layout& layout() const = 0;
-    /// The other stream's layout; null if there is none.
-    [[nodiscard]] virtual const Layout* reference_layout() const { return nullptr; }
-    /// The row widths of the stream and of the reference, as far as they are known after the last job.
+    /// The layout of a stream; null if there is no reference.
+    [[nodiscard]] virtual const Layout* layout(Side side) const = 0;
+    /// The row widths by Side, as far as they are known after the last job.
     [[nodiscard]] virtual std::array<RowWidth, 2> widths() const = 0;
-    /// The rows without a partner in the stream and in the reference.
+    /// The rows without a partner, by Side.
     [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
     [[nodiscard]] virtual KeysMet keys() const { return {}; }
 };

@@ -16,7 +16,7 @@ constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
 } // namespace
 
-void PairReader::Side::read_block(Job& job) {
+void PairReader::Stream::read_block(Job& job) {
     ended = !blocks.read(job);
     if (const std::size_t size = job.text.size(); size > 0) {
         auto text = std::make_shared<Buffer>();
@@ -38,7 +38,7 @@ void PairReader::Side::read_block(Job& job) {
     job.block.text = {};
 }
 
-void PairReader::Side::take_line() {
+void PairReader::Stream::take_line() {
     Waiting& next = waiting.emplace_back();
     next.number = line++;
     next.line = next_row(unread, options->width);
@@ -51,7 +51,7 @@ void PairReader::Side::take_line() {
     bytes_waiting += next.line.text.size();
 }
 
-void PairReader::Side::find_key(Waiting& row) {
+void PairReader::Stream::find_key(Waiting& row) {
     parts.clear();
     const auto key_text = reader.key(row.line.text, parts);
     const ReadKey key = key_text ? reader.key_of(*key_text) : ReadKey();
@@ -69,7 +69,7 @@ void PairReader::Side::find_key(Waiting& row) {
     row.error = std::make_unique<RowError>(std::move(parts.error));
 }
 
-PairReader::At PairReader::Side::look(std::size_t ahead) {
+PairReader::At PairReader::Stream::look(std::size_t ahead) {
     while (rows_waiting <= ahead) {
         if (unread.empty()) {
             return ended ? At::end : At::dry;
@@ -82,7 +82,7 @@ PairReader::At PairReader::Side::look(std::size_t ahead) {
     return At::row;
 }
 
-void PairReader::Side::drop_row(bool is_paired) {
+void PairReader::Stream::drop_row(bool is_paired) {
     if (!is_paired && unpaired.rows++ == 0) {
         unpaired.first_line = waiting.front().number;
     }
@@ -94,7 +94,7 @@ void PairReader::Side::drop_row(bool is_paired) {
     --rows_waiting;
 }
 
-void PairReader::Side::drop_line() {
+void PairReader::Stream::drop_line() {
     bytes_waiting -= waiting.front().line.text.size();
     if (waiting.front().ends_text) {
         texts.pop_front();
@@ -103,7 +103,7 @@ void PairReader::Side::drop_line() {
     waiting.pop_front();
 }
 
-void PairReader::Side::hold(std::size_t count, PairBlock& pairs) {
+void PairReader::Stream::hold(std::size_t count, PairBlock& pairs) {
     for (; held < count; ++held) {
         pairs.texts.push_back(texts[held]);
     }
@@ -142,29 +142,28 @@ bool PairReader::read(Job& job) {
 
 void PairReader::hand_on_alone(Job& job, bool of_both) {
     PairBlock& pairs = job.pairs;
-    for (Side* side : {&rows_, &references_}) {
-        const bool of_reference = side == &references_;
+    for (Stream* stream : {&rows_, &references_}) {
+        const bool of_reference = stream == &references_;
         if (of_reference && !of_both) {
             return;
         }
-        while (!side->waiting.empty() && !side->waiting.front().has_key()) {
-            Waiting& first = side->waiting.front();
+        while (!stream->waiting.empty() && !stream->waiting.front().has_key()) {
+            Waiting& first = stream->waiting.front();
             const std::size_t error = first.error ? pairs.errors.size() : Row::no_error;
             if (first.error) {
-                first.error->line = first.number;
-                first.error->of_reference = of_reference;
+                first.error->place = {first.number, of_reference ? Side::reference : Side::stream};
                 pairs.errors.push_back(std::move(*first.error));
             }
             if (!of_reference) {
                 Row& row = pairs.rows.emplace_back(first.line, first.number);
                 row.passes = first.passes;
                 row.error = error;
-                side->hold(1, pairs);
+                stream->hold(1, pairs);
             } else if (!first.passes) {
                 pairs.rows.emplace_back().error = error;
             }
             pairs.bytes += first.line.text.size() + 1;
-            side->drop_line();
+            stream->drop_line();
         }
     }
 }
@@ -174,25 +173,22 @@ void PairReader::pair(Job& job, bool is_between) {
     const Waiting& other = references_.waiting.front();
     if (!pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
         if (!any_pair_) {
-            likely_key_.emplace(
-                std::array<LikelyKey::Side, 2>{{{&rows_.blocks.layout(), &rows_.blocks.names()},
-                                                {&references_.blocks.layout(), &references_.blocks.names()}}});
+            likely_key_.emplace(std::array<LikelyKey::Side, 2>{
+                {{rows_.layout(), &rows_.blocks.names()}, {references_.layout(), &references_.blocks.names()}}});
         }
         likely_key_->add({first.line.text, other.line.text});
     }
     any_pair_ = true;
     Row& row = job.pairs.rows.emplace_back(first.line, first.number);
-    row.reference = other.line.text;
-    row.reference_number = other.number;
+    row.partner = row.later = {other.line.text, other.number};
     if (is_between) {
         const Waiting& later = *std::find_if(references_.waiting.begin() + 1, references_.waiting.end(),
                                              [](const Waiting& each) { return each.has_key(); });
-        row.later = later.line.text;
-        row.later_number = later.number;
+        row.later = {later.line.text, later.number};
         row.fraction =
             ratio(distance(rows_.keys[0], references_.keys[0]), distance(references_.keys[1], references_.keys[0]));
     }
-    job.pairs.bytes += row.line.text.size() + row.reference.size() + row.later.size();
+    job.pairs.bytes += row.line.text.size() + row.partner.text.size() + row.later.text.size();
     rows_.hold(1, job.pairs);
     references_.hold(is_between ? references_.texts.size() : 1, job.pairs);
     rows_.drop_row(true);
@@ -201,8 +197,8 @@ void PairReader::pair(Job& job, bool is_between) {
     }
 }
 
-void PairReader::drop_alone(Job& job, Side& side) {
-    if (&side == &rows_ && pairing_->by_key && !pairing_->interpolates) {
+void PairReader::drop_alone(Job& job, Stream& stream) {
+    if (&stream == &rows_ && pairing_->by_key && !pairing_->interpolates) {
         if (!references_.keys.empty()) {
             compare_distance(distance(references_.keys[0], rows_.keys[0]));
         }
@@ -210,24 +206,24 @@ void PairReader::drop_alone(Job& job, Side& side) {
             compare_distance(distance(rows_.keys[0], *references_.disposed));
         }
     }
-    const bool fails = &side == &rows_ && pairing_->needs_partner;
+    const bool fails = &stream == &rows_ && pairing_->needs_partner;
     if (fails) {
-        const Waiting& first = side.waiting.front();
+        const Waiting& first = stream.waiting.front();
         Row& row = job.pairs.rows.emplace_back(first.line, first.number);
         row.error = job.pairs.errors.size();
-        job.pairs.errors.push_back({.line = first.number,
+        job.pairs.errors.push_back({.place = {first.number},
                                     .what = RowError::What::no_partner,
-                                    .text = side.options->width == 0 ? std::string(first.line.text)
-                                                                     : side.reader.selected_text(first.line.text)});
+                                    .text = stream.options->width == 0 ? std::string(first.line.text)
+                                                                       : stream.reader.selected_text(first.line.text)});
         job.pairs.bytes += first.line.text.size() + 1;
-        side.hold(1, job.pairs);
+        stream.hold(1, job.pairs);
     }
-    side.drop_row(fails);
+    stream.drop_row(fails);
 }
 
 void PairReader::compare_distance(KeyDistance found) { nearest_ = std::min(nearest_.value_or(found), found); }
 
-PairReader::Side* PairReader::match(Job& job, At row, At reference) {
+PairReader::Stream* PairReader::match(Job& job, At row, At reference) {
     const bool interpolates = pairing_->interpolates;
     if (row == At::end || reference == At::end) {
         if (row == At::end) {
@@ -242,8 +238,8 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
         return nullptr;
     }
     const bool is_before = rows_.keys[0] < references_.keys[0];
-    Side& low = is_before ? rows_ : references_;
-    const Side& high = is_before ? references_ : rows_;
+    Stream& low = is_before ? rows_ : references_;
+    const Stream& high = is_before ? references_ : rows_;
     if (interpolates ? is_before : is_alone(low, high)) {
         drop_alone(job, low);
         return nullptr;
@@ -254,8 +250,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     }
     if (next == At::too_far) {
         error_ = StreamError{.what = StreamError::What::far_key,
-                             .line = low.waiting.front().number,
-                             .of_reference = &low == &references_};
+                             .place = {low.waiting.front().number, is_before ? Side::stream : Side::reference}};
     } else if (interpolates) {
         match_between(job, next);
     } else if (next == At::row && distance(low.keys[1], high.keys[0]) < distance(low.keys[0], high.keys[0])) {
@@ -266,7 +261,7 @@ PairReader::Side* PairReader::match(Job& job, At row, At reference) {
     return nullptr;
 }
 
-bool PairReader::is_alone(const Side& low, const Side& high) const {
+bool PairReader::is_alone(const Stream& low, const Stream& high) const {
     const KeyDistance ahead = distance(low.keys[0], high.keys[0]);
     return ahead > pairing_->within || (high.disposed && distance(low.keys[0], *high.disposed) <= ahead);
 }
@@ -307,7 +302,7 @@ std::optional<StreamError> PairReader::error() const {
 std::optional<StreamError> PairReader::reference_error() const {
     auto found = references_.blocks.error();
     if (found) {
-        found->of_reference = true;
+        found->place.side = Side::reference;
     }
     return found;
 }

@@ -35,8 +35,9 @@ public:
         references_.blocks.finish(output, at_end);
     }
     [[nodiscard]] std::optional<StreamError> error() const override;
-    [[nodiscard]] const Layout& layout() const override { return rows_.blocks.layout(); }
-    [[nodiscard]] const Layout* reference_layout() const override { return &references_.blocks.layout(); }
+    [[nodiscard]] const Layout* layout(Side side) const override {
+        return (side == Side::stream ? rows_ : references_).layout();
+    }
     [[nodiscard]] std::array<RowWidth, 2> widths() const override {
         return {rows_.blocks.widths()[0], references_.blocks.widths()[0]};
     }
@@ -59,11 +60,13 @@ private:
     enum class At : std::uint8_t { row, end, dry, too_far };
 
     /// One of the two streams.
-    struct Side {
-        Side(Source& source, const InputOptions& given, const Options* written, bool with_keys, std::size_t block_size)
-            : options(&given), by_key(with_keys), blocks(source, given, written, block_size),
-              reader(given, blocks.layout()) {}
+    struct Stream {
+        Stream(Source& source, const InputOptions& given, const Options* written, bool with_keys,
+               std::size_t block_size)
+            : options(&given), by_key(with_keys), blocks(source, given, written, block_size), reader(given, *layout()) {
+        }
 
+        [[nodiscard]] const Layout* layout() const { return blocks.layout(Side::stream); }
         /// Whether the `ahead`-th next row is at hand; takes lines off the text until it is.
         At look(std::size_t ahead);
         /// Reads a block into the job, and takes it over.
@@ -96,17 +99,17 @@ private:
         Unpaired unpaired;
     };
 
-    /// Pairs the first rows of both sides, or drops one of them.
-    /// @return the side whose next row must be known first, or null
-    Side* match(Job& job, At row, At reference);
+    /// Pairs the first rows of both streams, or drops one of them.
+    /// @return the stream whose next row must be known first, or null
+    Stream* match(Job& job, At row, At reference);
     /// Whether the row with the lower key has no partner, because the other is too far from it or has a nearer one.
-    [[nodiscard]] bool is_alone(const Side& low, const Side& high) const;
+    [[nodiscard]] bool is_alone(const Stream& low, const Stream& high) const;
     /// Pairs or drops a row after the first row of the reference, whose next row is at hand as `next` says.
     void match_between(Job& job, At next);
     /// Pairs the first rows. `is_between`: the row lies between the first two of the reference.
     void pair(Job& job, bool is_between = false);
-    /// Drops the side's next row, which has no partner.
-    void drop_alone(Job& job, Side& side);
+    /// Drops the stream's next row, which has no partner.
+    void drop_alone(Job& job, Stream& stream);
     void compare_distance(KeyDistance found);
     [[nodiscard]] std::optional<StreamError> reference_error() const;
     /// Hands on lines that need no partner: comments, blank lines, rows whose key is at fault. `of_both`: also the
@@ -114,12 +117,12 @@ private:
     void hand_on_alone(Job& job, bool of_both);
 
     const Pairing* pairing_;
-    Side rows_;
-    Side references_;
+    Stream rows_;
+    Stream references_;
     bool any_pair_ = false;
     std::optional<KeyDistance> nearest_; ///< smallest distance of a key without a partner to its neighbours
     Job reference_job_;                  ///< memory for the reference's blocks
-    Side* dry_ = nullptr;                ///< the side that had no row at hand at the end of the last job
+    Stream* dry_ = nullptr;              ///< the stream that had no row at hand at the end of the last job
     std::optional<StreamError> error_;
     std::optional<LikelyKey> likely_key_; ///< for text paired by number, from the first pair on
 };

@@ -109,7 +109,7 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
     }
     if (beginning.error) {
         error_ = beginning.error;
-        error_->line = number_of(lines()[error_->line]);
+        error_->place.line = number_of(lines()[error_->place.line]);
     }
     if (!beginning.positions.empty()) {
         layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
@@ -179,9 +179,9 @@ void Preamble::hear(const Said& said, std::size_t line) {
         return;
     }
     for (Note& note : options_->notes_of(said)) {
-        note.line = line;
+        note.place.line = line;
         if (note.ends_run) {
-            error_ = StreamError{.what = StreamError::What::names, .line = line, .wrong = std::move(note.text)};
+            error_ = StreamError{.what = StreamError::What::names, .place = {line}, .wrong = std::move(note.text)};
         } else {
             layout_.notes.push_back(std::move(note));
         }
@@ -229,7 +229,7 @@ void Preamble::take_layout(const Line& row, std::size_t number) {
         const auto taken = options_->take_count(layout_.field_count);
         if (const auto* wrong = std::get_if<std::string>(&taken)) {
             error_ = StreamError{.what = StreamError::What::count,
-                                 .line = number,
+                                 .place = {number},
                                  .column = {.text = std::string(row.text)},
                                  .wrong = *wrong};
         } else {

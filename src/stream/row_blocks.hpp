@@ -38,7 +38,9 @@ public:
     [[nodiscard]] std::optional<StreamError> error() const override {
         return preamble_.error() ? preamble_.error() : error_ ? error_ : blocks_.error();
     }
-    [[nodiscard]] const Layout& layout() const override { return preamble_.layout(); }
+    [[nodiscard]] const Layout* layout(Side side) const override {
+        return side == Side::stream ? &preamble_.layout() : nullptr;
+    }
     [[nodiscard]] std::array<RowWidth, 2> widths() const override { return {width_}; }
     /// The header's names; empty without a header.
     [[nodiscard]] const std::vector<std::string>& names() const noexcept { return preamble_.names(); }
@@ -48,7 +50,7 @@ private:
 
     /// Looks for the first row whose selected fields are numbers; its width must be that of a header with their names.
     void find_width(Job& job) {
-        const RowReader reader(*options_, layout());
+        const RowReader reader(*options_, preamble_.layout());
         RowParts parts;
         std::size_t line = job.line;
         for (std::string_view text = job.text; !text.empty() && width_.fields == 0; ++line) {
@@ -57,9 +59,9 @@ private:
             if (!options_->is_row(row) || !reader.read(row, parts)) {
                 continue;
             }
-            width_ = {layout().delimiter.count(parts.fields), line};
+            width_ = {preamble_.layout().delimiter.count(parts.fields), line};
             if (options_->columns.has_names() && preamble_.name_count() != width_.fields) {
-                error_ = {.what = StreamError::What::columns, .line = line};
+                error_ = {.what = StreamError::What::columns, .place = {line}};
                 error_->column = {.what = ColumnError::What::other_width,
                                   .text = std::string(row),
                                   .count = preamble_.name_count(),

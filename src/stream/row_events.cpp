@@ -24,7 +24,7 @@ namespace {
 /// The norm of a row's or its partner's quaternion; 0 if the attitude is not a quaternion.
 double norm_of(const Row& row, const RowReport& report, const GatheredRows& rows, const Options& options,
                const Layout& layout) {
-    if (report.of_reference && row.reference_number == 0) {
+    if (report.of_reference && row.partner.number == 0) {
         return 0.0; // the second attitude of a row
     }
     const RowNumbers& read = report.of_reference ? options.pairing->reference.numbers : options.input.numbers;
@@ -51,21 +51,17 @@ RowError error_of(const Row& row, std::string_view given, const RowReport& repor
     if (!row.has_numbers()) {
         return rows.error_of(row);
     }
-    if (row.later_number > 0 && report.error == Error::past_half_turn) {
-        return {.line = row.number, .what = RowError::What::no_partner, .text = std::string(given)};
+    if (row.fraction > 0.0 && report.error == Error::past_half_turn) {
+        return {.place = {row.number}, .what = RowError::What::no_partner, .text = std::string(given)};
     }
-    const bool of_reference = report.of_reference && row.reference_number > 0;
-    const bool of_later = report.of_later && row.later_number > 0;
-    return {.line = of_later       ? row.later_number
-                    : of_reference ? row.reference_number
-                                   : row.number,
+    const Side side = report.of_reference && row.partner.number > 0 ? Side::reference : Side::stream;
+    const Partner& at = side == Side::stream ? Partner{given, row.number} : report.of_later ? row.later : row.partner;
+    return {.place = {at.number, side},
             .what = RowError::What::attitude,
-            .text = of_reference ? rows.reference_reader().selected_text(of_later ? row.later : row.reference)
-                                 : rows.reader().selected_text(given),
+            .text = rows.reader(side).selected_text(at.text),
             .error = report.error,
             .defect = report.defect,
-            .norm = report.error == Error::defect ? norm_of(row, report, rows, options, layout) : 0.0,
-            .of_reference = of_reference};
+            .norm = report.error == Error::defect ? norm_of(row, report, rows, options, layout) : 0.0};
 }
 
 void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t answer,
@@ -78,20 +74,17 @@ void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport
         }
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
         const bool is_angle = diagnostic.kind == DiagnosticKind::large_angle;
-        if (row.reference_number == 0 || !(is_angle || diagnostic.kind == DiagnosticKind::normalized)) {
+        if (row.partner.number == 0 || !(is_angle || diagnostic.kind == DiagnosticKind::normalized)) {
             events.emplace_back(diagnostic);
             return;
         }
-        for (const bool of_reference : {true, false}) { // each that is remarkable
-            const auto& [defect, angle] = of_reference ? report.reference_unusual : report.unusual;
-            const double figure = is_angle ? angle : defect;
-            if (figure > 0.0) {
-                events.emplace_back(Diagnostic{.line = of_reference ? row.reference_number : row.number,
-                                               .kind = diagnostic.kind,
-                                               .figure = figure,
-                                               .of_reference = of_reference});
+        const auto add = [&](const UnusualNumbers& unusual, Place place) {
+            if (const double figure = is_angle ? unusual.angle : unusual.defect; figure > 0.0) {
+                events.emplace_back(Diagnostic{.place = place, .kind = diagnostic.kind, .figure = figure});
             }
-        }
+        };
+        add(report.reference_unusual, {row.partner.number, Side::reference});
+        add(report.unusual, {row.number});
     });
 }
 

@@ -29,7 +29,9 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
             const auto index = is_of_part ? static_cast<std::size_t>(part - report.parts.begin()) : 0;
             const PartReport of =
                 is_of_part ? *part : PartReport{report.diagnostics, report.sensitivity, report.openness};
-            visit(Diagnostic{line, kind, figure_of(report, of, kind),
+            visit(Diagnostic{{line},
+                             kind,
+                             figure_of(report, of, kind),
                              index < attitudes.size() ? attitudes[index].name : RepresentationId::quat});
         }
     }

@@ -183,7 +183,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
         const std::size_t index = row.index * answers + i;
         const RowReport& report = report_of(row, index);
         const bool failed = !row.has_numbers() || report.error != Error::none;
-        const bool has_no_partner = row.later_number > 0 && report.error == Error::past_half_turn; // of neighbours
+        const bool has_no_partner = row.fraction > 0.0 && report.error == Error::past_half_turn; // of neighbours
         if (has_no_partner && !options_->pairing->needs_partner) {
             output.unpaired.add({1, row.number});
             continue;
@@ -218,15 +218,16 @@ void RowTransformer::write_row(Row& row, Output& output) {
 void RowTransformer::find_partner(const Row& row, std::string_view given) {
     key_parts_.clear();
     const char delimiter = layout_->delimiter.text();
-    if (row.reference_number == 0) { // a row without a key
+    if (row.partner.number == 0) { // a row without a key
         partner_ = fmt::format("{0}nan{0}nan{0}nan", delimiter);
         return;
     }
-    const std::string key = *gathered_.reader().key(given, key_parts_);
-    const std::string other = *gathered_.reference_reader().key(row.reference, key_parts_);
-    const Key own = gathered_.reader().key_of(key).value;
-    const Key others = gathered_.reference_reader().key_of(other).value;
-    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}{4}", delimiter, row.reference_number, trimmed(other),
+    const RowReader& reader = gathered_.reader(Side::stream);
+    const RowReader& reference = gathered_.reader(Side::reference);
+    const std::string other = *reference.key(row.partner.text, key_parts_);
+    const Key own = reader.key_of(*reader.key(given, key_parts_)).value;
+    const Key others = reference.key_of(other).value;
+    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}{4}", delimiter, row.partner.number, trimmed(other),
                            own < others ? "-" : "", distance(own, others).text());
 }
 

@@ -175,7 +175,7 @@ private:
             return;
         }
         if (!transformer) {
-            transformer.emplace(*options_, reader_->layout(), reader_->reference_layout());
+            transformer.emplace(*options_, *reader_->layout(Side::stream), reader_->layout(Side::reference));
         }
         transformer->expect(job.widths);
         if (job.pairs.rows.empty()) {
@@ -220,15 +220,15 @@ private:
 
     /// Adds the notes on each stream once, when the stream has a row or is at its end.
     void tell_notes(Output& output, bool at_end) {
-        for (const bool of_reference : {false, true}) {
-            const Layout* const layout = of_reference ? reader_->reference_layout() : &reader_->layout();
-            bool& told = told_.at(of_reference ? 1 : 0);
+        for (const Side side : both_sides) {
+            const Layout* const layout = reader_->layout(side);
+            bool& told = told_.at(index_of(side));
             if (layout == nullptr || told || (layout->field_count == 0 && !at_end)) {
                 continue;
             }
             told = true;
             for (Note note : layout->notes) {
-                note.of_reference = of_reference;
+                note.place.side = side;
                 output.events.emplace_back(std::move(note));
             }
         }
@@ -240,7 +240,7 @@ private:
         if (const int error = sink_ == nullptr ? 0 : sink_->write(bytes); error != 0) {
             ending_.reader_left = error == EPIPE;
             if (!ending_.reader_left) {
-                ending_.error = StreamError{StreamError::What::write, 0, error, {}};
+                ending_.error = StreamError{.what = StreamError::What::write, .error_number = error};
             }
             return false;
         }
@@ -261,7 +261,7 @@ private:
     const std::function<void(const Event&)>* report_;
     std::size_t large_;          ///< bytes of a block that is worth another thread
     RunResult ending_;           ///< used by the thread that writes
-    std::array<bool, 2> told_{}; ///< notes of stream and reference; used by the thread that reads
+    std::array<bool, 2> told_{}; ///< notes by Side; used by the thread that reads
 
     std::mutex mutex_; ///< for all members that follow
     std::condition_variable changed_;
@@ -294,7 +294,7 @@ RunResult run(Source& source, Sink* sink, const Options& options, const std::fun
     }
     result.rows += reader->unpaired()[0].rows;
     result.keys = reader->keys();
-    result.positions = reader->layout().positions;
+    result.positions = reader->layout(Side::stream)->positions;
     return result;
 }
 

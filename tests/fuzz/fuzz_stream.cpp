@@ -259,15 +259,15 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     std::string notes_of_reference;
     const auto report = [&result, &notes_of_reference](const Event& event) {
         if (const auto* error = std::get_if<RowError>(&event)) {
-            result.failed.push_back({error->line, error->of_reference});
+            result.failed.push_back({error->place.line, error->place.is_in_reference()});
         } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
             result.beyond += diagnostic->kind == DiagnosticKind::beyond ? 1 : 0;
         } else if (const auto* note = std::get_if<Note>(&event)) {
             const char kind = "outapchlx"[static_cast<std::size_t>(note->kind)];
-            std::string& notes = note->of_reference ? notes_of_reference : result.notes;
+            std::string& notes = note->place.is_in_reference() ? notes_of_reference : result.notes;
             const bool is_known = notes.find(kind) != std::string::npos;
             const bool is_modelled = kind != 'u' && kind != 't'; // units are not
-            notes += is_known || !is_modelled ? "" : fmt::format("{}{}", kind, note->line);
+            notes += is_known || !is_modelled ? "" : fmt::format("{}{}", kind, note->place.line);
         }
     };
     TextSource reference_text(input.reference);
@@ -282,8 +282,8 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
         result.notes += " of the reference " + notes_of_reference;
     }
     if (ending.error) {
-        result.error = fmt::format("{} {}{}", static_cast<int>(ending.error->what), ending.error->line,
-                                   ending.error->of_reference ? " of the reference" : "");
+        result.error = fmt::format("{} {}{}", static_cast<int>(ending.error->what), ending.error->place.line,
+                                   ending.error->place.is_in_reference() ? " of the reference" : "");
     }
     result.rows = ending.rows;
     result.answered = ending.answered;

@@ -78,7 +78,7 @@ TEST_CASE("the longest line is 4 MiB") {
         }
         REQUIRE(reader.error());
         CHECK(reader.error()->what == StreamError::What::line_too_long);
-        CHECK(reader.error()->line == 2);
+        CHECK(reader.error()->place.line == 2);
     }
 }
 

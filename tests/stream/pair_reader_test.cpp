@@ -45,15 +45,15 @@ std::string pairs_of(const std::string& rows, const std::string& references, std
         more = reader.read(job);
         for (const Row& row : job.pairs.rows) {
             if (!row.passes) {
-                pairs += fmt::format("{}{}-{}{} ", row.has_numbers() ? "" : "!", row.number, row.reference_number,
-                                     row.later_number > 0 ? fmt::format("+{}@{}", row.later_number, row.fraction) : "");
+                pairs += fmt::format("{}{}-{}{} ", row.has_numbers() ? "" : "!", row.number, row.partner.number,
+                                     row.fraction > 0.0 ? fmt::format("+{}@{}", row.later.number, row.fraction) : "");
             }
         }
     }
     const auto unpaired = reader.unpaired();
     const auto error = reader.error();
     return pairs + fmt::format("{} {}", unpaired[0].rows, unpaired[1].rows) +
-           (error ? fmt::format(" ends at {}{}", error->of_reference ? "-" : "", error->line) : "");
+           (error ? fmt::format(" ends at {}{}", error->place.is_in_reference() ? "-" : "", error->place.line) : "");
 }
 
 std::string pairs_of(const std::string& rows, const std::string& references, std::size_t piece = 1U << 16U,
@@ -249,7 +249,7 @@ TEST_CASE("behind each row of a pair stand the next ones of its block, then zero
         }
         REQUIRE(!job.pairs.rows.empty());
         for (const Row& row : job.pairs.rows) {
-            for (const std::string_view text : {row.line.text, row.reference}) {
+            for (const std::string_view text : {row.line.text, row.partner.text}) {
                 const std::string behind = rows.substr(rows.find(text) + text.size()) + room;
                 CHECK(std::string(text.data() + text.size(), room.size()) == behind.substr(0, room.size()));
             }

@@ -48,10 +48,10 @@ std::string all_of(const Output& output) {
     std::string text = fmt::to_string(output.bytes);
     for (const Event& event : output.events) {
         if (const auto* error = std::get_if<RowError>(&event)) {
-            text += fmt::format("{} {} {}\n", error->line, static_cast<int>(error->what), error->text);
+            text += fmt::format("{} {} {}\n", error->place.line, static_cast<int>(error->what), error->text);
         } else {
             const auto& diagnostic = std::get<Diagnostic>(event);
-            text += fmt::format("{} {}\n", diagnostic.line, name_of(diagnostic.kind));
+            text += fmt::format("{} {}\n", diagnostic.place.line, name_of(diagnostic.kind));
         }
     }
     return text;
@@ -145,5 +145,5 @@ TEST_CASE("an error under stop ends the block") {
     CHECK(output.stopped);
     CHECK(fmt::to_string(output.bytes) == "1 0 0 0\n");
     REQUIRE(output.events.size() == 1);
-    CHECK(std::get<RowError>(output.events[0]).line == 11);
+    CHECK(std::get<RowError>(output.events[0]).place.line == 11);
 }
