@@ -42,7 +42,7 @@ struct ConvertOptions final : RowOptions {
         }
         operations::Operation operation = operations::several(
             mapped(written, [&](const Spec& each) { return by_method(Conversion(read, each, conversion)); }));
-        if (operation->is_continuous && !operation->answers.empty()) {
+        if (operation->is_continuous && operation->text) {
             throw Usage("{} cannot be combined with {} all, which writes several answers to a row", continuous.name(),
                         method.name());
         }

@@ -131,7 +131,7 @@ private:
         if (count.rows == 0) {
             count.first = diagnostic;
         }
-        if (count.rows == 0 || count.last_line != diagnostic.place.line) { // a row may have several answers
+        if (count.rows == 0 || count.last_line != diagnostic.place.line) { // a row may have several results
             ++count.rows;
             count.last_line = diagnostic.place.line;
         }
@@ -152,9 +152,9 @@ private:
                     : std::string();
         return text.empty() ? text : "; " + text;
     }
-    /// One of several answers to VALUEs: each is told, because a summary would name only one.
+    /// One of several results of VALUEs: each is told, because a summary would name only one.
     [[nodiscard]] bool is_told_apart(const stream::Diagnostic& diagnostic) const noexcept {
-        return command_->has_values && command_->diagnostics == ShowDiagnostics::summary && !diagnostic.answer.empty();
+        return command_->has_values && command_->diagnostics == ShowDiagnostics::summary && !diagnostic.text.empty();
     }
     [[nodiscard]] const messages::Subject& subject_of(const stream::Place& place) const noexcept {
         return place.is_in_reference() ? command_->reference_subject : *command_->subject;

@@ -1,14 +1,14 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <rotconv/sampling.hpp>
 
-#include "../stream/number_text.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
@@ -16,32 +16,23 @@ namespace {
 
 constexpr std::size_t largest_count = 1'000'000'000'000'000;
 
-/// The indices of rows: as doubles or, where kinds are given, as text after the kind of each row.
+/// The indices of rows, as doubles.
 class RowIndices final : public stream::Source {
 public:
-    RowIndices(std::size_t rows, std::vector<SampleKind> kinds, std::string_view header)
-        : rows_(rows), kinds_(std::move(kinds)), made_(header) {}
+    explicit RowIndices(std::size_t rows) : end_(rows * sizeof(double)) {}
 
     std::ptrdiff_t read(std::span<char> to) override {
-        for (; next_ < rows_ && made_.size() < to.size(); ++next_) {
-            if (kinds_.empty()) {
-                const auto index = static_cast<double>(next_);
-                made_.append(reinterpret_cast<const char*>(&index), sizeof index); // NOLINT(*-reinterpret-cast)
-            } else {
-                made_.append(name_of(kinds_[next_ % kinds_.size()])).append(",");
-                made_.append(fmt::format_int(next_).c_str()).append("\n");
-            }
+        const std::span<char> made = to.first(std::min(to.size(), end_ - next_));
+        for (char& byte : made) {
+            const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(static_cast<double>(next_ / 8));
+            byte = bytes.at(next_++ % 8);
         }
-        const std::size_t size = made_.copy(to.data(), to.size());
-        made_.erase(0, size);
-        return static_cast<std::ptrdiff_t>(size);
+        return static_cast<std::ptrdiff_t>(made.size());
     }
 
 private:
-    std::size_t rows_;
-    std::size_t next_ = 0;
-    std::vector<SampleKind> kinds_;
-    std::string made_; ///< and not yet read
+    std::size_t end_;
+    std::size_t next_ = 0; ///< index of a byte
 };
 
 struct SampleOptions final : RowOptions {
@@ -64,27 +55,19 @@ struct SampleOptions final : RowOptions {
             number_of(noise, 5e-4, "number from 0 to 0.5", [](double most) { return most >= 0.0 && most <= 0.5; })};
         const bool has_header =
             one_of<bool>(fmt::format("mode of {}", header.name()), header, {{"no", false}, {"add", true}});
+        const bool has_kinds = kinds_column.given();
         const stream::RowNumbers numbers{.names = {"index"}};
         RowsCommand made =
-            rows_command(numbers, operations::sample(spec, samples), messages::subject_of(spec, any_defect));
+            rows_command(numbers, operations::sample(spec, samples, has_kinds), messages::subject_of(spec, any_defect));
         const stream::Format written = made.options.format;
-        const bool is_json = written == stream::Format::json;
-        const bool has_kinds = kinds_column.given();
-        if (has_kinds && !is_json && written != stream::Format::csv) {
+        if (has_kinds && written != stream::Format::json && written != stream::Format::csv) {
             throw Usage("{} can be combined with {} csv and json only", kinds_column.name(), format.name());
         }
-        stream::InputOptions& in = made.options.input = {.numbers = numbers};
-        in.delimiter = stream::Delimiter::character(',');
-        const bool reads_header = has_kinds && (has_header || is_json); // from which JSON has its keys
-        using stream::HeaderMode;
-        in.header = reads_header ? HeaderMode::yes : has_header && !has_kinds ? HeaderMode::add : HeaderMode::no;
-        if (has_kinds) {
-            in.columns = std::get<stream::ColumnList>(stream::ColumnList::parse("2", 1));
-        } else {
-            in.width = 1;
-        }
-        made.source = std::make_shared<RowIndices>(count, has_kinds ? samples.kinds : std::vector<SampleKind>(),
-                                                   reads_header ? "kind,index\n" : "");
+        made.options.input = {.numbers = numbers,
+                              .delimiter = stream::Delimiter::character(','),
+                              .width = 1,
+                              .header = has_header ? stream::HeaderMode::add : stream::HeaderMode::no};
+        made.source = std::make_shared<RowIndices>(count);
         return made;
     }
 

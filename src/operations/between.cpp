@@ -16,32 +16,37 @@ void scatter(std::span<const double> from, std::size_t size, std::span<const std
     }
 }
 
-} // namespace
+/// A function of rows whose second attitude lies between two rows of a reference, see stream::Pairing.
+class Between {
+public:
+    /// See of_pairs().
+    Between(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& reference,
+            const ConversionSettings& settings)
+        : at_(std::move(at)), between_(std::move(between)), columns_(columns),
+          reading_(
+              reference, Spec{},
+              {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}) {}
 
-RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
-    const auto place = std::ranges::lower_bound(reports, row, {}, &RowReport::row);
-    return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
-}
+    void operator()(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports,
+                    std::span<double> rest);
 
-void SomeRows::run(std::span<double> to, std::size_t width, std::span<double> rest) {
-    out.resize(rows.size() * function.outputs);
-    out_rest.resize(rest.empty() ? 0 : out.size());
-    function.run(numbers, out, reports, out_rest);
-    scatter(out, function.outputs, rows, to, width);
-    if (!rest.empty()) {
-        scatter(out_rest, function.outputs, rows, rest, width);
-    }
-    std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
-}
+private:
+    /// The quaternion at the fraction; the identity if there is none.
+    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction,
+                                                         std::vector<RowReport>& reports) const;
 
-Between::Between(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& reference,
-                 const ConversionSettings& settings)
-    : at_(std::move(at)), between_(std::move(between)), columns_(columns),
-      reading_(reference, Spec{},
-               {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}) {}
+    SomeRows at_;
+    SomeRows between_; ///< rows with the quaternion between the neighbours
+    stream::PairColumns columns_;
+    Conversion reading_; ///< reads the neighbours
+    std::vector<double> numbers_;
+    std::vector<double> neighbours_; ///< the earlier and the later of each row, as quaternions
+    std::vector<RowReport> neighbour_reports_;
+};
 
-void Between::run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports,
-                  std::span<double> rest) {
+void Between::operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
+                         std::span<double> rest) {
+    const std::span<const double> rows = pairs.numbers;
     const std::size_t width = columns_.width();
     const std::size_t count = rows.size() / width;
     numbers_.clear();
@@ -109,6 +114,48 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
         reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
     }
     return found.value_or(Rotation()).components();
+}
+
+} // namespace
+
+std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
+                                     std::vector<double>& room) {
+    if (!columns.by_key) {
+        return rows;
+    }
+    room.clear();
+    for (; !rows.empty(); rows = rows.subspan(columns.width())) {
+        append(room, rows.subspan(columns.first(), columns.first_size));
+        append(room, rows.subspan(columns.second(), columns.second_size));
+    }
+    return room;
+}
+
+RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& second,
+                     const ConversionSettings& settings) {
+    if (columns.interpolates) {
+        return Between(std::move(at), std::move(between), columns, second, settings);
+    }
+    return [run = std::move(at.run), columns, room = std::vector<double>()](const stream::NumberRows& rows, auto out,
+                                                                            auto& reports, auto rest) mutable {
+        run({without_keys(rows.numbers, columns, room), rows.lines}, out, reports, rest);
+    };
+}
+
+RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
+    const auto place = std::ranges::lower_bound(reports, row, {}, &RowReport::row);
+    return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
+}
+
+void SomeRows::run(std::span<double> to, std::size_t width, std::span<double> rest) {
+    out.resize(rows.size() * function.outputs);
+    out_rest.resize(rest.empty() ? 0 : out.size());
+    function.run({numbers, {}}, out, reports, out_rest);
+    scatter(out, function.outputs, rows, to, width);
+    if (!rest.empty()) {
+        scatter(out_rest, function.outputs, rows, rest, width);
+    }
+    std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
 }
 
 } // namespace rotconv::operations

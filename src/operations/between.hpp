@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include <rotconv/rotation.hpp>
 
 #include "../stream/row_operation.hpp"
+#include "operations.hpp"
 
 namespace rotconv::operations {
 
@@ -24,13 +24,22 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
 /// The report on the row among reports in the order of the rows; an empty one is added if there is none.
 [[nodiscard]] RowReport& report_of(std::size_t row, std::vector<RowReport>& reports);
 
-/// A function of rows of two attitudes, like Comparison::run() or Composition::run(), for one SPEC of the second.
+/// The numbers of both attitudes of each row, one after the other; without keys, for which they are copied to `room`.
+[[nodiscard]] std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
+                                                   std::vector<double>& room);
+
+/// A function of rows of two attitudes.
 struct PairFunction {
-    using Run = std::function<void(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
-                                   std::span<double> rest)>;
-    Run run;
+    RowFunction run;
     std::size_t outputs = 0; ///< numbers of each row of `out`, and of `rest`
 };
+
+/// The function of rows as they are read: with keys, if they are paired by key, and with both neighbours, if the
+/// reference is interpolated. A row between neighbours that are a half-turn apart has the error past_half_turn.
+/// @param at takes the second attitude as it is read, and `between` as a quaternion
+/// @param settings how neighbours are read
+[[nodiscard]] RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns,
+                                   const Spec& second, const ConversionSettings& settings);
 
 /// A function of some of the rows at hand.
 struct SomeRows {
@@ -49,33 +58,6 @@ struct SomeRows {
     std::vector<double> out;
     std::vector<double> out_rest;
     std::vector<RowReport> reports; ///< by the indices among all rows
-};
-
-/// A function of rows whose second attitude lies between two rows of a reference, see stream::Pairing.
-class Between {
-public:
-    /// @param at takes the reference's numbers as they are read; `between` takes a quaternion
-    /// @param columns those of a pair by key
-    /// @param settings how the neighbours are read
-    Between(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& reference,
-            const ConversionSettings& settings);
-
-    /// A row between attitudes that are a half-turn apart has the error past_half_turn.
-    void run(std::span<const double> rows, std::span<double> out, std::vector<RowReport>& reports,
-             std::span<double> rest = {});
-
-private:
-    /// The quaternion at the fraction; the identity if there is none.
-    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction,
-                                                         std::vector<RowReport>& reports) const;
-
-    SomeRows at_;
-    SomeRows between_; ///< rows with the quaternion between the neighbours
-    stream::PairColumns columns_;
-    Conversion reading_; ///< reads the neighbours
-    std::vector<double> numbers_;
-    std::vector<double> neighbours_; ///< the earlier and the later of each row, as quaternions
-    std::vector<RowReport> neighbour_reports_;
 };
 
 } // namespace rotconv::operations

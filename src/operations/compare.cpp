@@ -16,10 +16,7 @@ namespace {
 constexpr std::size_t numbers_of_pair = 9;
 constexpr double no_angle = std::numeric_limits<double>::quiet_NaN();
 
-PairFunction function_of(const Comparison& comparison) {
-    return {[comparison](auto in, auto out, auto& reports, auto /*rest*/) { comparison.run(in, out, reports); },
-            comparison.outputs()};
-}
+PairFunction pair_function_of(const Comparison& comparison) { return {function_of(comparison), comparison.outputs()}; }
 
 /// Compares the rotations from each pair of attitudes to the N-th pair after it. Remembers N pairs.
 class RelativeComparison {
@@ -30,7 +27,7 @@ public:
               settings.reading.right.reset();
               settings.reading.tolerance = any_defect;
               settings.attitudes = false;
-              return function_of(Comparison({}, {}, settings));
+              return pair_function_of(Comparison({}, {}, settings));
           }()) {}
 
     /// @param compared rows of an angle, nan if there is none, and both attitudes
@@ -77,57 +74,37 @@ private:
     std::size_t next_ = 0; ///< index of the oldest pair that is kept; 0 before N are kept
 };
 
-class Compare final : public stream::RowOperation {
-public:
-    Compare(const Comparison& comparison, const ComparisonRows& rows)
-        : comparison_(comparison), columns_(rows.columns(comparison.from(), comparison.reference())) {
-        ComparisonSettings settings = comparison.settings();
-        names = {"angle"};
-        unit = rows.unit;
-        if (rows.delta > 0) {
-            relative_.emplace(rows.delta, settings);
-            in_order = true;
-            settings.within = std::numeric_limits<double>::infinity();
-        }
-        settings.attitudes = rows.with_attitudes || rows.delta > 0;
-        names.resize(rows.with_attitudes ? numbers_of_pair : 1);
-        comparison_ = Comparison(comparison.from(), comparison.reference(), settings);
-        if (rows.interpolates) {
-            between_.emplace(function_of(comparison_),
-                             function_of(Comparison(comparison_.from(), Spec{}, comparison_.settings())), columns_,
-                             comparison_.reference(), comparison_.settings().reading);
-        }
-    }
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Compare>(*this); }
-
-    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        const bool has_room = names.size() == comparison_.outputs();
-        compared_.resize(has_room ? 0 : rows.lines.size() * comparison_.outputs());
-        const std::span<double> compared = has_room ? out : std::span(compared_);
-        if (between_) {
-            between_->run(rows.numbers, compared, reports);
-        } else {
-            comparison_.run(without_keys(rows.numbers, columns_, attitudes_), compared, reports);
-        }
-        if (relative_) {
-            relative_->compare(compared, out, names.size(), reports);
-        }
-        return rows.lines.size();
-    }
-
-private:
-    Comparison comparison_;
-    stream::PairColumns columns_;
-    std::optional<Between> between_;             ///< if the reference is interpolated
-    std::optional<RelativeComparison> relative_; ///< if there is a delta
-    std::vector<double> compared_;               ///< rows of `comparison_`, if they are not the result
-    std::vector<double> attitudes_;
-};
-
 } // namespace
 
 Operation compare(const Comparison& comparison, const ComparisonRows& rows) {
-    return std::make_shared<Compare>(comparison, rows);
+    const Spec& reference = comparison.reference();
+    ComparisonSettings settings = comparison.settings();
+    std::optional<RelativeComparison> relative;
+    if (rows.delta > 0) {
+        relative.emplace(rows.delta, settings);
+        settings.within = std::numeric_limits<double>::infinity();
+    }
+    settings.attitudes = rows.with_attitudes || rows.delta > 0;
+    const Comparison compares(comparison.from(), reference, settings);
+    RowFunction function =
+        of_pairs(pair_function_of(compares), pair_function_of(Comparison(comparison.from(), Spec{}, settings)),
+                 rows.columns(comparison.from(), reference), reference, settings.reading);
+    const std::size_t width = rows.with_attitudes ? numbers_of_pair : 1;
+    if (relative) {
+        function = [pairs = std::move(function), room = std::vector<double>(), relative = *std::move(relative),
+                    width](const stream::NumberRows& numbers, auto out, auto& reports, auto rest) mutable {
+            room.resize(width == numbers_of_pair ? 0 : numbers.lines.size() * numbers_of_pair);
+            const std::span<double> compared = room.empty() ? out : std::span(room);
+            pairs(numbers, compared, reports, rest);
+            relative.compare(compared, out, width, reports);
+        };
+    }
+    std::vector<std::string> names{"angle"};
+    names.resize(width);
+    auto made = std::make_shared<RowsAtOnce>(std::move(function), std::move(names));
+    made->unit = rows.unit;
+    made->in_order = rows.delta > 0;
+    return made;
 }
 
 } // namespace rotconv::operations

@@ -1,25 +1,7 @@
-#include "between.hpp"
+#include "../core/representations/codec.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
-namespace {
-
-class Convert final : public AttitudeOperation {
-public:
-    Convert(const Conversion& conversion, bool continuous)
-        : AttitudeOperation(conversion.to(), continuous), conversion_(conversion) {}
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Convert>(*this); }
-
-    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        conversion_.run(rows.numbers, out, reports, rest_of(out));
-        return rows.lines.size();
-    }
-
-private:
-    Conversion conversion_;
-};
-
-} // namespace
 
 std::vector<std::string> names_of(const Spec& spec, const std::string& ending) {
     const auto columns = spec.columns();
@@ -40,17 +22,15 @@ std::vector<std::string> joined(std::vector<std::string> names, const std::vecto
     return names;
 }
 
-std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
-                                     std::vector<double>& room) {
-    if (!columns.by_key) {
-        return rows;
+void add_attitude(stream::RowOperation& operation, const Spec& to) {
+    if (const auto ends = codec_of(to.name).open_ends) {
+        const auto& [numbers, end, other] = ends(to);
+        for (const std::size_t number : numbers) {
+            operation.open_ends.push_back({operation.names.size() + number, end, other});
+        }
     }
-    room.clear();
-    for (; !rows.empty(); rows = rows.subspan(columns.width())) {
-        append(room, rows.subspan(columns.first(), columns.first_size));
-        append(room, rows.subspan(columns.second(), columns.second_size));
-    }
-    return room;
+    operation.names = joined(operation.names, names_of(to));
+    operation.attitudes.push_back(to);
 }
 
 stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key) {
@@ -60,7 +40,7 @@ stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key) {
 }
 
 Operation convert(const Conversion& conversion, bool continuous) {
-    return std::make_shared<Convert>(conversion, continuous);
+    return std::make_shared<RowsAtOnce>(function_of(conversion), conversion.to(), continuous);
 }
 
 } // namespace rotconv::operations

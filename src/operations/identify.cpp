@@ -1,34 +1,10 @@
 #include <utility>
 
 #include "../stream/fmt.hpp"
+#include "between.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
-namespace {
-
-class Identify final : public stream::RowOperation {
-public:
-    Identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification)
-        : rows_(rows), identification_(std::move(identification)) {
-        names = {"angle"};
-        in_order = true;
-    }
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Identify>(*this); }
-
-    std::size_t run(const stream::NumberRows& rows, std::span<double> /*out*/,
-                    std::vector<RowReport>& reports) override {
-        const stream::PairColumns columns{identification_->count(), rows_.known.size(), rows_.by_key};
-        identification_->add(without_keys(rows.numbers, columns, attitudes_), rows.lines, reports);
-        return rows.lines.size();
-    }
-
-private:
-    IdentificationRows rows_;
-    std::shared_ptr<Identification> identification_;
-    std::vector<double> attitudes_;
-};
-
-} // namespace
 
 stream::RowNumbers identification_numbers(const IdentificationRows& rows) {
     stream::RowNumbers numbers;
@@ -47,7 +23,15 @@ stream::RowNumbers identification_numbers(const IdentificationRows& rows) {
 }
 
 Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification) {
-    return std::make_shared<Identify>(rows, std::move(identification));
+    const auto function = [identification = std::move(identification), size = rows.known.size(), by_key = rows.by_key,
+                           room = std::vector<double>()](const auto& numbers, auto /*out*/, auto& reports,
+                                                         auto /*rest*/) mutable {
+        const stream::PairColumns columns{identification->count(), size, by_key};
+        identification->add(without_keys(numbers.numbers, columns, room), numbers.lines, reports);
+    };
+    auto made = std::make_shared<RowsAtOnce>(function, std::vector<std::string>{"angle"});
+    made->in_order = true;
+    return made;
 }
 
 } // namespace rotconv::operations

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rotconv/alignment.hpp>
@@ -36,17 +38,31 @@ using Operation = std::shared_ptr<stream::RowOperation>;
 [[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
 [[nodiscard]] std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others);
 
-/// The numbers of both attitudes of each row, one after the other; without keys, for which they are copied to `room`.
-[[nodiscard]] std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
-                                                   std::vector<double>& room);
+/// Adds an attitude to the result of an operation.
+void add_attitude(stream::RowOperation& operation, const Spec& to);
 
-/// An operation whose results are attitudes. `continuous`, here and below: the results follow the motion, see
+/// What an operation does with rows. `rest`: see Conversion::run(); empty if it is not needed.
+using RowFunction = std::function<void(const stream::NumberRows& rows, std::span<double> out,
+                                       std::vector<RowReport>& reports, std::span<double> rest)>;
+
+/// That of a Conversion, Rates and the like.
+template <class Core> RowFunction function_of(const Core& core) {
+    return [core](const stream::NumberRows& rows, auto out, auto& reports, [[maybe_unused]] auto rest) {
+        if constexpr (requires { core.run(rows.numbers, out, reports, rest); }) {
+            core.run(rows.numbers, out, reports, rest);
+        } else {
+            core.run(rows.numbers, out, reports);
+        }
+    };
+}
+
+/// An operation whose results may be attitudes. `continuous`, here and below: the results follow the motion, see
 /// ContinuousNumbers.
 class AttitudeOperation : public stream::RowOperation {
 public:
+    AttitudeOperation() = default;
     AttitudeOperation(const Spec& to, bool continuous) : numbers_(std::make_shared<ContinuousNumbers>(to)) {
-        names = names_of(to);
-        attitudes = {to};
+        add_attitude(*this, to);
         is_continuous = continuous && numbers_->have_choice();
     }
     void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
@@ -63,6 +79,25 @@ protected:
 private:
     std::shared_ptr<ContinuousNumbers> numbers_; ///< shared by all threads
     std::vector<double> rest_;
+};
+
+/// An operation that answers all rows at once, by a function; its copies have copies of it.
+class RowsAtOnce final : public AttitudeOperation {
+public:
+    RowsAtOnce(RowFunction function, std::vector<std::string> columns) : function_(std::move(function)) {
+        names = std::move(columns);
+    }
+    RowsAtOnce(RowFunction function, const Spec& to, bool continuous)
+        : AttitudeOperation(to, continuous), function_(std::move(function)) {}
+    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<RowsAtOnce>(*this); }
+
+    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+        function_(rows, out, reports, rest_of(out));
+        return rows.lines.size();
+    }
+
+private:
+    RowFunction function_;
 };
 
 /// The numbers of an attitude, perhaps after a key that passes through unchanged.
@@ -114,8 +149,8 @@ struct PropagationRows {
 [[nodiscard]] stream::RowNumbers propagation_numbers();
 [[nodiscard]] Operation propagate(const PropagationRows& rows);
 
-/// The rows of a sampler, from rows of an index.
-[[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings);
+/// The rows of a sampler, from rows of an index from 0 on; perhaps with a column of their kinds.
+[[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings, bool with_kinds);
 
 /// The survey of attitudes, from rows of quaternions.
 struct SurveyFold final : stream::Fold {

@@ -1,28 +1,23 @@
+#include <algorithm>
+#include <iterator>
+
 #include "operations.hpp"
 
 namespace rotconv::operations {
-namespace {
 
-class Sample final : public stream::RowOperation {
-public:
-    Sample(const Spec& spec, const SampleSettings& settings) : sampler_(spec, settings) {
-        names = names_of(spec);
-        attitudes = {spec};
-    }
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Sample>(*this); }
-
-    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+Operation sample(const Spec& spec, const SampleSettings& settings, bool with_kinds) {
+    const auto function = [sampler = Sampler(spec, settings)](const auto& rows, auto out, auto& reports,
+                                                              auto /*rest*/) mutable {
         reports.clear();
-        sampler_.run(rows.numbers, out);
-        return rows.lines.size();
+        sampler.run(rows.numbers, out);
+    };
+    auto made = std::make_shared<RowsAtOnce>(function, spec, false);
+    if (with_kinds) {
+        made->text = stream::TextColumn{.name = "kind"};
+        std::ranges::transform(settings.kinds, std::back_inserter(made->text->texts),
+                               [](SampleKind kind) { return std::string(name_of(kind)); });
     }
-
-private:
-    Sampler sampler_;
-};
-
-} // namespace
-
-Operation sample(const Spec& spec, const SampleSettings& settings) { return std::make_shared<Sample>(spec, settings); }
+    return made;
+}
 
 } // namespace rotconv::operations

@@ -18,8 +18,9 @@ class Several final : public stream::RowOperation {
 public:
     explicit Several(std::vector<Operation> parts) {
         for (Operation& each : parts) {
-            names = joined(names, each->names);
-            attitudes.insert(attitudes.end(), each->attitudes.begin(), each->attitudes.end());
+            for (const Spec& to : each->attitudes) {
+                add_attitude(*this, to);
+            }
             in_order = in_order || each->in_order;
             is_continuous = is_continuous || each->is_continuous;
             parts_.push_back({.operation = std::move(each)});

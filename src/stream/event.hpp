@@ -66,8 +66,8 @@ struct Diagnostic {
     DiagnosticKind kind = DiagnosticKind::normalized;
     double figure = 0.0;
     RepresentationId result{};
-    std::string_view answer{}; ///< name of the answer, if a row has several
-    std::string_view unit{};   ///< the figure's, for kinds with several units
+    std::string_view text{}; ///< the result's, see TextColumn
+    std::string_view unit{}; ///< the figure's, for kinds with several units
 };
 
 /// The first bytes of the stream, up to 64 KiB, before anything else is reported: for advice on what stands in the way.

@@ -64,13 +64,13 @@ RowError error_of(const Row& row, std::string_view given, const RowReport& repor
             .norm = report.error == Error::defect ? norm_of(row, report, rows, options, layout) : 0.0};
 }
 
-void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t answer,
+void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t index,
                      const RowOperation& operation) {
     for_each_diagnostic(report, row.number, operation.attitudes, [&](Diagnostic diagnostic) {
-        if (diagnostic.kind == DiagnosticKind::method_error && !operation.answers.empty()) {
-            diagnostic.answer = operation.answers[answer];
-        } else if (answer > 0) {
-            return; // the first answer has told the row's diagnostics
+        if (diagnostic.kind == DiagnosticKind::method_error && operation.text) {
+            diagnostic.text = operation.text->texts[index];
+        } else if (index > 0) {
+            return; // the first result has told the row's diagnostics
         }
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
         const bool is_angle = diagnostic.kind == DiagnosticKind::large_angle;

@@ -41,9 +41,9 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
 [[nodiscard]] RowError error_of(const Row& row, std::string_view given, const RowReport& report,
                                 const GatheredRows& rows, const Options& options, const Layout& layout);
 
-/// Adds the diagnostics of the row's answer of that index, those of a row and of its partner separately.
+/// Adds the diagnostics of the row's result of that index, those of a row and of its partner separately.
 /// @param operation outlives the events
-void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t answer,
+void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t index,
                      const RowOperation& operation);
 
 } // namespace rotconv::stream

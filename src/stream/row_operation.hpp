@@ -50,6 +50,20 @@ struct PairColumns {
     [[nodiscard]] constexpr std::size_t width() const noexcept { return interpolates ? fraction() + 1 : later(); }
 };
 
+/// A number whose range has an open end: if it is rounded to that end, the other one is written.
+struct OpenEnd {
+    std::size_t number = 0; ///< its index in a result
+    double end = 0.0;
+    double other = 0.0;
+};
+
+/// A column of text among the numbers of results: the k-th result of a stream has texts[k % texts.size()].
+struct TextColumn {
+    std::string_view name{};
+    std::size_t place = 0; ///< index of the number that follows
+    std::vector<std::string> texts{};
+};
+
 /// Computes results from the numbers of rows.
 class RowOperation {
 public:
@@ -58,22 +72,25 @@ public:
     /// A copy for another thread; state that follows the rows in their order is shared.
     [[nodiscard]] virtual std::unique_ptr<RowOperation> copy() const = 0;
 
-    /// Answers rows: writes a result of names.size() numbers for each, or for each of its answers. `reports` is set to
-    /// the reports of the remarkable rows, in their order. If results depend on later rows, only the first rows are
+    /// Answers rows: writes the results of each, of names.size() numbers. `reports` is set to the reports of the
+    /// remarkable results, in their order. If results depend on later rows, only the first rows are
     /// answered, as many as can be, or all with `rows.are_last`; the others come first in the next call.
     /// @return how many rows are answered
     virtual std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) = 0;
     /// Makes results follow each other: called after run() of the same rows, for all rows in their order.
     virtual void make_continuous(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
 
-    [[nodiscard]] std::size_t answers_of_row() const noexcept { return answers.empty() ? 1 : answers.size(); }
+    /// The text of the result of that index in the stream; empty without a column of text.
+    [[nodiscard]] std::string_view text_of(std::size_t index) const {
+        return text ? std::string_view(text->texts[index % text->texts.size()]) : std::string_view();
+    }
 
     std::vector<std::string> names{}; ///< the columns of the result
     bool keeps_names = false;         ///< the result has the names of the last selected columns, if the input has names
     std::vector<Spec> attitudes{};    ///< the attitudes that the result is, one after the other, if it is any
-    /// Names of the answers, if a row has several, one line each, for the column `method` before the last number.
-    /// RowReport::row is then the index of the answer among the answers of all rows.
-    std::vector<std::string> answers{};
+    std::vector<OpenEnd> open_ends{};
+    std::size_t results_of_row = 1; ///< a line for each; RowReport::row counts results
+    std::optional<TextColumn> text{};
     /// Seconds between the first two times, if the times are numbers, and the line of the second.
     std::pair<double, std::size_t> first_step{};
     std::string_view unit{};    ///< the unit of angles beyond a limit

@@ -107,7 +107,7 @@ void RowTransformer::transform_doubles(std::string_view text, std::size_t line, 
 }
 
 std::size_t RowTransformer::answer(bool flush) {
-    results_.resize(gathered_.count() * operation_->answers_of_row() * operation_->names.size());
+    results_.resize(gathered_.count() * operation_->results_of_row * operation_->names.size());
     NumberRows rows = gathered_.numbers();
     rows.are_last = flush;
     return operation_->run(rows, results_, reports_);
@@ -117,7 +117,7 @@ void RowTransformer::make_continuous(std::size_t answered, Output& output, const
     if (!operation_->is_continuous) {
         return;
     }
-    const auto results = std::span(results_).first(answered * operation_->answers_of_row() * operation_->names.size());
+    const auto results = std::span(results_).first(answered * operation_->results_of_row * operation_->names.size());
     const auto what = [&] { operation_->make_continuous(results, reports_); };
     if (ordered && !operation_->in_order) { // with in_order there is one thread
         output.stopped = !ordered(what);
@@ -135,8 +135,8 @@ void RowTransformer::write(Output& output) {
         output.answered += rows.size();
         return;
     }
-    const auto stands_alone = [&, answers = operation_->answers_of_row()](const Row& row) {
-        return row.is_scanned() && !is_reported_before(row, (row.index + 1) * answers);
+    const auto stands_alone = [&, results = operation_->results_of_row](const Row& row) {
+        return row.is_scanned() && !is_reported_before(row, (row.index + 1) * results);
     };
     for (auto row = rows.begin(); row != rows.end() && !output.stopped;) {
         const bool may_stand_alone = options_->writes_rows && writer_.writes_results_alone();
@@ -178,9 +178,9 @@ void RowTransformer::write_row(Row& row, Output& output) {
         find_partner(row, given);
     }
     const std::size_t size = operation_->names.size();
-    const std::size_t answers = operation_->answers_of_row();
-    for (std::size_t i = 0; i < answers; ++i) {
-        const std::size_t index = row.index * answers + i;
+    const std::size_t results = operation_->results_of_row;
+    for (std::size_t i = 0; i < results; ++i) {
+        const std::size_t index = row.index * results + i;
         const RowReport& report = report_of(row, index);
         const bool failed = !row.has_numbers() || report.error != Error::none;
         const bool has_no_partner = row.fraction > 0.0 && report.error == Error::past_half_turn; // of neighbours
@@ -194,19 +194,18 @@ void RowTransformer::write_row(Row& row, Output& output) {
             output.stopped = options_->on_error == OnError::stop || error.key == KeyError::has_unit;
         }
         if (failed && (output.stopped || options_->on_error != OnError::nan || !is_ours)) {
-            continue; // report_of() was called for each answer
+            continue; // report_of() was called for each result
         }
         if (options_->writes_rows) {
-            writer_.write(
-                output.bytes,
-                {.line = row.line,
-                 .number = row.number,
-                 .fields = gathered_.fields_of(row),
-                 .result = failed ? std::span<const double>(nans_) : std::span(results_).subspan(index * size, size),
-                 .report = &report,
-                 .failed = failed,
-                 .answer = operation_->answers.empty() ? std::string_view() : operation_->answers[i],
-                 .partner = partner_});
+            writer_.write(output.bytes, {.line = row.line,
+                                         .number = row.number,
+                                         .fields = gathered_.fields_of(row),
+                                         .result = failed ? std::span<const double>(nans_)
+                                                          : std::span(results_).subspan(index * size, size),
+                                         .report = &report,
+                                         .failed = failed,
+                                         .text = operation_->text_of((row.number - 1) * results + i),
+                                         .partner = partner_});
         }
         if (!failed) {
             output.answered += i == 0 ? 1 : 0;
@@ -231,9 +230,9 @@ void RowTransformer::find_partner(const Row& row, std::string_view given) {
                            own < others ? "-" : "", distance(own, others).text());
 }
 
-const RowReport& RowTransformer::report_of(const Row& row, std::size_t answer) noexcept {
+const RowReport& RowTransformer::report_of(const Row& row, std::size_t result) noexcept {
     static constexpr RowReport nothing{};
-    return is_reported_before(row, answer + 1) ? reports_[next_report_++] : nothing;
+    return is_reported_before(row, result + 1) ? reports_[next_report_++] : nothing;
 }
 
 } // namespace rotconv::stream

@@ -61,12 +61,12 @@ private:
     /// Hands over the rows at hand and their results, if there is a fold.
     void give_away(std::size_t answered, Output& output);
     void write_row(Row& row, Output& output);
-    /// Whether the next report belongs to the row, and to an answer before that index.
-    [[nodiscard]] bool is_reported_before(const Row& row, std::size_t answer) const noexcept {
-        return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < answer;
+    /// Whether the next report belongs to the row, and to a result before that index.
+    [[nodiscard]] bool is_reported_before(const Row& row, std::size_t result) const noexcept {
+        return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < result;
     }
-    /// The report on the row's answer of that index, empty if there is none; to be called for each answer in order.
-    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t answer) noexcept;
+    /// The report on the row's result of that index, empty if there is none; to be called for each result in order.
+    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t result) noexcept;
     /// Sets `partner_` for a row; `given`: the row as it was read.
     void find_partner(const Row& row, std::string_view given);
 

@@ -14,8 +14,6 @@
 namespace rotconv::stream {
 namespace {
 
-constexpr std::string_view answer_column = "method";
-
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Appends the kinds of the row's diagnostics, joined by '+'.
@@ -105,27 +103,25 @@ double half_a_unit(int decimals) {
 
 constexpr std::size_t most_around = 3; // a delimiter and a line end
 
-/// Writes the numbers of an answer, with its name before the last. Numbers that repeat the previous answer, which
-/// stands before them in memory, are copied from its text.
-/// @param places where the numbers and the name of the previous answer stand; set to those of this answer
-char* write_answer(char* at, std::span<const double> numbers, bool is_first, const char** places, std::string_view name,
-                   char delimiter, Digits digits) {
-    const double* number = numbers.data();
-    const double* const end = number + numbers.size() - 1;
-    for (; number != end; ++number, ++places) {
-        const char* const last = std::exchange(*places, at);
-        if (!is_first &&
-            std::bit_cast<std::uint64_t>(*number) == std::bit_cast<std::uint64_t>(*(number - numbers.size()))) {
-            at = std::copy(last, places[1], at); // with the delimiter
-        } else {
-            at = write_numbers(at, {number, 1}, delimiter, digits);
+/// Writes the numbers of one of several results, with its text before the number of that place. Numbers that repeat the
+/// previous result, which stands before them in memory, are copied from its text.
+/// @param texts those of the previous result's numbers; set to those of this result
+char* write_result_with(char* at, std::span<const double> numbers, bool is_first, std::string_view* texts,
+                        std::string_view text, std::size_t place, char delimiter, Digits digits) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i == place) {
+            at = std::ranges::copy(text, at).out;
             *at++ = delimiter;
         }
+        const double* const number = numbers.data() + i;
+        char* const begin = at;
+        const bool is_same = !is_first && std::bit_cast<std::uint64_t>(*number) ==
+                                              std::bit_cast<std::uint64_t>(*(number - numbers.size()));
+        at = is_same ? std::ranges::copy(texts[i], at).out : write_numbers(at, {number, 1}, delimiter, digits);
+        texts[i] = {begin, at};
+        *at++ = delimiter;
     }
-    *places = at;
-    at = std::ranges::copy(name, at).out;
-    *at++ = delimiter;
-    return write_numbers(at, {number, 1}, delimiter, digits);
+    return at - 1;
 }
 
 } // namespace
@@ -134,8 +130,8 @@ std::vector<std::string_view> result_columns(const Options& options, const Layou
     const RowOperation& operation = *options.operation;
     const auto& names = layout.kept_names.empty() ? operation.names : layout.kept_names;
     std::vector<std::string_view> columns(names.begin(), names.end());
-    if (!operation.answers.empty()) {
-        columns.insert(columns.end() - 1, answer_column);
+    if (operation.text) {
+        columns.insert(columns.begin() + static_cast<std::ptrdiff_t>(operation.text->place), operation.text->name);
     }
     if (options.diagnostic_columns) {
         columns.insert(columns.end(), diagnostic_names.begin(), diagnostic_names.end());
@@ -171,36 +167,25 @@ void write_added_header(Buffer& to, const Options& options, const Layout& layout
     write_header(to, options, layout, HeaderLine({indices, layout.line_end}, layout.delimiter));
 }
 
-RowWriter::OuterAngles RowWriter::outer_angles(const Spec& spec, std::size_t first) const {
+RowWriter::RoundedEnd RowWriter::rounded(const OpenEnd& range) const {
     const Digits digits = options_->digits;
-    const bool degrees = spec.unit == AngleUnit::degrees;
-    const int whole_digits = degrees ? 3 : 1; // digits of a half-turn
-    const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
-    const double half_turn = degrees ? 180.0 : std::numbers::pi;
-    const double open_end = spec.positive ? 2.0 * half_turn : -half_turn;
-    const auto text_of = [&](double end) {
+    const auto text_of = [&](double number) {
         Buffer text;
-        append_number(text, end, digits);
+        append_number(text, number, digits);
         return fmt::to_string(text);
     };
-    return {.first = first,
-            .third = first + 2,
-            .open_end = open_end,
-            .half_a_digit = whole_digits + decimals > 1 ? half_a_unit(decimals) : -1.0,
-            .open_end_text = text_of(open_end),
-            .closed_end_text = text_of(spec.positive ? 0.0 : half_turn)};
+    const int whole_digits = std::abs(range.end) < 10.0 ? 1 : 3; // of radians or degrees
+    const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
+    const double half_a_digit = whole_digits + decimals > 1 ? half_a_unit(decimals) : -1.0; // one does not show the end
+    return {range, half_a_digit, text_of(range.end), text_of(range.other)};
 }
 
 RowWriter::RowWriter(const Options& options, const Layout& layout)
     : options_(&options), layout_(&layout),
       is_plain_(options.format == Format::csv && !options.diagnostic_columns && !options.pairing) {
-    std::size_t first = 0;
-    for (const Spec& spec : options.operation->attitudes) {
-        if (representation(spec.name).has_gimbal_lock && !options.digits.shortest() &&
-            !options.operation->is_continuous) {
-            outer_angles_.push_back(outer_angles(spec, first));
-        }
-        first += spec.size();
+    if (!options.digits.shortest() && !options.operation->is_continuous) {
+        std::ranges::transform(options.operation->open_ends, std::back_inserter(open_ends_),
+                               [this](const OpenEnd& range) { return rounded(range); });
     }
     for (const std::string_view name : result_columns(options, layout)) {
         json_keys_.push_back(json_string(layout.delimiter.unquoted(name)) + ": ");
@@ -219,9 +204,9 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
 void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const {
     const char delimiter = layout_->delimiter.text();
     const Digits digits = options_->digits;
-    const auto& answers = options_->operation->answers;
-    const std::size_t width = options_->operation->names.size();
-    if (answers.empty()) {
+    const RowOperation& operation = *options_->operation;
+    const std::size_t width = operation.names.size();
+    if (!operation.text) {
         const std::size_t room = room_for(width, digits);
         for (const Row& row : rows) {
             const auto result = results.subspan(row.index * width, width);
@@ -230,18 +215,18 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
         }
         return;
     }
-    const std::size_t room = room_for(width, digits) + std::ranges::max(answers, {}, &std::string::size).size() + 2;
-    std::vector<const char*> places(width);
+    const auto& [name, place, texts] = *operation.text;
+    const std::size_t room = room_for(width, digits) + std::ranges::max(texts, {}, &std::string::size).size() + 2;
+    const std::size_t count = operation.results_of_row;
+    std::vector<std::string_view> last(width);
     for (const Row& row : rows) {
-        to.reserve(to.size() + answers.size() * (room + row.line.text.size() + most_around)); // places stay valid
-        const double* numbers = results.data() + row.index * answers.size() * width;
-        bool is_first = true;
-        for (const std::string_view answer : answers) {
-            write_around(to, *layout_, row.line, row.numbers, room, [&](char* at) {
-                return write_answer(at, {numbers, width}, is_first, places.data(), answer, delimiter, digits);
+        to.reserve(to.size() + count * (room + row.line.text.size() + most_around)); // `last` stays valid
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto result = results.subspan((row.index * count + i) * width, width);
+            write_around(to, *layout_, row.line, row.numbers, room, [&, place = place](char* at) {
+                return write_result_with(at, result, i == 0, last.data(),
+                                         operation.text_of((row.number - 1) * count + i), place, delimiter, digits);
             });
-            numbers += width;
-            is_first = false;
         }
     }
 }
@@ -249,29 +234,26 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
 void RowWriter::write_number(Buffer& to, double value, std::size_t column) const {
     const std::size_t start = to.size();
     append_number(to, value, options_->digits);
-    // The outer Euler angles have the range (-pi, pi] or [0, 2 pi): a number that is printed as the open end becomes
-    // the closed end. One digit does not show it.
-    for (const OuterAngles& range : outer_angles_) {
-        if ((column == range.first || column == range.third) &&
-            std::abs(value - range.open_end) <= range.half_a_digit &&
-            std::string_view(to.data() + start, to.size() - start) == range.open_end_text) {
+    for (const auto& [range, half_a_digit, text, other] : open_ends_) {
+        if (column == range.number && std::abs(value - range.end) <= half_a_digit &&
+            std::string_view(to.data() + start, to.size() - start) == text) {
             to.resize(start);
-            append(to, range.closed_end_text);
+            append(to, other);
         }
     }
 }
 
 void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (outer_angles_.empty() && row.answer.empty()) {
+    if (open_ends_.empty() && row.text.empty()) {
         append_numbers(to, row.result, delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             if (i > 0) {
                 to.push_back(delimiter);
             }
-            if (stands_name_before(i)) {
-                append(to, row.answer);
+            if (is_after_text(i)) {
+                append(to, row.text);
                 to.push_back(delimiter);
             }
             write_number(to, row.result[i], i);
@@ -345,9 +327,9 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
         first += spec.size();
     }
     for (std::size_t i = first; i < row.result.size(); ++i) {
-        if (stands_name_before(i)) {
+        if (is_after_text(i)) {
             key();
-            append_json_string(to, row.answer);
+            append_json_string(to, row.text);
         }
         key();
         number(row.result[i], i);
@@ -355,7 +337,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     if (options_->diagnostic_columns) {
         for (const double figure : figures_of(row)) {
             key();
-            number(figure, row.result.size()); // a figure is not an outer angle
+            number(figure, row.result.size()); // a figure has no open end
         }
         key();
         to.push_back('"');
@@ -365,30 +347,27 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     append(to, "}\n");
 }
 
-void RowWriter::write_attitudes(Buffer& to, const ConvertedRow& row) const {
+void RowWriter::write_attitudes(Buffer& to, std::span<const std::string> texts,
+                                std::span<const std::string> labels) const {
     const auto out = std::back_inserter(to);
-    const std::vector<Spec>& specs = options_->operation->attitudes;
-    std::vector<std::string> labels;
-    std::ranges::transform(specs, std::back_inserter(labels), &Spec::text);
     const std::size_t longest = std::ranges::max(labels, {}, &std::string::size).size();
-    const std::string_view indent = options_->block ? "" : "  ";
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < specs.size(); ++k) {
-        const bool is_matrix = specs[k].name == RepresentationId::dcm;
-        std::vector<std::string> texts(specs[k].size());
-        for (std::size_t i = 0; i < texts.size(); ++i) {
-            Buffer text;
-            write_number(text, row.result[first + i], first + i);
-            texts[is_matrix ? specs[k].order().at(i) : i] = fmt::to_string(text);
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        const Spec& spec = options_->operation->attitudes[k];
+        const auto own = texts.first(spec.size());
+        const bool is_matrix = spec.name == RepresentationId::dcm;
+        std::array<std::string_view, 9> in_rows;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            in_rows.at(is_matrix ? spec.order().at(i) : i) = own[i];
         }
-        const std::size_t width = is_matrix ? std::ranges::max(texts, {}, &std::string::size).size() : 0;
-        for (std::size_t i = 0; i < texts.size(); ++i) {
-            const bool begins = i == 0 || (is_matrix && i % 3 == 0);
-            fmt::format_to(out, "{}", begins ? fmt::format("{}{:<{}}", indent, i == 0 ? labels[k] : "", longest) : "");
-            fmt::format_to(out, "  {:>{}}{}", texts[i], width,
-                           i + 1 == texts.size() || (is_matrix && i % 3 == 2) ? "\n" : "");
+        const std::size_t width = is_matrix ? std::ranges::max(own, {}, &std::string::size).size() : 0;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            if (i == 0 || (is_matrix && i % 3 == 0)) {
+                fmt::format_to(out, "{:<{}}", i == 0 ? labels[k] : "", longest);
+            }
+            fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width,
+                           i + 1 == own.size() || (is_matrix && i % 3 == 2) ? "\n" : "");
         }
-        first += texts.size();
+        texts = texts.subspan(own.size());
     }
 }
 
@@ -398,13 +377,8 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (!options_->block) {
         fmt::format_to(out, "line {}\n", row.number);
     }
-    if (!row.answer.empty()) {
-        fmt::format_to(out, "  {:<9}  {}\n", answer_column, row.answer);
-    }
-    std::size_t labelled = 0; // the first number that is not yet written
-    if (specs.size() > 1) {
-        write_attitudes(to, row);
-        labelled = row.result.size();
+    if (!row.text.empty()) {
+        fmt::format_to(out, "  {:<9}  {}\n", options_->operation->text->name, row.text);
     }
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < row.result.size(); ++i) {
@@ -412,17 +386,14 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
         write_number(text, row.result[i], i);
         texts.push_back(fmt::to_string(text));
     }
-    if (specs.size() == 1 && specs[0].name == RepresentationId::dcm) {
-        labelled = 9;
-        const std::span matrix(texts.data(), labelled);
-        const std::size_t width = std::ranges::max(matrix, {}, &std::string::size).size();
-        std::array<std::string_view, 9> in_rows;
-        for (std::size_t i = 0; i < in_rows.size(); ++i) {
-            in_rows.at(specs[0].order()[i]) = matrix[i];
+    std::size_t labelled = 0; // the first number that is not yet written
+    if (specs.size() > 1 || (specs.size() == 1 && specs[0].name == RepresentationId::dcm)) {
+        std::vector<std::string> labels;
+        for (const Spec& spec : specs) {
+            labelled += spec.size();
+            labels.push_back(specs.size() == 1 ? "" : (options_->block ? "" : "  ") + spec.text());
         }
-        for (std::size_t i = 0; i < in_rows.size(); ++i) {
-            fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width, i % 3 == 2 ? "\n" : "");
-        }
+        write_attitudes(to, texts, labels);
     }
     const auto& names = layout_->kept_names.empty() ? options_->operation->names : layout_->kept_names;
     for (std::size_t i = labelled; i < row.result.size(); ++i) {

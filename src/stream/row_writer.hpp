@@ -23,7 +23,7 @@ struct ConvertedRow {
     std::span<const double> result; ///< nan if the row failed
     const RowReport* report = nullptr;
     bool failed = false;
-    std::string_view answer{};  ///< the answer's name, if the row has several
+    std::string_view text{};    ///< the result's, see TextColumn
     std::string_view partner{}; ///< the fields partner_names, each after a delimiter
 };
 
@@ -42,10 +42,10 @@ public:
 
     void write(Buffer& to, const ConvertedRow& row) const;
     /// Writes rows to which the output adds only the result, in the place of the row's numbers or at its end, a line
-    /// for each answer. `results` are those of all rows at hand.
+    /// for each result. `results` are those of all rows at hand.
     void write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const;
     /// Whether all rows that do not fail are such rows.
-    [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_ && outer_angles_.empty(); }
+    [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_ && open_ends_.empty(); }
 
 private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
@@ -55,28 +55,27 @@ private:
     /// Writes the result and, if asked for, the four diagnostic columns.
     void write_result(Buffer& to, const ConvertedRow& row) const;
     void write_number(Buffer& to, double value, std::size_t column) const;
-    /// Whether the answer's name stands before this number.
-    [[nodiscard]] bool stands_name_before(std::size_t column) const noexcept {
-        return !options_->operation->answers.empty() && column + 1 == options_->operation->names.size();
+    /// Whether the result's text stands before this number.
+    [[nodiscard]] bool is_after_text(std::size_t number) const noexcept {
+        return options_->operation->text && options_->operation->text->place == number;
     }
 
     const Options* options_;
     const Layout* layout_;
     std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes, with a colon
-    /// The range of the outer Euler angles of one SPEC, whose open end rounded numbers may show.
-    struct OuterAngles {
-        std::size_t first = 0; ///< column of the first angle
-        std::size_t third = 0; ///< column of the third angle
-        double open_end = 0.0;
-        double half_a_digit = 0.0;     ///< half of the last digit that is printed
-        std::string open_end_text{};   ///< the open end as it would be printed
-        std::string closed_end_text{}; ///< printed instead
+    /// An open end as rounded numbers may show it.
+    struct RoundedEnd {
+        OpenEnd range{};
+        double half_a_digit = 0.0; ///< half of the last digit that is printed
+        std::string text{};        ///< the end as it would be printed
+        std::string other{};       ///< printed instead
     };
-    [[nodiscard]] OuterAngles outer_angles(const Spec& spec, std::size_t first) const;
-    void write_attitudes(Buffer& to, const ConvertedRow& row) const;
+    [[nodiscard]] RoundedEnd rounded(const OpenEnd& range) const;
+    /// Writes numbers of the attitudes, each with its label, matrices in three lines.
+    void write_attitudes(Buffer& to, std::span<const std::string> texts, std::span<const std::string> labels) const;
 
-    std::vector<OuterAngles> outer_angles_; ///< for SPECs whose numbers are rounded and have such a range
-    bool is_plain_;                         ///< text, and nothing but the result is added to it
+    std::vector<RoundedEnd> open_ends_; ///< if numbers are rounded
+    bool is_plain_;                     ///< text, and nothing but the result is added to it
 };
 
 } // namespace rotconv::stream

@@ -686,7 +686,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
     const bool waits = has(words, "--differences") || argument_of(words, "--interpolation") == "cubic";
     if (format == "pretty" || format == "f64" || program.options().input.width > 0 || program.has_text_alone() ||
-        !operation.answers.empty() || waits || ((precision > 0 || fixed) && is_euler)) {
+        operation.text || waits || ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
     }
     // Nor are names that are kept, and rows of a product that lack a partner.

@@ -21,6 +21,13 @@ struct NumberRange {
     double greatest;
 };
 
+/// Numbers whose range has an open end, and the other end, which means the same attitude.
+struct OpenEnds {
+    std::array<std::size_t, 2> numbers;
+    double end;
+    double other;
+};
+
 /// All that is known of a representation. Functions take numbers in the representation's own order and the attitude not
 /// yet inverted: of a Spec's conventions the sequence and the unit are left to them.
 struct Codec {
@@ -35,6 +42,9 @@ struct Codec {
 
     /// Numbers in this range have a condition of at most `few_digits_condition`; null where all have one.
     NumberRange (*well_conditioned)(const Spec& spec) noexcept = nullptr;
+
+    /// Null where all ranges are closed.
+    OpenEnds (*open_ends)(const Spec& spec) noexcept = nullptr;
 
     /// Replaces the canonical numbers by those nearest to `last` among all that mean the attitude, or leaves them if
     /// they are as near. All are as they are written: what has a choice has no order of its own that

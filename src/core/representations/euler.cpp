@@ -196,6 +196,12 @@ NumberRange well_conditioned(const Spec& spec) noexcept {
     return {1, 1, middle - most, middle + most};
 }
 
+/// The outer angles, in (-pi, pi] or [0, 2 pi).
+OpenEnds open_ends(const Spec& spec) noexcept {
+    const double half_turn = half_turn_in(spec.unit).hi;
+    return {{0, 2}, spec.positive ? 2.0 * half_turn : -half_turn, spec.positive ? 0.0 : half_turn};
+}
+
 /// The outer angles by whole turns.
 void wrap(double* v) noexcept {
     v[0] = without_turns(v[0]);
@@ -211,6 +217,7 @@ constexpr Codec codec_of_angles(const Representation& representation) noexcept {
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
         .well_conditioned = well_conditioned,
+        .open_ends = open_ends,
         .nearest = nearest,
         .rate = rate_of<Eigen::Vector3d, euler::rate, value_of>,
         .angular_velocity = angular_velocity_of<Eigen::Vector3d, euler::angular_velocity, value_of>,
