@@ -245,8 +245,17 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
 
 void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    if (open_ends_.empty() && row.text.empty()) {
-        append_numbers(to, row.result, delimiter, options_->digits);
+    if (open_ends_.empty()) {
+        const std::size_t before = row.text.empty() ? 0 : options_->operation->text->place;
+        append_numbers(to, row.result.first(before), delimiter, options_->digits);
+        if (before > 0) {
+            to.push_back(delimiter);
+        }
+        if (!row.text.empty()) {
+            append(to, row.text);
+            to.push_back(delimiter);
+        }
+        append_numbers(to, row.result.subspan(before), delimiter, options_->digits);
     } else {
         for (std::size_t i = 0; i < row.result.size(); ++i) {
             if (i > 0) {
