@@ -306,7 +306,7 @@ std::string mend(std::string_view text) {
     const auto meanings = mapped(words, [](const std::string& word) { return find_meaning(word); });
     if (!words.empty()) { // nothing but one thing, perhaps several times: 90deg, 0.8 + 0.6i
         const Meaning* const first = meanings.front();
-        const bool is_one = first != nullptr && first->instead.empty() &&
+        const bool is_one = first != nullptr && first->instead.empty() && !first->in_spec &&
                             std::ranges::count(meanings, first) == std::ranges::ssize(meanings);
         return is_one ? fmt::format("; {}", first->about) : "";
     }

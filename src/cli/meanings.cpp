@@ -29,7 +29,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"all everything", "", "without -t, VALUEs are written in every representation"},
     {"homochoric cubochoric ho cu", "", "not here; the homochoric vector of axis n and angle t is (3 (t - sin t) / 4)^(1/3) n"},
     {"dualquaternion dq se3 homogeneous matrix4 4x4", "", "not here: rotconv converts rotations; that of a 4x4, row by row, is dcm --columns 1-3,5-7,9-11"},
-    {"x y z", "", "a sequence has three letters; a turn about one axis is axis-angle, such as 0 0 1 ANGLE about z"},
+    {"x y z", "", "a sequence has three letters; a turn about one axis is axis-angle, such as 0 0 1 ANGLE about z", false, true},
     // modifiers
     {"scalarlast last", "xyzw", ""},
     {"scalarfirst first hamilton", "wxyz", ""},

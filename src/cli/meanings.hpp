@@ -12,6 +12,7 @@ struct Meaning {
     std::string_view instead; ///< what to write; empty: `about` says it
     std::string_view about;
     bool is_verb = false; ///< people write it in the place of a command
+    bool in_spec = false; ///< it has the meaning only in a SPEC
 };
 
 /// Null for other words. Marks and capitals do not count if a word has letters: "--max-error", "scalar_last".

@@ -116,15 +116,18 @@ private:
 
     void add(const stream::FirstBytes& first) { beginning_ = first.text; }
     void add(const stream::RowError& error) {
+        const stream::Place& place = error.place;
+        if (place.is_in_reference() && std::exchange(failed_reference_line_, place.line) == place.line) {
+            return; // rows of the stream are interpolated on both sides of it
+        }
         if (error.key != stream::KeyError::has_unit && ++errors_ > most_errors) { // which ends the run
             return;
         }
         const bool is_key = error.what == stream::RowError::What::key; // which is told with its mend
-        const bool is_first = errors_ == 1 && !error.place.is_in_reference() && !is_key;
-        tell(error.place,
-             messages::explain(error, subject_of(error.place)) + (command_->has_values ? messages::mend(error)
-                                                                  : is_first           ? advice_at(error.place.line)
-                                                                                       : ""));
+        const bool is_first = errors_ == 1 && !place.is_in_reference() && !is_key;
+        tell(place, messages::explain(error, subject_of(place)) + (command_->has_values ? messages::mend(error)
+                                                                   : is_first           ? advice_at(place.line)
+                                                                                        : ""));
     }
     void add(const stream::Diagnostic& diagnostic) {
         Count& count = counts_[{diagnostic.place.side, diagnostic.kind}];
@@ -166,6 +169,7 @@ private:
     std::map<std::pair<stream::Side, DiagnosticKind>, Count> counts_;
     std::set<std::pair<stream::Note::Kind, stream::Side>> notes_; ///< that were met
     std::size_t errors_ = 0;
+    std::size_t failed_reference_line_ = 0; ///< the last of them
 };
 
 /// Reads a file, and shows on stderr how much of it is read, if that is a terminal and the file is large.
