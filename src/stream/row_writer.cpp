@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "json.hpp"
 #include "row_events.hpp"
@@ -122,6 +123,13 @@ char* write_result_with(char* at, std::span<const double> numbers, bool is_first
         *at++ = delimiter;
     }
     return at - 1;
+}
+
+/// The name of the project that a SPEC is, otherwise its text.
+std::string label_of(const Spec& spec) {
+    const bool is_project = spec.project != nullptr && spec.project->is_spec() &&
+                            std::get<Spec>(parse_spec(spec.project->text)).text() == spec.text();
+    return is_project ? std::string(spec.project->text) : spec.text();
 }
 
 } // namespace
@@ -400,7 +408,7 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
         std::vector<std::string> labels;
         for (const Spec& spec : specs) {
             labelled += spec.size();
-            labels.push_back(specs.size() == 1 ? "" : (options_->block ? "" : "  ") + spec.text());
+            labels.push_back(specs.size() == 1 ? "" : (options_->block ? "" : "  ") + label_of(spec));
         }
         write_attitudes(to, texts, labels);
     }
