@@ -123,7 +123,7 @@ TEST_CASE("both targets give the same bits for numbers of every size, row for ro
             Answers fused;
             const auto run = [&](const KernelTable& table, Answers& answers) {
                 (table.*convert)(task, rows.data(), batch_rows, answers.attitudes, answers.numbers.data(),
-                                 answers.rest.data(), answers.diagnostics.data());
+                                 batch % 2 == 0 ? answers.rest.data() : nullptr, answers.diagnostics.data());
             };
             run(rotconv::kernels_of_any_processor, plain);
             run(rotconv::kernels_of_avx2_fma, fused);

@@ -16,7 +16,7 @@ template <class T> struct AxisVector {
         double scale = 1.0;
         if constexpr (!std::is_same_v<T, Careful>) {
             const double size = largest_magnitude(v[0], v[1], v[2]);
-            scale = unit_scale(is_plain_number(size) && size > 0.0 ? size : 0.5);
+            scale = unit_scale(is_plain_number(size, 0x1p-300) && size > 0.0 ? size : 0.5);
         }
         for (std::size_t k = 0; k < 3; ++k) {
             along[k] = v[k] * scale;

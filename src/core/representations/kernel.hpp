@@ -74,8 +74,9 @@ struct Kernel {
     /// BatchKernel::write().
     void (*write_first)(const Spec& spec, double lock_margin, const AttitudeBatch<DoubleDouble>& attitudes,
                         std::size_t rows, double* numbers, bool* open) noexcept = nullptr;
-    /// Numbers of this size or more are plain for exact.read. It forms products of the eighth degree, or of one that is
-    /// stated beside another limit: they stay above 2^-960.
+    /// Numbers of this size or more are plain for exact.read. Its products to 106 bits, of the sixth degree (the
+    /// squares of a normal in 5d), or of one that is stated beside another limit, stay above 2^-960 down to 2^-150. But
+    /// sums that cancel keep more digits in Careful.
     double least_plain_number = 0x1p-112;
     bool reading_is_exact = false; ///< numbers of any size, but for a power of two
 };
