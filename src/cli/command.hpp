@@ -32,7 +32,7 @@ struct RowsResult : stream::RunResult {
 };
 
 /// What a command says of its rows as a whole.
-struct Answer {
+struct Conclusion {
     std::string text;   ///< printed at the end
     bool holds = false; ///< what was to be found or checked
 };
@@ -68,7 +68,7 @@ struct RowsCommand {
     /// if they can be read again; null: nothing. None: no row is read again.
     std::function<Operation()> look_again{};
     /// Called at the end of a run that was not stopped. None: the rows are all there is.
-    std::function<Answer(const RowsResult& result)> conclude{};
+    std::function<Conclusion(const RowsResult& result)> conclude{};
     /// The run goes on, without output, where nobody reads that any more: its exit status counts.
     bool is_check = false;
 };

@@ -112,7 +112,7 @@ Command read_command_line(int argc, const char* const* argv) {
         if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
             return false; // the label of a number
         }
-        return !messages::answer_to_verb(word).empty() || std::holds_alternative<Spec>(parse_spec(word)) ||
+        return !messages::meaning_of_verb(word).empty() || std::holds_alternative<Spec>(parse_spec(word)) ||
                (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)); // rpy2quat
     };
     const CommandEntry* entry = table.data();
@@ -136,8 +136,8 @@ Command read_command_line(int argc, const char* const* argv) {
     const std::string verb = of_command == nullptr && !options->files.empty() ? options->files[0] : "";
     if (!verb.empty() && verb == words[0] && verb.find_first_of("./") == std::string::npos &&
         stream::File::why_unreadable(verb.c_str()) != 0) {
-        if (const std::string answer = messages::answer_to_verb(verb); !answer.empty()) {
-            throw Usage("{} is not a command: {}", quoted(verb), answer);
+        if (const std::string meaning = messages::meaning_of_verb(verb); !meaning.empty()) {
+            throw Usage("{} is not a command: {}", quoted(verb), meaning);
         }
     }
     for (const std::string& misuse : {of_conversion->misuse, options->misuse}) {

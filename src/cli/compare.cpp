@@ -91,7 +91,7 @@ struct CompareOptions final : RowOptions {
         check.reference = made.reference;
         check.aligned = align.given() ? align_first(made, comparison, rows, side) : nullptr;
         made.is_check = true;
-        made.conclude = [check](const RowsResult& result) { return answer_of(check, result); };
+        made.conclude = [check](const RowsResult& result) { return conclusion_of(check, result); };
         return made;
     }
 
@@ -154,11 +154,11 @@ private:
         }
     }
 
-    /// Has the command find the turns of --align first.
+    /// Has the command find the rotations of --align first.
     /// @return where they will be
-    [[nodiscard]] std::shared_ptr<TurnOptions> align_first(RowsCommand& made, const Comparison& comparison,
-                                                           const operations::ComparisonRows& rows,
-                                                           AlignedSide side) const {
+    [[nodiscard]] std::shared_ptr<FoundRotations> align_first(RowsCommand& made, const Comparison& comparison,
+                                                              const operations::ComparisonRows& rows,
+                                                              AlignedSide side) const {
         if (made.has_values || made.input == "-" || made.reference == "-") {
             throw Usage("{} reads its input twice: give FILEs, not VALUEs or stdin", align.name());
         }
@@ -166,22 +166,22 @@ private:
         as_they_are.with_attitudes = true;
         as_they_are.delta = 0;
         const auto fold = std::make_shared<operations::AlignmentFold>(side);
-        auto found = std::make_shared<TurnOptions>();
+        auto found = std::make_shared<FoundRotations>();
         made.first_pass = {operations::compare(comparison, as_they_are), fold,
                            [=, name = std::string(align.name())]() -> std::variant<Operation, std::string> {
-                               const auto turns = fold->alignment.turns();
-                               if (!turns) {
+                               const auto best = fold->alignment.turns();
+                               if (!best) {
                                    return fmt::format("the pairs do not determine the turn of {}", name);
                                }
-                               ComparisonSettings turned = comparison.settings();
-                               *found = turn_options(*turns, turned.reading);
-                               turned.reading.left.reset();
-                               turned.reading.right.reset();
-                               for (const TurnOption& turn : *found) { // as the options have it
-                                   (turn.side == "left" ? turned.reading.left : turned.reading.right) = turn.turn;
+                               ComparisonSettings rotated = comparison.settings();
+                               *found = found_rotations(*best, rotated.reading);
+                               rotated.reading.left.reset();
+                               rotated.reading.right.reset();
+                               for (const FoundRotation& each : *found) { // as the options have it
+                                   (each.side == "left" ? rotated.reading.left : rotated.reading.right) = each.rotation;
                                }
-                               return operations::compare(Comparison(comparison.from(), comparison.reference(), turned),
-                                                          rows);
+                               return operations::compare(
+                                   Comparison(comparison.from(), comparison.reference(), rotated), rows);
                            }};
         return found;
     }

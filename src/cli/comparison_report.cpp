@@ -35,7 +35,7 @@ public:
         }
     }
 
-    [[nodiscard]] Answer answer(const RowsResult& result) const {
+    [[nodiscard]] Conclusion conclude(const RowsResult& result) const {
         const std::size_t alone = result.unpaired[0].rows + (result.keys.any_pair ? 0 : result.unpaired[1].rows);
         if (check_.rows.by_key && 2 * alone > result.rows) {
             print_error(messages::few_keys_met(result.keys));
@@ -56,16 +56,16 @@ public:
             tell(is_csv && !limit.given.is_of_all() ? limit.fault : ""); // of which the rows do not tell
         }
         tell(is_csv || limits_.empty() ? few : "");
-        Answer answer{.text = "", .holds = fault.empty()};
+        Conclusion conclusion{.text = "", .holds = fault.empty()};
         if (!is_csv) {
             const std::string verdict = limits_.empty() ? "not checked: no --within"
                                         : fault.empty() ? "pass: " + figures_of_limits()
                                                         : "fail: " + fault;
-            answer.text = check_.format == Check::Format::json
-                              ? in_json(result, limits_.empty() ? JsonValue() : verdict)
-                              : in_lines(result) + verdict + "\n";
+            conclusion.text = check_.format == Check::Format::json
+                                  ? in_json(result, limits_.empty() ? JsonValue() : verdict)
+                                  : in_lines(result) + verdict + "\n";
         }
-        return answer;
+        return conclusion;
     }
 
 private:
@@ -140,7 +140,7 @@ private:
     }
 
     /// The rotations on one side that leave less than a hundredth, if there are any, and what they leave, in radians.
-    [[nodiscard]] std::optional<std::pair<TurnOptions, double>> constant() const {
+    [[nodiscard]] std::optional<std::pair<FoundRotations, double>> constant() const {
         if (check_.rows.delta > 0 || pairs_.pairs() < 2) {
             return std::nullopt;
         }
@@ -153,9 +153,9 @@ private:
         if (!(rest < 0.01 * all) || all < rounding) {
             return std::nullopt;
         }
-        const ConstantTurns turns =
+        const ConstantTurns found =
             is_left ? ConstantTurns{pairs_.left().mean(), {}} : ConstantTurns{{}, pairs_.right().mean()};
-        return std::pair(turn_options(turns, check_.comparing.reading), rest);
+        return std::pair(found_rotations(found, check_.comparing.reading), rest);
     }
 
     /// The figures of all angles by their names.
@@ -225,12 +225,12 @@ private:
         return text;
     }
 
-    [[nodiscard]] std::string in_words(const TurnOptions& turns) const {
+    [[nodiscard]] std::string in_words(const FoundRotations& rotations) const {
         std::string sizes;
         std::string options;
-        for (const TurnOption& turn : turns) {
-            sizes += (sizes.empty() ? "" : " and ") + angle(in_unit(turn.size));
-            options += fmt::format(" --{} '{}'", turn.side, turn.text);
+        for (const FoundRotation& each : rotations) {
+            sizes += (sizes.empty() ? "" : " and ") + angle(in_unit(each.size));
+            options += fmt::format(" --{} '{}'", each.side, each.text);
         }
         return options.empty() ? "by nothing" : fmt::format("by {}:{}", sizes, options);
     }
@@ -239,11 +239,11 @@ private:
     [[nodiscard]] JsonValue figure(double value) const {
         return has_pairs() ? JsonValue::as_written(number(value)) : JsonValue();
     }
-    [[nodiscard]] JsonValue in_json(const TurnOptions& turns) const {
+    [[nodiscard]] JsonValue in_json(const FoundRotations& rotations) const {
         std::vector<std::pair<std::string_view, JsonValue>> object;
-        for (const TurnOption& turn : turns) {
-            object.emplace_back(turn.side, turn.text);
-            object.emplace_back(turn.side == "left" ? "left_angle" : "right_angle", figure(in_unit(turn.size)));
+        for (const FoundRotation& each : rotations) {
+            object.emplace_back(each.side, each.text);
+            object.emplace_back(each.side == "left" ? "left_angle" : "right_angle", figure(in_unit(each.size)));
         }
         return json_object(object);
     }
@@ -314,22 +314,25 @@ private:
 
 } // namespace
 
-TurnOptions turn_options(const ConstantTurns& found, const ConversionSettings& given) {
-    TurnOptions options;
-    const auto add = [&](std::string_view side, const Rotation& turn, const FixedRotation& all) {
+FoundRotations found_rotations(const ConstantTurns& found, const ConversionSettings& given) {
+    FoundRotations rotations;
+    const auto add = [&](std::string_view side, const Rotation& rotation, const FixedRotation& all) {
         if (all.rotation.vector_length() > 0.0) {
             const Eigen::Quaterniond q = quaternion::from_rotation(all.rotation);
             const std::array numbers{q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0}; // no -0
-            options.push_back({side, fmt::format("quat: {}", fmt::join(numbers, " ")),
-                               FixedRotation::of_numbers(Spec{}, numbers), axis_angle::from_rotation(turn).angle});
+            rotations.push_back({side, fmt::format("quat: {}", fmt::join(numbers, " ")),
+                                 FixedRotation::of_numbers(Spec{}, numbers),
+                                 axis_angle::from_rotation(rotation).angle});
         }
     };
     const FixedRotation none{Rotation{}};
     add("left", found.left, FixedRotation(found.left) * given.left.value_or(none));
     add("right", found.right, given.right.value_or(none) * FixedRotation(found.right));
-    return options;
+    return rotations;
 }
 
-Answer answer_of(const Check& check, const RowsResult& result) { return ComparisonReport(check).answer(result); }
+Conclusion conclusion_of(const Check& check, const RowsResult& result) {
+    return ComparisonReport(check).conclude(result);
+}
 
 } // namespace rotconv::cli

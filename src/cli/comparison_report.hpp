@@ -19,17 +19,17 @@
 /// What compare prints of its pairs, and the verdict.
 namespace rotconv::cli {
 
-/// A constant turn as an option, --left or --right.
-struct TurnOption {
+/// A constant rotation as an option, --left or --right.
+struct FoundRotation {
     std::string_view side;
     std::string text;
-    FixedRotation turn; ///< as the text has it
-    double size;        ///< of what was found, radians
+    FixedRotation rotation; ///< as the text has it
+    double size;            ///< of what was found, radians
 };
-using TurnOptions = std::vector<TurnOption>;
+using FoundRotations = std::vector<FoundRotation>;
 
-/// @param found turns of attitudes that were turned as `given`
-[[nodiscard]] TurnOptions turn_options(const ConstantTurns& found, const ConversionSettings& given);
+/// @param found rotations of attitudes that were rotated as `given`
+[[nodiscard]] FoundRotations found_rotations(const ConstantTurns& found, const ConversionSettings& given);
 
 /// An angle that `percent` in 100 pairs must not exceed.
 struct CheckLimit {
@@ -65,10 +65,10 @@ struct Check {
     std::string file{};
     std::string reference{}; ///< empty: there is none
     std::shared_ptr<const operations::PairFold> pairs{};
-    std::shared_ptr<const TurnOptions> aligned{}; ///< null: they are not
+    std::shared_ptr<const FoundRotations> aligned{}; ///< null: they are not
 };
 
 /// The report and the verdict.
-[[nodiscard]] Answer answer_of(const Check& check, const RowsResult& result);
+[[nodiscard]] Conclusion conclusion_of(const Check& check, const RowsResult& result);
 
 } // namespace rotconv::cli

@@ -25,10 +25,10 @@ struct ComposeOptions final : RowOptions {
         const Spec first = spec_of(from);
         const Spec second = by.given() ? spec_of(by) : first;
         const std::vector<Spec> written = specs_of(to);
-        const ConversionSettings turns = attitude_settings();
+        const ConversionSettings conversion = attitude_settings();
         const operations::PairedRows rows = paired_rows();
         const auto product_as = [&](const Spec& spec) {
-            return operations::compose(Composition(first, second, spec, turns), rows, continuous.given());
+            return operations::compose(Composition(first, second, spec, conversion), rows, continuous.given());
         };
         RowsCommand made = pairs_command(first, second, operations::several(mapped(written, product_as)));
         made.allow_unpaired =

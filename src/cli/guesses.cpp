@@ -328,7 +328,7 @@ std::string mend(const stream::RowError& error) {
     return mended.empty() && may_be_decimal ? "; if these are decimal commas: write points" : mended;
 }
 
-std::string answer_to_verb(std::string_view word) {
+std::string meaning_of_verb(std::string_view word) {
     const Meaning* const meaning = find_meaning(word);
     return meaning != nullptr && meaning->is_verb ? suggestion(guess_meaning(word)).substr(2) : "";
 }

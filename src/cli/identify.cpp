@@ -65,7 +65,7 @@ std::string option_of(const std::optional<Rotation>& rotation, std::string_view 
                          : fmt::format(" {} {}", axes_option, named);
 }
 
-std::string rotation_options(const Candidate& candidate) {
+std::string options_of(const Candidate& candidate) {
     const auto& [left, right] = std::tie(candidate.left, candidate.right);
     return option_of(left, candidate.reference_axes, left.value_or(Rotation()), "--left", "--reference-axes") +
            option_of(right, candidate.body_axes, right.value_or(Rotation()).inverse(), "--right", "--body-axes");
@@ -116,7 +116,7 @@ public:
         return operations::identify(settings_.rows, again_);
     }
 
-    [[nodiscard]] Answer answer(const RowsResult& result) {
+    [[nodiscard]] Conclusion conclude(const RowsResult& result) {
         positions_ = result.positions;
         if (!positions_.empty() && settings_.rows.by_key) {
             positions_.erase(positions_.begin());
@@ -150,7 +150,7 @@ public:
             const bool is_read = std::isfinite(each.angle);
             const double angle = each.angle * unit_;
             const bool fits = identification_->fits(each);
-            const std::string turns = rotation_options(each);
+            const std::string turns = options_of(each);
             text += settings_.json ? json_line({{"spec", each.spec.text()},
                                                 {"columns", columns_of(each)},
                                                 {"angle", is_read ? JsonValue(angle) : JsonValue()},
@@ -165,7 +165,7 @@ public:
         std::string best = is_ambiguous ? "ambiguous" : "none";
         if (verdict.answer) {
             const Candidate& first = *verdict.answer;
-            best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), rotation_options(first));
+            best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), options_of(first));
         }
         if (settings_.json) {
             text += json_line({{"rows", rows},
@@ -297,7 +297,7 @@ struct IdentifyOptions final : RowOptions {
         }
         made.options.writes_rows = false;
         made.look_again = [report] { return report->look_again(); };
-        made.conclude = [report](const RowsResult& result) { return report->answer(result); };
+        made.conclude = [report](const RowsResult& result) { return report->conclude(result); };
         if (rows.paired) {
             pair(made, operations::attitude_numbers(rows.known, rows.by_key),
                  messages::subject_of(rows.known, asked.identification.tolerance));

@@ -86,7 +86,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string advice(std::string_view beginning, std::size_t line, bool has_header,
                                  const stream::Options& options, const std::string& file);
 
-/// For JSON: the filter that turns it into rows.
+/// For JSON: the filter that makes rows of it.
 [[nodiscard]] std::string json_advice(std::string_view beginning, const stream::InputOptions& input);
 
 /// For a command line without a SPEC: the columns of the file, or nothing if it cannot be read twice.
@@ -97,6 +97,6 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string mend(const stream::RowError& error);
 
 /// The command or option that does what the word names in other programs, or why there is none; empty for other words.
-[[nodiscard]] std::string answer_to_verb(std::string_view word);
+[[nodiscard]] std::string meaning_of_verb(std::string_view word);
 
 } // namespace rotconv::cli::messages

@@ -25,7 +25,7 @@ struct SelectedColumns {
 };
 
 /// The options that several commands have: where rows come from, how they are read, paired and written, what is done to
-/// attitudes before that, and where the answer goes. A command has those that it adds; the others are never given.
+/// attitudes before that, and where results go. A command has those that it adds; the others are never given.
 struct RowOptions : CommandOptions {
     Option from{"-f,--from", "SPEC", "The representation to read: NAME[:MODIFIER]..."};
     Option to{"-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]..."};
@@ -71,7 +71,7 @@ struct RowOptions : CommandOptions {
     void add_reading();
     void add_writing();
     void add_attitudes() { add("What", {&reference_axes, &body_axes, &left, &right}); }
-    /// The same where only FILE's attitudes are turned.
+    /// The same where only FILE's attitudes are changed.
     void add_attitudes_of_file(std::string_view about_left, std::string_view about_right);
     void add_pairing();
 

@@ -370,11 +370,11 @@ ExitCode run_last_pass(const RowsCommand& command) {
     reporter.count_rest();
     if (command.conclude && is_whole) {
         look_again(command);
-        const Answer answer = command.conclude(result);
-        if (const int error = rows_output.write(answer.text); error != 0) {
+        const Conclusion conclusion = command.conclude(result);
+        if (const int error = rows_output.write(conclusion.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);
         }
-        if (result.code == ExitCode::done && !answer.holds) {
+        if (result.code == ExitCode::done && !conclusion.holds) {
             result.code = ExitCode::completed_with_failures;
         }
     }

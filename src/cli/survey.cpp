@@ -34,7 +34,7 @@ std::string table_of(const Survey& survey, double condition, bool json) {
                                      counted(survey.rows(), "attitude"), condition);
 }
 
-Answer answer_of(const Survey& survey, double condition, bool json) {
+Conclusion conclusion_of(const Survey& survey, double condition, bool json) {
     if (survey.rows() == 0) {
         print_error(messages::nothing_read);
     }
@@ -64,7 +64,7 @@ struct SurveyOptions final : RowOptions {
         const auto fold = std::make_shared<operations::SurveyFold>();
         command.options.writes_rows = false;
         command.options.fold = fold;
-        command.conclude = [=](const RowsResult&) { return answer_of(fold->survey, most, json); };
+        command.conclude = [=](const RowsResult&) { return conclusion_of(fold->survey, most, json); };
         return command;
     }
 
