@@ -120,10 +120,3 @@ TEST_CASE("differences refuse what has no meaning with them") {
     check_usage_error(differences + "-f quat --differences=2", {"--differences takes no argument"});
     CHECK(run(differences + "-f axis-angle", "0 0 0 1 0\n1 0 0 1 1\n") == done("0 0 0 1\n1 0 0 1\n"));
 }
-
-TEST_CASE("the help of rates and propagate tells what is in degrees") {
-    // Catches :deg that is taken for the unit of the angular velocity.
-    for (const char* command : {"rates", "propagate"}) {
-        CHECK(missing(run(command + std::string(" --help")).out, {":deg alone leaves radians a second"}) == "");
-    }
-}

@@ -67,23 +67,6 @@ TEST_CASE("FILE is an operand of every command that reads a stream") {
     CHECK(missing(run("-f quat -t rpy " + file).err, {"rotconv: " + file + ":1: "}) == "");
 }
 
-TEST_CASE("FILE, --input and VALUEs exclude each other, and so do two FILEs") {
-    // Catches one of them being dropped silently.
-    const Folder folder;
-    const auto file = (folder / "q.txt").string();
-    const auto other = (folder / "r.txt").string();
-    write_file(file, "1 0 0 0\n");
-    write_file(other, "1 0 0 0\n");
-    for (const auto& operands :
-         {file + " 1 0 0 0", "1 0 0 0 " + file, "-i " + file + " " + file, "-i - " + file, file + " " + other}) {
-        INFO(operands);
-        CHECK(run(reorder + operands) == stopped(""));
-    }
-    CHECK(missing(run(reorder + file + " " + other).err, {"cat"}) == "");
-    CHECK(run(reorder + file + " -o " + file).exit_code == 2);
-    CHECK(read_file(file) == "1 0 0 0\n");
-}
-
 TEST_CASE("the same file for input and output is refused and kept") {
     // Catches a file that is emptied before it is read.
     const Folder folder;

@@ -128,22 +128,6 @@ TEST_CASE("many rows come out as many and in order") {
     CHECK((result.out == rows.output));
 }
 
-TEST_CASE("the number of threads changes no byte") {
-    // Catches rows, messages or an end that depend on who was first.
-    auto rows = numbered_rows(30'000).input;
-    rows += "bad,1,zero,0,0\n# note\n\n" + numbered_rows(30'000).input + "worse,0,0,0,0\n";
-    for (const char* policy : {"stop", "nan", "skip"}) {
-        const std::string arguments =
-            std::string("-f quat -t rotvec --columns 2-5 --diagnostics columns --on-error ") + policy;
-        const auto expected = run(arguments + " --threads 1", rows);
-        CHECK(expected.exit_code == (policy == std::string("stop") ? 2 : 1));
-        for (const char* threads : {"2", "3", "16"}) {
-            CHECK((run(arguments + " --threads " + threads, rows) == expected));
-        }
-        CHECK((run(arguments, rows) == expected));
-    }
-}
-
 TEST_CASE("rows before an error far down the stream are all written") {
     // Catches blocks after the error that overtake it, and blocks before it that are dropped.
     const auto rows = numbered_rows(100'000);
