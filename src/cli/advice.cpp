@@ -78,7 +78,7 @@ bool reads(std::string_view text, stream::InputOptions input,
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
     }
-    const stream::Options options{.input = std::move(input), .operation = std::move(operation), .writes_rows = false};
+    const stream::Options options{.input = std::move(input), .operation = std::move(operation)};
     stream::TextSource source(text);
     const auto result = stream::run(source, nullptr, options, [](const stream::Event&) {});
     return !result.error && !result.stopped && result.answered > 0;

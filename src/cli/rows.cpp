@@ -256,7 +256,6 @@ stream::RunResult run_silently(const RowsCommand& command, const Operation& oper
     stream::Options options = command.options;
     options.operation = operation;
     options.fold = fold;
-    options.writes_rows = false;
     return stream::run(
         *files.front(), nullptr, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
 }
@@ -326,8 +325,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
     Reporter reporter(command);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
     const stream::RunResult ending = stream::run(
-        source, command.options.writes_rows ? &rows_output : nullptr, command.options,
-        [&reporter](const stream::Event& event) { reporter.add(event); },
+        source, &rows_output, command.options, [&reporter](const stream::Event& event) { reporter.add(event); },
         inputs.size() > 1 ? inputs.back().get() : nullptr);
     if (ending.reader_left) { // closed the pipe: nothing more is known, and nothing is to be said
         return ExitCode::done;

@@ -20,9 +20,8 @@ Preamble::Preamble(const InputOptions& options, const Options* written)
 
 bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
     if (!has_row_ && options_->width > 0 && !text.empty()) {
-        layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
-        layout_.field_count = options_->width;
-        begin_rows(output);
+        has_row_ = true;
+        set_layout(nullptr, line, output);
     }
     while (!has_row_ && !text.empty()) {
         std::string_view after = text;
@@ -43,12 +42,12 @@ bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
             pass(whole, output);
         }
         if (is_data) {
-            take_layout(current, line);
+            set_layout(&current, line, output);
         }
         if (error_) {
             text = {};
         } else if (is_data) {
-            begin_rows(output);
+            has_row_ = true;
         } else {
             text = after;
             ++line;
@@ -69,11 +68,7 @@ void Preamble::finish(Output& output, bool at_end) {
         hear({.only_header = true}, header_line_);
     }
     if (at_end && !error_) {
-        layout_.delimiter = options_->delimiter.value_or(Delimiter::character(','));
-        layout_.field_count = options_->width > 0 ? options_->width : options_->columns.empty() ? layout_.count : 0;
-        if (written_ != nullptr && layout_.field_count > 0) {
-            write_added_header(output.bytes, *written_, layout_);
-        }
+        set_layout(nullptr, 0, output);
     }
 }
 
@@ -221,26 +216,24 @@ void Preamble::keep_names(const HeaderLine& header) {
     }
 }
 
-void Preamble::take_layout(const Line& row, std::size_t number) {
-    layout_.delimiter = options_->delimiter.value_or(Delimiter::of_row(row.text));
-    layout_.line_end = row.end.empty() ? "\n" : std::string(row.end);
-    layout_.field_count = HeaderLine(row, layout_.delimiter).fields.size();
-    if (options_->take_count) {
+void Preamble::set_layout(const Line* row, std::size_t number, Output& output) {
+    const std::size_t known = options_->width > 0 ? options_->width : options_->columns.empty() ? layout_.count : 0;
+    layout_.delimiter =
+        options_->delimiter.value_or(row != nullptr ? Delimiter::of_row(row->text) : Delimiter::character(','));
+    layout_.field_count = row != nullptr ? HeaderLine(*row, layout_.delimiter).fields.size() : known;
+    layout_.line_end = row == nullptr || row->end.empty() ? "\n" : std::string(row->end);
+    if (row != nullptr && options_->take_count) {
         const auto taken = options_->take_count(layout_.field_count);
         if (const auto* wrong = std::get_if<std::string>(&taken)) {
             error_ = StreamError{.what = StreamError::What::count,
                                  .place = {number},
-                                 .column = {.text = std::string(row.text)},
+                                 .column = {.text = std::string(row->text)},
                                  .wrong = *wrong};
-        } else {
-            layout_.select({}, std::get<std::size_t>(taken), options_->numbers.kept);
+            return;
         }
+        layout_.select({}, std::get<std::size_t>(taken), options_->numbers.kept);
     }
-}
-
-void Preamble::begin_rows(Output& output) {
-    has_row_ = true;
-    if (written_ == nullptr || !written_->writes_rows) {
+    if (written_ == nullptr || !written_->writes_rows || layout_.field_count == 0) {
         return;
     }
     write_added_header(output.bytes, *written_, layout_);

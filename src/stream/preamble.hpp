@@ -53,10 +53,9 @@ private:
     void hear_names(const HeaderLine& header, std::size_t line);
     /// Gives the result the names of the last selected columns, if the operation keeps names.
     void keep_names(const HeaderLine& header);
-    /// Sets the layout by the first row.
-    void take_layout(const Line& row, std::size_t number);
-    /// Begins the data rows; from here on the layout is final.
-    void begin_rows(Output& output);
+    /// Sets what is known of the layout from the first row of text on; from here on it is final.
+    /// @param row null if rows are doubles, or if there is none
+    void set_layout(const Line* row, std::size_t number, Output& output);
 
     const InputOptions* options_;
     const Options* written_;

@@ -237,7 +237,7 @@ private:
     /// Writes the bytes, adds the rows to the fold, and then reports the events. @return false if the run is over
     bool hand_on(const Output& output) {
         const std::string_view bytes(output.bytes.data(), output.bytes.size());
-        if (const int error = sink_ == nullptr ? 0 : sink_->write(bytes); error != 0) {
+        if (const int error = bytes.empty() ? 0 : sink_->write(bytes); error != 0) {
             ending_.reader_left = error == EPIPE;
             if (!ending_.reader_left) {
                 ending_.error = StreamError{.what = StreamError::What::write, .error_number = error};
@@ -280,8 +280,9 @@ private:
 
 } // namespace
 
-RunResult run(Source& source, Sink* sink, const Options& options, const std::function<void(const Event&)>& report,
+RunResult run(Source& source, Sink* sink, Options options, const std::function<void(const Event&)>& report,
               Source* reference) {
+    options.writes_rows = options.writes_rows && sink != nullptr;
     std::unique_ptr<JobReader> reader;
     if (reference != nullptr) {
         reader = std::make_unique<PairReader>(source, *reference, options, block_size(options));

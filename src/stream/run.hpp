@@ -26,9 +26,9 @@ struct RunResult {
 
 /// Converts a stream. Every row is written, or added to the fold, as soon as it has been read, and before anything is
 /// reported of it.
-/// @param sink null if the options write no rows
+/// @param sink null: no rows are written
 /// @param reference the other stream, if the options have a pairing
-RunResult run(Source& source, Sink* sink, const Options& options, const std::function<void(const Event&)>& report,
+RunResult run(Source& source, Sink* sink, Options options, const std::function<void(const Event&)>& report,
               Source* reference = nullptr);
 
 } // namespace rotconv::stream

@@ -66,9 +66,7 @@ struct Check {
                       : name == "identify" ? "VALUEs that are identified"
                                            : "VALUEs");
             stream::TextSource values(command.values);
-            stream::Options options = command.options;
-            options.writes_rows = false;
-            stream::run(values, nullptr, options, [](const stream::Event&) {});
+            stream::run(values, nullptr, command.options, [](const stream::Event&) {});
         }
     }
     void operator()(const std::string& text) const {

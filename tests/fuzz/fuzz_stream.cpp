@@ -221,7 +221,6 @@ bool run_first_pass(const Input& input, Program& own, Result& result) {
     options.operation = first.operation;
     const auto results = std::make_shared<Results>(first.fold);
     options.fold = results;
-    options.writes_rows = false;
     TextSource text(input.text);
     TextSource reference(input.reference);
     const RunResult ending = run(
@@ -272,8 +271,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     };
     TextSource reference_text(input.reference);
     Pieces reference(reference_text, input.piece);
-    const RunResult ending =
-        run(source, options.writes_rows ? &sink : nullptr, options, report, own.is_paired() ? &reference : nullptr);
+    const RunResult ending = run(source, &sink, options, report, own.is_paired() ? &reference : nullptr);
     result.angles = own.reports ? results->angles : std::vector<double>();
     result.to_the_end = !ending.stopped && !ending.error;
     const bool has_results = own.command.is_check && result.to_the_end; // else some may come of rows after an error
