@@ -63,9 +63,12 @@ struct Representation {
     std::array<std::uint8_t, 9> other_order{}; ///< with col or xyzw: for each number as written, its own place
     bool takes_sequence = false;               ///< an Euler sequence follows the text
     bool has_gimbal_lock = false;              ///< Euler angles; the outer ones have the range (-pi, pi]
+    bool has_half_turns = true;                ///< otherwise their numbers are infinite
+    std::size_t first_angle = 0;               ///< the first of the numbers that is an angle, if there are angles
     std::string_view range;                    ///< range of the numbers on output, for people
     std::string_view singular = "none";        ///< where it is singular, for people
     std::string_view singular_attitude{};      ///< where its kinematic equation is, such as "a half-turn"
+    std::string_view open{};                   ///< what too few digits leave open, for people
     std::string_view formula;                  ///< for people
 
     [[nodiscard]] bool has_angles() const noexcept { return modifiers.has(Modifier::deg); }

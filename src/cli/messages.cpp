@@ -71,10 +71,10 @@ std::string rough(double size) {
 /// What few digits leave open, and how far.
 std::string opened(const stream::Diagnostic& diagnostic) {
     const double degrees = diagnostic.figure * degrees_per_radian;
-    const bool is_axis = diagnostic.result == RepresentationId::axis_angle;
-    return diagnostic.result == RepresentationId::cayley
-               ? fmt::format("the vector open by {:.2g}", diagnostic.figure)
-               : fmt::format("the {} open {}", is_axis ? "axis" : "first and third angle",
+    const Representation& result = representation(diagnostic.result);
+    return !result.has_angles()
+               ? fmt::format("{} open by {:.2g}", result.open, diagnostic.figure)
+               : fmt::format("{} open {}", result.open,
                              degrees >= 180.0 ? "altogether"
                                               : fmt::format("by {:.{}f} deg", degrees, degrees < 10.0 ? 1 : 0));
 }

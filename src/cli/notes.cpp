@@ -100,8 +100,8 @@ private:
 
     /// The first of a part's numbers that is an angle, as are those after it.
     static std::size_t first_angle(const Part& part) {
-        const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
-        return !has_angles ? part.names.size() : part.attitude->name == RepresentationId::axis_angle ? 3 : 0;
+        const Representation* const read = part.attitude ? &representation(part.attitude->name) : nullptr;
+        return read != nullptr && read->has_angles() ? read->first_angle : part.names.size();
     }
 
     /// What is wrong with the order of names; nothing where they are numbers, whose order is not known for sure.

@@ -57,10 +57,11 @@ UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers
     if (defect > reported_defect && !(decimal && defect <= 2.0 * last_place(numbers.first(spec.size())))) {
         found.defect = defect;
     }
-    if (!representation(spec.name).has_angles()) {
+    const Representation& read = representation(spec.name);
+    if (!read.has_angles()) {
         return found;
     }
-    const bool has_axis = spec.name == RepresentationId::axis_angle;
+    const bool has_axis = read.first_angle > 0;
     const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
     const auto scale = PowerOfTwo::to_unit(largest);
     double square = 0.0;
@@ -68,7 +69,9 @@ UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers
         square += scale(number) * scale(number);
     }
     const double length = scale.undone(std::sqrt(square));
-    const double angle = has_axis ? std::abs(numbers[3]) : spec.name == RepresentationId::rotvec ? length : largest;
+    const double angle = has_axis                                ? std::abs(numbers[read.first_angle])
+                         : spec.name == RepresentationId::rotvec ? length
+                                                                 : largest;
     if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
         found.defect = std::abs(length - 1.0);
     }

@@ -29,7 +29,7 @@ public:
     InputBatch(const Spec& spec, const double* in, std::size_t rows, std::size_t width) noexcept
         : codec_(&codec_of(spec.name)), spec_(&spec), own_(in), size_(spec.size()),
           may_be_unusual_(codec_->representation.has_angles() &&
-                          (spec.unit == AngleUnit::radians || spec.name == RepresentationId::axis_angle)) {
+                          (spec.unit == AngleUnit::radians || codec_->representation.first_angle > 0)) {
         if (spec.is_reordered() || width != size_) {
             to_own_order(spec, in, rows, own_order_.data(), width);
             own_ = own_order_.data();

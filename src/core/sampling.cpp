@@ -172,7 +172,7 @@ std::vector<SampleKind> sample_kinds_of(RepresentationId name) {
 
 Sampler::Sampler(const Spec& spec, SampleSettings settings)
     : conversion_(Spec{}, spec, {.tolerance = any_defect, .lock_margin = 0.0}), settings_(std::move(settings)),
-      cube_(rotations_of_cube(spec.name != RepresentationId::cayley)) {}
+      cube_(rotations_of_cube(representation(spec.name).has_half_turns)) {}
 
 void Sampler::run(std::span<const double> rows, std::span<double> out) {
     check_size(out.size(), rows.size() * conversion_.to().size());
@@ -193,7 +193,7 @@ Quaternion Sampler::attitude_of(std::uint64_t row) const {
     const SampleKind kind = settings_.kinds[row % settings_.kinds.size()];
     const auto turn = static_cast<std::size_t>(row / settings_.kinds.size());
     Draws draws(settings_.seed, row, false);
-    const bool is_exact = draws.one_in(8) && conversion_.to().name != RepresentationId::cayley;
+    const bool is_exact = draws.one_in(8) && representation(conversion_.to().name).has_half_turns;
     if (kind == SampleKind::cube) {
         return cube_[turn % cube_.size()];
     }
@@ -238,8 +238,8 @@ void Sampler::choose_numbers(std::uint64_t row, std::span<double> numbers) const
         if (spec.name == RepresentationId::rotvec) {
             multiply(numbers, draws.of_size(12, 40));
         } else { // all are angles, but for an axis
-            const std::size_t first = spec.name == RepresentationId::axis_angle ? 3 : 0;
-            std::ranges::generate(numbers.subspan(first), [&] { return draws.sign() * draws.of_size(9, 48); });
+            std::ranges::generate(numbers.subspan(representation(spec.name).first_angle),
+                                  [&] { return draws.sign() * draws.of_size(9, 48); });
         }
         break;
     default: break;

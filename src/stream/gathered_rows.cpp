@@ -69,12 +69,15 @@ void GatheredRows::add(const Row& pair, const std::vector<RowError>& errors_of_p
     }
 }
 
-void GatheredRows::add_doubles(std::string_view doubles, std::size_t line) {
-    const std::size_t count = doubles.size() / sizeof(double);
-    parts_.numbers.resize(count);
-    std::memcpy(parts_.numbers.data(), doubles.data(), doubles.size());
-    lines_.resize(count / layout_->count);
+void GatheredRows::gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows) {
+    const std::size_t rows = std::min(most_rows, doubles.size() / (layout_->count * sizeof(double)));
+    parts_.numbers.resize(rows * layout_->count);
+    const std::size_t size = parts_.numbers.size() * sizeof(double);
+    std::memcpy(parts_.numbers.data(), doubles.data(), size);
+    doubles.remove_prefix(size);
+    lines_.resize(rows);
     std::iota(lines_.begin(), lines_.end(), line);
+    line += rows;
 }
 
 const char* GatheredRows::drop_from(std::size_t index) {

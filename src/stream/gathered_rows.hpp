@@ -29,8 +29,8 @@ public:
     void gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes);
     /// Reads a row and its partner.
     void add(const Row& pair, const std::vector<RowError>& errors_of_pairs);
-    /// Adds rows of doubles that are nothing but their numbers.
-    void add_doubles(std::string_view doubles, std::size_t line);
+    /// Takes the numbers of rows off doubles that are nothing else, up to `most_rows`; there are no rows() then.
+    void gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows);
     /// Drops the rows from that index on, which are left to a later batch.
     /// @return where the text of the first begins
     const char* drop_from(std::size_t index);

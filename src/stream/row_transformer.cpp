@@ -14,14 +14,6 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
       gathered_(options, layout, reference_layout), writer_(options, layout),
       nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
-void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered) {
-    if (is_doubles_alone()) {
-        transform_doubles(text, line, output, ordered);
-    } else {
-        transform_all(text, line, false, output, ordered);
-    }
-}
-
 void RowTransformer::transform(const PairBlock& pairs, Output& output) {
     for (auto next = pairs.rows.begin(); next != pairs.rows.end() && !output.stopped;) {
         gathered_.clear();
@@ -34,10 +26,10 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output) {
     }
 }
 
-void RowTransformer::finish(Output& output) { transform_all({}, waiting_line_, true, output, {}); }
+void RowTransformer::finish(Output& output) { transform({}, waiting_line_, output, {}, true); }
 
-void RowTransformer::transform_all(std::string_view text, std::size_t line, bool is_end, Output& output,
-                                   const Ordered& ordered) {
+void RowTransformer::transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered,
+                               bool is_end) {
     std::string joined;
     if (!waiting_.empty()) {
         joined = std::exchange(waiting_, {}).append(text);
@@ -46,7 +38,11 @@ void RowTransformer::transform_all(std::string_view text, std::size_t line, bool
     }
     for (std::size_t limit = rows_at_once(); !text.empty() && !output.stopped;) {
         const std::string_view all = text;
-        gathered_.gather(text, line, limit, limit == every_row ? text.size() : most_waiting);
+        if (is_doubles_alone()) {
+            gathered_.gather_numbers(text, line, limit);
+        } else {
+            gathered_.gather(text, line, limit, limit == every_row ? text.size() : most_waiting);
+        }
         const bool is_whole = text.empty();
         const bool at_error = options_->on_error == OnError::stop && gathered_.has_error();
         std::size_t answered = answer(at_error || (is_end && is_whole));
@@ -58,14 +54,18 @@ void RowTransformer::transform_all(std::string_view text, std::size_t line, bool
             line = gathered_.numbers().lines[answered];
             text = all.substr(static_cast<std::size_t>(gathered_.drop_from(answered) - all.data()));
         }
-        write(output);
+        if (is_doubles_alone()) {
+            write_doubles(all, output);
+        } else {
+            write(output);
+        }
         give_away(answered, output);
         if (is_whole) {
             waiting_ = text;
             waiting_line_ = line;
             return;
         }
-        limit = gathered_.rows().empty() ? 2 * limit : rows_at_once();
+        limit = answered == 0 && gathered_.rows().empty() ? 2 * limit : rows_at_once();
     }
 }
 
@@ -74,35 +74,22 @@ bool RowTransformer::is_doubles_alone() const noexcept {
            !options_->diagnostic_columns && !options_->fold;
 }
 
-void RowTransformer::transform_doubles(std::string_view text, std::size_t line, Output& output,
-                                       const Ordered& ordered) {
+void RowTransformer::write_doubles(std::string_view rows, Output& output) {
     const std::size_t row_size = options_->input.width * sizeof(double);
     const std::size_t width = operation_->names.size();
-    while (!text.empty() && !output.stopped) {
-        const std::size_t rows = std::min(rows_at_once(), text.size() / row_size);
-        gathered_.add_doubles(text.substr(0, rows * row_size), line);
-        answer(true);
-        make_continuous(rows, output, ordered);
-        next_report_ = 0;
-        std::size_t next = 0;
-        const auto write_clean = [&](std::size_t end) {
-            append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
-            output.rows += end - next;
-            output.answered += end - next;
-            next = end;
-        };
-        while (next_report_ < reports_.size() && !output.stopped) {
-            write_clean(reports_[next_report_].row);
-            Row row({text.substr(next * row_size, row_size), {}}, line + next);
-            row.index = next;
+    const auto lines = gathered_.numbers().lines;
+    next_report_ = 0;
+    for (std::size_t next = 0; next < lines.size() && !output.stopped;) {
+        const std::size_t end = next_report_ < reports_.size() ? reports_[next_report_].row : lines.size();
+        append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
+        output.rows += end - next;
+        output.answered += end - next;
+        next = end;
+        if (next < lines.size()) {
+            Row row({rows.substr(next * row_size, row_size), {}}, lines[next]);
+            row.index = next++;
             write_row(row, output);
-            ++next;
         }
-        if (!output.stopped) {
-            write_clean(rows);
-        }
-        text.remove_prefix(rows * row_size);
-        line += rows;
     }
 }
 

@@ -33,8 +33,9 @@ public:
     /// Sets the widths of the rows that follow, in the stream and the reference.
     void expect(const std::array<RowWidth, 2>& widths) noexcept { gathered_.expect(widths); }
     /// Adds the output of the rows of `text`, whole lines from line `line` on. The results of a continuous operation
-    /// are made continuous once, for all rows of the text, by `ordered` if it is given.
-    void transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered = {});
+    /// are made continuous once, for all rows of the text, by `ordered` if it is given. `is_end`: no row may wait.
+    void transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered = {},
+                   bool is_end = false);
     /// Adds the output of pairs of rows.
     void transform(const PairBlock& pairs, Output& output);
     /// To be called at the end: adds the output of rows that still wait.
@@ -49,10 +50,9 @@ private:
     [[nodiscard]] std::size_t rows_at_once() const noexcept {
         return operation_->is_continuous && !operation_->in_order ? every_row : batch_rows;
     }
-    void transform_all(std::string_view text, std::size_t line, bool is_end, Output& output, const Ordered& ordered);
     /// Doubles in and only the result out: consecutive rows without a report are written together.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
-    void transform_doubles(std::string_view text, std::size_t line, Output& output, const Ordered& ordered);
+    void write_doubles(std::string_view rows, Output& output);
     /// Runs the operation on the rows that have numbers; returns how many are answered, see RowOperation::run().
     std::size_t answer(bool flush);
     /// Makes the results of the first `answered` rows continuous, in the order of the stream.

@@ -75,9 +75,11 @@ constinit const Codec codecs::axis_angle{
                        .columns = {"ax", "ay", "az", "angle"},
                        .modifiers = {Modifier::passive, Modifier::deg},
                        .presets = presets_of_vectors,
+                       .first_angle = 3,
                        .range = "unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity",
                        .singular = "identity, half-turn",
                        .singular_attitude = "a half-turn",
+                       .open = "the axis",
                        .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"},
     .sensitivity = sensitivity_of<axis_angle::sensitivity>,
     .well_conditioned =

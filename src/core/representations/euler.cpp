@@ -240,6 +240,7 @@ constinit const Codec codecs::euler = codec_of_angles(
      .range = "1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)",
      .singular = "gimbal lock: 2nd at its limit",
      .singular_attitude = "gimbal lock",
+     .open = "the first and third angle",
      .formula = "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"});
 
 constinit const Codec codecs::rpy =
@@ -252,6 +253,7 @@ constinit const Codec codecs::rpy =
                      .range = "roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]",
                      .singular = "gimbal lock: pitch at its limit",
                      .singular_attitude = "gimbal lock",
+                     .open = "the first and third angle",
                      .formula = "R = R_z(yaw) R_y(pitch) R_x(roll)"});
 
 } // namespace rotconv
