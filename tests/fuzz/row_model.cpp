@@ -158,12 +158,11 @@ bool read(const std::string& text, double& value) {
     return legal;
 }
 
-/// A key times 10^400.
+/// A key in units of 1e-18.
 using Key = boost::multiprecision::cpp_int;
 
-/// Of a text that is a number; nothing for nan, inf, and numbers of more digits than are modelled.
-std::optional<Key> key_of(const std::string& text, bool& modelled) {
-    constexpr long scale = 400;
+/// Of a text that is a number, rounded to a unit, ties to even; nothing for nan, inf, and what would be 1e20 or more.
+std::optional<Key> key_of(const std::string& text) {
     const std::size_t first = text.find_first_of("0123456789.");
     const std::string magnitude = text.substr(std::min(first, text.size()));
     const std::size_t mantissa_end = std::min(magnitude.find_first_of("eE"), magnitude.size());
@@ -174,35 +173,36 @@ std::optional<Key> key_of(const std::string& text, bool& modelled) {
     if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) {
         return std::nullopt;
     }
+    digits.erase(0, digits.find_first_not_of('0')); // which would mean octal
     const long power = mantissa_end < magnitude.size() ? std::strtol(magnitude.c_str() + mantissa_end + 1, nullptr, 10)
                                                        : 0; // the greatest long where it is larger
-    if (power > scale || power < -scale || decimals - power > scale) {
-        modelled = false;
+    const long zeros = std::clamp(power, -1'000'000L, 1'000'000L) + 18 - decimals; // after the digits of the units
+    const auto size = static_cast<long>(digits.size());
+    if (digits.empty() || size + zeros < 0) {
+        return Key(0);
+    }
+    if (size + zeros > 38) {
         return std::nullopt;
     }
-    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1)); // which would mean octal
-    const Key key = Key(digits) * pow(Key(10), static_cast<unsigned>(scale - decimals + power));
-    return text.starts_with('-') ? Key(-key) : key;
+    Key units(digits);
+    if (zeros >= 0) {
+        units *= pow(Key(10), static_cast<unsigned>(zeros));
+    } else {
+        const Key unit = pow(Key(10), static_cast<unsigned>(-zeros));
+        const Key twice_rest = 2 * (units % unit);
+        units /= unit;
+        units += twice_rest > unit || (twice_rest == unit && units % 2 == 1) ? 1 : 0;
+    }
+    return text.starts_with('-') ? Key(-units) : units;
 }
 
-/// All digits of the key, with an e where more than 20 zeros would stand at either end.
+/// All digits of the key.
 std::string decimal_text_of(const Key& key) {
     std::string digits = Key(abs(key)).str();
-    const long point = static_cast<long>(digits.size()) - 400;
+    digits.insert(0, 19 - std::min<std::size_t>(digits.size(), 19), '0');
+    digits.insert(digits.size() - 18, ".");
     digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.empty()) {
-        return "0";
-    }
-    const auto size = static_cast<long>(digits.size());
-    if (point > size + 20 || point < -20) {
-        digits = fmt::format("{}{}{}e{}", digits[0], size > 1 ? "." : "", digits.substr(1), point - 1);
-    } else if (point >= size) {
-        digits.append(static_cast<std::size_t>(point - size), '0');
-    } else if (point > 0) {
-        digits.insert(static_cast<std::size_t>(point), 1, '.');
-    } else {
-        digits = "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
-    }
+    digits.erase(digits.size() - (digits.ends_with('.') ? 1 : 0));
     return (key < 0 ? "-" : "") + digits;
 }
 
@@ -440,9 +440,10 @@ public:
 
     std::optional<Outcome> operator()(std::string_view text, Model& reference, std::string_view reference_text) {
         if (!begin(text) || !reference.begin(reference_text) || refused_ || reference.refused_ ||
-            refused_row_ != none || reference.refused_row_ != none || !pair_with(reference)) {
+            refused_row_ != none || reference.refused_row_ != none) {
             return std::nullopt;
         }
+        pair_with(reference);
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
             write_added_header(i);
             const bool has_key = is_data(i) && !wrong_keys_.contains(i);
@@ -505,14 +506,13 @@ private:
     [[nodiscard]] bool is_data(std::size_t at) const { return lines_[at].row() && at >= first_data_ && header_ != at; }
     [[nodiscard]] bool stops() const { return rules_.on_error == "stop"; }
 
-    /// Settles partners_; false where the keys are not modelled.
-    bool pair_with(Model& reference) {
+    /// Settles partners_.
+    void pair_with(Model& reference) {
         reference_ = &reference;
         std::vector<std::pair<std::size_t, Key>> rows;
         std::vector<std::pair<std::size_t, Key>> others;
-        if (!find_rows(rows) || !reference.find_rows(others)) {
-            return false;
-        }
+        find_rows(rows);
+        reference.find_rows(others);
         std::set<std::size_t> paired;
         const auto join = [&](std::size_t i, std::size_t j) {
             partners_[rows[i].first] = others[j].first;
@@ -523,11 +523,8 @@ private:
                 join(i, i);
             }
         } else if (!rows.empty() && !others.empty()) {
-            bool modelled = true;
-            const Key within = key_of(rules_.key_within.empty() ? "0" : rules_.key_within, modelled).value_or(0);
-            if (!modelled) {
-                return false;
-            }
+            const Key anything = pow(Key(10), 40);
+            const Key within = rules_.key_within.empty() ? Key(0) : key_of(rules_.key_within).value_or(anything);
             const auto distance = [](const auto& a, const auto& b) { return Key(abs(a.second - b.second)); };
             const auto nearest = [&](const auto& row, const auto& among) {
                 return std::ranges::min_element(among, {}, [&](const auto& other) { return distance(row, other); }) -
@@ -546,13 +543,11 @@ private:
                 meet("unpaired row of the reference");
             }
         }
-        return true;
     }
 
     /// The rows that may be paired, with their keys; the others come into wrong_keys_.
-    bool find_rows(std::vector<std::pair<std::size_t, Key>>& rows) {
-        bool modelled = true;
-        for (std::size_t at = 0; at < lines_.size() && modelled; ++at) {
+    void find_rows(std::vector<std::pair<std::size_t, Key>>& rows) {
+        for (std::size_t at = 0; at < lines_.size(); ++at) {
             if (!is_data(at)) {
                 continue;
             }
@@ -564,9 +559,9 @@ private:
                 const std::string text = closed && positions_[0] < fields.size()
                                              ? as_number(content(fields[positions_[0]], delimiter_))
                                              : "";
-                key = read(text, value) ? key_of(text, modelled) : std::nullopt;
+                key = read(text, value) ? key_of(text) : std::nullopt;
                 if (key && !rules_.key_offset.empty()) {
-                    *key += key_of(rules_.key_offset, modelled).value_or(0);
+                    *key += key_of(rules_.key_offset).value_or(0);
                 }
                 if (key && !rows.empty() && *key <= rows.back().second) {
                     key.reset();
@@ -580,7 +575,6 @@ private:
             }
         }
         next_wrong_key_ = wrong_keys_.empty() ? none : *wrong_keys_.begin();
-        return modelled;
     }
 
     /// The least partner of a row after that one.
