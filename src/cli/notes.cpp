@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <utility>
 #include <variant>
@@ -58,7 +59,7 @@ public:
         }
     }
 
-    [[nodiscard]] std::vector<stream::Note> operator()(const stream::Said& said) const {
+    [[nodiscard]] std::vector<stream::Note> on(const stream::Said& said) const {
         std::vector<stream::Note> notes;
         if (!said.comment.empty()) {
             notes.push_back(
@@ -190,12 +191,12 @@ std::string axes_options(const RowOptions& options) {
 
 void add_notes(const RowOptions& options, const SelectedColumns& selected, const Option& time_option, bool refuses,
                stream::InputOptions& input) {
-    const Notes notes(options, time_option, refuses, input);
+    const auto notes = std::make_shared<const Notes>(options, time_option, refuses, input);
     if (refuses && input.columns.has_names()) {
-        notes.refuse_other_order(input.columns, selected.option);
+        notes->refuse_other_order(input.columns, selected.option);
     }
-    input.notes_of = notes;
-    input.own_names = [notes](std::vector<std::string> names) { return notes.own_names(std::move(names)); };
+    input.notes_of = [notes](const stream::Said& said) { return notes->on(said); };
+    input.own_names = [notes](std::vector<std::string> names) { return notes->own_names(std::move(names)); };
 }
 
 std::vector<stream::Note> notes_on_options(const RowOptions& options) {

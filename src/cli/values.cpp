@@ -202,9 +202,10 @@ void take_attitude(Values& values, const Spec& spec) {
         const auto kept = mapped(places, [&fields](std::size_t place) { return fields[place]; });
         values.row = fmt::format("{}", fmt::join(kept, std::string(1, values.delimiter.text())));
         values.labels.clear();
-    } else if (const auto known = find_names(spec, values.labels); known && !known->is_numbered &&
-                                                                   fields.size() > spec.size() &&
-                                                                   std::ranges::all_of(fields, stream::is_number)) {
+        return;
+    }
+    const bool has_more = fields.size() > spec.size() && std::ranges::all_of(fields, stream::is_number);
+    if (const auto known = has_more ? find_names(spec, values.labels) : std::nullopt; known && !known->is_numbered) {
         std::vector<std::string> names;
         std::vector<std::size_t> columns;
         for (const std::size_t place : known->places) {
