@@ -149,13 +149,13 @@ private:
         const double right = pairs_.right().rms();
         constexpr double rounding = 0x1p-50;
         const bool is_left = left <= std::max(1.01 * right, rounding); // of equals
-        const double rest = is_left ? left : right;
-        if (!(rest < 0.01 * all) || all < rounding) {
+        const double remainder = is_left ? left : right;
+        if (!(remainder < 0.01 * all) || all < rounding) {
             return std::nullopt;
         }
         const ConstantTurns found =
             is_left ? ConstantTurns{pairs_.left().mean(), {}} : ConstantTurns{{}, pairs_.right().mean()};
-        return std::pair(found_rotations(found, check_.comparing.reading), rest);
+        return std::pair(found_rotations(found, check_.comparing.reading), remainder);
     }
 
     /// The figures of all angles by their names.
