@@ -168,7 +168,7 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
 }
 
 bool convert_first(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
-                   double* out, DiagnosticSet* /*diagnostics*/, bool* open) noexcept {
+                   double* out, bool* open) noexcept {
     const Spec& from = *batch.from;
     const Spec& to = *batch.to;
     const bool inverse = from.passive != to.passive;
@@ -205,7 +205,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
 void convert_in_phases(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
                        double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     bool open[batch_rows];
-    if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, diagnostics, open)) {
+    if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
         convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
     } else {
         convert_open(batch, in, rows, open, true, rounded, out, rest, diagnostics);

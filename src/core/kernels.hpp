@@ -59,8 +59,7 @@ struct KernelTable {
     /// The first phase of convert(), false where the two representations have none: where it proves how the exact
     /// numbers round, at the price of plain double. The other rows are left open, and mean nothing yet.
     bool (*convert_first)(const ConversionBatch& batch, const double* in, std::size_t rows,
-                          AttitudeBatch<double>& attitudes, double* out, DiagnosticSet* diagnostics,
-                          bool* open) noexcept;
+                          AttitudeBatch<double>& attitudes, double* out, bool* open) noexcept;
     Convert* convert_fast; ///< in plain double
     /// The attitudes that rows describe, turned, then rounded once.
     void (*read)(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,

@@ -55,8 +55,7 @@ void compare(const std::string& from_text, const std::string& to_text, double lo
         Answers alone;
         std::array<double, batch_rows * 9> rest{};
         std::array<bool, batch_rows> open{};
-        REQUIRE(kernels.convert_first(task, in, count, phases.attitudes, phases.numbers.data(),
-                                      phases.diagnostics.data(), open.data()));
+        REQUIRE(kernels.convert_first(task, in, count, phases.attitudes, phases.numbers.data(), open.data()));
         kernels.convert(task, in, count, phases.attitudes, phases.numbers.data(), nullptr, phases.diagnostics.data());
         kernels.convert(task, in, count, alone.attitudes, alone.numbers.data(), rest.data(), alone.diagnostics.data());
         for (std::size_t i = 0; i < count; ++i) {
@@ -102,7 +101,7 @@ bool has_first_phase() {
     Answers answers;
     std::array<bool, batch_rows> open{};
     return rotconv::kernel_table().convert_first(task, identity.data(), 1, answers.attitudes, answers.numbers.data(),
-                                                 answers.diagnostics.data(), open.data());
+                                                 open.data());
 }
 
 /// All attitudes alike.

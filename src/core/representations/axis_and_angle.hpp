@@ -54,6 +54,25 @@ template <class T> struct AxisHalfAngle {
     Precise<T> length;
 };
 
+/// Writes what result_of(row, DoubleDouble (&result)[size]) gives: numbers, and what they leave.
+template <std::size_t size, class ResultOf>
+ROTCONV_INLINE void write_results(std::size_t rows, const ResultOf& result_of, double* numbers, double* rest) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        DoubleDouble result[size];
+        result_of(i, result);
+        for (std::size_t k = 0; k < size; ++k) {
+            numbers[size * i + k] = result[k].hi;
+        }
+    }
+    for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
+        DoubleDouble result[size];
+        result_of(i, result);
+        for (std::size_t k = 0; k < size; ++k) {
+            rest[size * i + k] = result[k].lo;
+        }
+    }
+}
+
 /// Kernels of axis and angle, of a class Formula with `size`, how many numbers there are, and the functions
 ///     error_of(const double* numbers, AngleUnit unit)
 ///     half_angle(const AxisVector<T>& v, const double* numbers)
@@ -129,24 +148,11 @@ template <class Formula> struct AxisAndAngle {
             parts.get(i, q);
             Formula::numbers_of(q, length[i], scaled(half[i], 2.0), result);
         };
-        for (std::size_t i = 0; i < rows; ++i) {
-            DoubleDouble result[size];
-            result_of(i, result);
-            for (std::size_t k = 0; k < size; ++k) {
-                numbers[size * i + k] = result[k].hi;
-            }
-        }
+        write_results<size>(rows, result_of, numbers, rest);
         for (std::size_t i = 0; i < rows; ++i) {
             T q[4];
             parts.get(i, q);
             diagnostics[i] = Formula::diagnostics_of(q);
-        }
-        for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
-            DoubleDouble result[size];
-            result_of(i, result);
-            for (std::size_t k = 0; k < size; ++k) {
-                rest[size * i + k] = result[k].lo;
-            }
         }
     }
     template <class T>

@@ -5,8 +5,9 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-/// A defect up to which power steps alone are the quickest: each gains a factor of at least 20.
-constexpr double near_rotation = 0.05;
+/// Whether the defect, below 3 d, is too large for power steps alone to be the quickest: each gains a factor of at
+/// least 20.
+ROTCONV_INLINE bool is_far(double square) noexcept { return !(9.0 * square <= 0.05 * 0.05); }
 
 /// k0 q0 + k1 q1 + k2 q2 + k3 q3 - mu q: what is small beside the products, with their own error of 2^-104.
 ROTCONV_INLINE double residual(DoubleDouble k0, double q0, DoubleDouble k1, double q1, DoubleDouble k2, double q2,
@@ -94,7 +95,8 @@ newton_step(const double (&m)[9], const Small (&q)[4], const double (&near)[4], 
 }
 
 /// Any proper matrix, from a quaternion near its own on, until nothing is left to correct.
-void refine(const double* numbers, Careful (&q)[4]) noexcept {
+void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) noexcept {
+    take(start, q);
     double m[9];
     take(numbers, m);
     const PowerOfTwo to_unit = PowerOfTwo::to_unit(
@@ -126,20 +128,20 @@ void refine(const double* numbers, Careful (&q)[4]) noexcept {
     }
 }
 
-/// Improves the quaternion of read_clean() where one power step may not be enough. `is_far`: it is to be refined.
-Error read_unclean_matrix(const double (&m)[9], double square, double (&q)[4], double& defect, bool& is_far) noexcept {
+/// Improves the quaternion of read_clean() where one power step may not be enough. Far from a rotation it is still to
+/// be refined.
+Error read_unclean_matrix(const double (&m)[9], double square, double (&q)[4], double& defect) noexcept {
     if (!all_finite(m, 9)) {
         return Error::not_finite;
     }
-    const double bound = 3.0 * root(square);
-    is_far = !(bound <= near_rotation);
-    if (is_far) {
+    if (is_far(square)) {
         double factor[9] = {};
         const Error error = polar_factor(m, factor, defect);
         read_clean(factor, q);
         return error;
     }
     const Davenport<double> k(m);
+    const double bound = 3.0 * root(square);
     double remaining = bound * bound;
     while (remaining > 0x1p-56) {
         k.take_power_step(q);
@@ -161,21 +163,21 @@ struct Matrix {
         divide_entries(numbers, squared_norm(q));
     }
 
-    /// Any matrix, in double.
-    static Error read_in_double(const double* numbers, double (&q)[4], double& defect, bool& is_far) noexcept {
+    /// Any matrix, in double. `square`: its squared distance.
+    static Error read_in_double(const double* numbers, double (&q)[4], double& defect, double& square) noexcept {
         double m[9];
         take(numbers, m);
         defect = clean_defect;
-        const double square = read_clean(m, q);
-        return square <= clean_square ? Error::none : read_unclean_matrix(m, square, q, defect, is_far);
+        square = read_clean(m, q);
+        return square <= clean_square ? Error::none : read_unclean_matrix(m, square, q, defect);
     }
 
     static Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
-        bool is_far = false;
-        const Error error = read_in_double(numbers, q, defect, is_far);
-        if (is_far && error == Error::none) [[unlikely]] {
-            Careful exact[4] = {q[0], q[1], q[2], q[3]};
-            refine(numbers, exact);
+        double square = 0.0;
+        const Error error = read_in_double(numbers, q, defect, square);
+        if (is_far(square) && error == Error::none) [[unlikely]] {
+            Careful exact[4];
+            refine(numbers, q, exact);
             for (std::size_t k = 0; k < 4; ++k) {
                 q[k] = exact[k].rounded();
             }
@@ -186,10 +188,9 @@ struct Matrix {
     static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
         double near[4];
         double defect = 0.0;
-        bool is_far = false;
-        read_in_double(numbers, near, defect, is_far);
-        take(near, q);
-        refine(numbers, q);
+        double square = 0.0;
+        read_in_double(numbers, near, defect, square);
+        refine(numbers, near, q);
     }
 
     template <class T> static void read(const Spec& /*spec*/, const double* numbers, std::size_t rows,
@@ -197,7 +198,6 @@ struct Matrix {
         Columns<double, 9> columns;
         Columns<double, 4> near;
         double square[batch_rows];
-        bool is_far[batch_rows] = {};
         to_columns(numbers, rows, columns);
         for (std::size_t i = 0; i < rows; ++i) {
             double m[9];
@@ -214,7 +214,7 @@ struct Matrix {
                 double q[4];
                 columns.get(i, m);
                 near.get(i, q);
-                attitudes.error[i] = read_unclean_matrix(m, square[i], q, attitudes.defect[i], is_far[i]);
+                attitudes.error[i] = read_unclean_matrix(m, square[i], q, attitudes.defect[i]);
                 near.set(i, q);
             }
         }
@@ -233,9 +233,11 @@ struct Matrix {
             }
         }
         for (std::size_t i = 0; i < rows; ++i) {
-            if (is_far[i] && attitudes.error[i] == Error::none) [[unlikely]] {
-                Careful q[4] = {near[0][i], near[1][i], near[2][i], near[3][i]};
-                refine(numbers + 9 * i, q);
+            if (is_far(square[i]) && attitudes.error[i] == Error::none) [[unlikely]] {
+                double start[4];
+                Careful q[4];
+                near.get(i, start);
+                refine(numbers + 9 * i, start, q);
                 for (std::size_t k = 0; k < 4; ++k) {
                     attitudes[k].set(i, rounded_to<T>(q[k].rounded_parts()));
                 }

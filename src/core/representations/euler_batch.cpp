@@ -7,6 +7,15 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
+/// The components of attitudes along the axes of a sequence. References: compilers do not vectorise access through an
+/// array of pointers.
+template <class C> struct ColumnsAlong { C &w, &i, &j, &k; };
+template <class Batch> ROTCONV_INLINE auto columns_along(const FixedAxes& axes, Batch& attitudes) noexcept {
+    auto& columns = attitudes.columns;
+    using C = std::remove_reference_t<decltype(columns[0])>;
+    return ColumnsAlong<C>{columns[0], columns[1 + axes.i], columns[1 + axes.j], columns[1 + axes.k]};
+}
+
 struct Angles {
     /// The sines and cosines of the halves of the angles, in the order of the turns about fixed axes.
     template <class T> struct Halves {
@@ -44,10 +53,7 @@ struct Angles {
         const FixedAxes axes(spec.sequence);
         find_errors(numbers, rows, attitudes);
         const Halves<T> halves(spec, axes, numbers, rows);
-        Column<T>& w = attitudes.columns[0];
-        Column<T>& along_i = attitudes.columns[1 + axes.i];
-        Column<T>& along_j = attitudes.columns[1 + axes.j];
-        Column<T>& along_k = attitudes.columns[1 + axes.k];
+        auto [w, along_i, along_j, along_k] = columns_along(axes, attitudes);
         for (std::size_t i = 0; i < rows; ++i) {
             SineCosine<T> turns[3];
             T q[4];
@@ -71,10 +77,7 @@ struct Angles {
         const Halves<Approximate> halves(spec, axes, numbers, rows);
         constexpr double absolute = 3 * 0x1.3p-69;
         double doubts[batch_rows];
-        Column<double>& w = attitudes.columns[0];
-        Column<double>& along_i = attitudes.columns[1 + axes.i];
-        Column<double>& along_j = attitudes.columns[1 + axes.j];
-        Column<double>& along_k = attitudes.columns[1 + axes.k];
+        auto [w, along_i, along_j, along_k] = columns_along(axes, attitudes);
         for (std::size_t i = 0; i < rows; ++i) {
             SineCosine<Approximate> turns[3];
             SineCosine<Magnitude> size_turns[3];
@@ -153,11 +156,7 @@ struct Angles {
         template <class Axes, class Q> ROTCONV_INLINE Vectors(const Axes& axes, const AngleRanges& ranges,
                                                               const AttitudeBatch<Q>& attitudes,
                                                               std::size_t rows) noexcept {
-            // References: compilers do not vectorise access through an array of pointers.
-            const Column<Q>& w = attitudes.columns[0];
-            const Column<Q>& along_i = attitudes.columns[1 + axes.i];
-            const Column<Q>& along_j = attitudes.columns[1 + axes.j];
-            const Column<Q>& along_k = attitudes.columns[1 + axes.k];
+            const auto [w, along_i, along_j, along_k] = columns_along(axes, attitudes);
             for (std::size_t i = 0; i < rows; ++i) {
                 const T q[4] = {w[i], along_i[i], along_j[i], along_k[i]};
                 const TurnVectors<T> vectors(axes, q);

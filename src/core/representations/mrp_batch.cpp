@@ -54,24 +54,12 @@ struct Mrp {
             parts.set(i, part.q);
             length.set(i, part.length);
         }
-        for (std::size_t i = 0; i < rows; ++i) {
+        const auto result_of = [&](std::size_t i, DoubleDouble(&m)[3]) {
             T q[4];
             parts.get(i, q);
-            DoubleDouble m[3];
             numbers_of(q, length[i], m);
-            for (std::size_t k = 0; k < 3; ++k) {
-                numbers[3 * i + k] = m[k].hi;
-            }
-        }
-        for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
-            T q[4];
-            parts.get(i, q);
-            DoubleDouble m[3];
-            numbers_of(q, length[i], m);
-            for (std::size_t k = 0; k < 3; ++k) {
-                rest[3 * i + k] = m[k].lo;
-            }
-        }
+        };
+        write_results<3>(rows, result_of, numbers, rest);
         for (std::size_t i = 0; i < rows; ++i) {
             T q[4];
             parts.get(i, q);
