@@ -24,8 +24,9 @@ public:
     std::ptrdiff_t read(std::span<char> to) override {
         const std::span<char> made = to.first(std::min(to.size(), end_ - next_));
         for (char& byte : made) {
-            const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(static_cast<double>(next_ / 8));
-            byte = bytes.at(next_++ % 8);
+            const std::size_t index = next_ / sizeof(double);
+            const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(static_cast<double>(index));
+            byte = bytes.at(next_++ % sizeof(double));
         }
         return static_cast<std::ptrdiff_t>(made.size());
     }

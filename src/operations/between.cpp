@@ -27,7 +27,7 @@ public:
               reference, Spec{},
               {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}) {}
 
-    void operator()(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports,
+    void operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
                     std::span<double> rest);
 
 private:
