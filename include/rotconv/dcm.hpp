@@ -4,19 +4,6 @@
 
 #include <rotconv/reading.hpp>
 
-// Products that are not fused with sums, whatever flags the caller is compiled with: fused, the differences that are 0
-// at quarter turns would not be 0.
-#if defined(__clang__)
-#define ROTCONV_NO_CONTRACTION _Pragma("clang fp contract(off)")
-#define ROTCONV_ROUNDED(product) (product)
-#elif defined(__GNUC__) && __GNUC__ >= 12
-#define ROTCONV_NO_CONTRACTION
-#define ROTCONV_ROUNDED(product) __builtin_assoc_barrier(product)
-#else
-#define ROTCONV_NO_CONTRACTION
-#define ROTCONV_ROUNDED(product) (product)
-#endif
-
 namespace rotconv {
 
 /// A 3x3 matrix R_ref_body, near a rotation or not.
@@ -60,36 +47,35 @@ namespace dcm {
 // The rest is inline because it is short and often called.
 
 [[gnu::always_inline]] inline Dcm from_rotation(const Rotation& rotation) noexcept {
-    ROTCONV_NO_CONTRACTION
     const double w = rotation.w();
     const double x = rotation.x();
     const double y = rotation.y();
     const double z = rotation.z();
-    const double ww = ROTCONV_ROUNDED(w * w);
-    const double xx = ROTCONV_ROUNDED(x * x);
-    const double yy = ROTCONV_ROUNDED(y * y);
-    const double zz = ROTCONV_ROUNDED(z * z);
+    const double ww = rounded_product(w, w);
+    const double xx = rounded_product(x, x);
+    const double yy = rounded_product(y, y);
+    const double zz = rounded_product(z, z);
     const double square = (ww + xx) + (yy + zz);
-    const double xy = ROTCONV_ROUNDED(x * y);
-    const double xz = ROTCONV_ROUNDED(x * z);
-    const double yz = ROTCONV_ROUNDED(y * z);
-    const double wx = ROTCONV_ROUNDED(w * x);
-    const double wy = ROTCONV_ROUNDED(w * y);
-    const double wz = ROTCONV_ROUNDED(w * z);
-    Dcm m;
-    m << (ww - yy) + (xx - zz), 2.0 * (xy - wz), 2.0 * (xz + wy), //
-        2.0 * (xy + wz), (ww - xx) + (yy - zz), 2.0 * (yz - wx),  //
-        2.0 * (xz - wy), 2.0 * (yz + wx), (ww - xx) + (zz - yy);
+    const double xy = rounded_product(x, y);
+    const double xz = rounded_product(x, z);
+    const double yz = rounded_product(y, z);
+    const double wx = rounded_product(w, x);
+    const double wy = rounded_product(w, y);
+    const double wz = rounded_product(w, z);
+    Dcm m;                                        // times |q|^2, and half of that off the diagonal
+    m << (ww - yy) + (xx - zz), xy - wz, xz + wy, //
+        xy + wz, (ww - xx) + (yy - zz), yz - wx,  //
+        xz - wy, yz + wx, (ww - xx) + (zz - yy);
     // An entry is 1 or -1 only where one of these four vanishes; then a division keeps it. Elsewhere the inverse is as
     // accurate, and quicker.
     if ((m(0, 0) * m(1, 1)) * (m(0, 1) * m(0, 2)) == 0.0) [[unlikely]] {
-        return m / square;
+        m /= 0.5 * square;
+    } else {
+        m *= 2.0 / square;
     }
-    return m * (1.0 / square);
+    m.diagonal() *= 0.5;
+    return m;
 }
-
-#undef ROTCONV_NO_CONTRACTION
-#undef ROTCONV_ROUNDED
 
 } // namespace dcm
 } // namespace rotconv

@@ -20,6 +20,18 @@ namespace rotconv {
     return (std::bit_cast<std::uint64_t>(number) >> 52U & 0x7ffU) != 0x7ffU;
 }
 
+/// The product rounded, not fused with a sum, whatever flags the caller is compiled with: fused, differences that are 0
+/// at quarter turns would not be 0.
+[[nodiscard, gnu::always_inline]] inline double rounded_product(double a, double b) noexcept {
+#if defined(__clang__)
+    _Pragma("clang fp contract(off)") return a * b;
+#elif defined(__GNUC__) && __GNUC__ >= 12
+    return __builtin_assoc_barrier(a * b);
+#else
+    return a * b;
+#endif
+}
+
 /// The one internal form of a rotation: a nonzero quaternion (w, x, y, z), Hamilton product, active, body to reference
 /// (`v_ref = R_ref_body * v_body`).
 ///
@@ -56,7 +68,8 @@ public:
 
     /// |q|^2, in [1/4, 4).
     [[nodiscard]] double squared_norm() const noexcept {
-        return (q_[0] * q_[0] + q_[1] * q_[1]) + (q_[2] * q_[2] + q_[3] * q_[3]);
+        return (rounded_product(q_[0], q_[0]) + rounded_product(q_[1], q_[1])) +
+               (rounded_product(q_[2], q_[2]) + rounded_product(q_[3], q_[3]));
     }
 
     /// |(x, y, z)| with full relative accuracy at any size: 0 only if the vector part is exactly 0.

@@ -25,11 +25,15 @@ Reading read_row(const Spec& spec, const double* numbers) noexcept {
     double q[4];
     double defect = 0.0;
     const Error error = kernel_table().read_one(spec, numbers, q, defect);
-    return error == Error::none ? Reading(Rotation::near_unit(q[0], q[1], q[2], q[3]), defect) : Reading(error);
+    return error == Error::none
+               ? Reading(Rotation::near_unit(alone(q[0]), alone(q[1]), alone(q[2]), alone(q[3])), defect)
+               : Reading(error);
 }
 
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin) noexcept {
-    const double q[] = {rotation.w(), rotation.x(), rotation.y(), rotation.z()};
+    // As it is: stored again it would have to be waited for.
+    // NOLINTNEXTLINE(*-reinterpret-cast)
+    const auto& q = *reinterpret_cast<const double(*)[4]>(rotation.components().data());
     return kernel_table().write_one(spec, lock_margin, q, numbers);
 }
 

@@ -339,9 +339,10 @@ void rotate(const Spec& spec, const double* numbers, const double* vectors, std:
     }
 }
 
-Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
+ROTCONV_NOINLINE Error read_one_carefully(const Spec& spec, const double* numbers, double (&q)[4],
+                                          double& defect) noexcept {
     const Error error = kernel_of(spec.name).one.read(spec, numbers, q, defect);
-    if (error == Error::none && !all_plain_numbers(spec, numbers, 1, false)) [[unlikely]] {
+    if (error == Error::none) {
         Careful careful[4];
         read_carefully(spec, numbers, false, no_turns, careful);
         for (std::size_t k = 0; k < 4; ++k) {
@@ -351,9 +352,24 @@ Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& 
     return error;
 }
 
+Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
+    const Kernel& kernel = kernel_of(spec.name);
+    const auto is_plain = [](const double& number) { return is_plain_number(alone(number)); };
+    if (!(kernel.reading_is_exact || all(numbers, kernel.one.size, is_plain))) [[unlikely]] {
+        return read_one_carefully(spec, numbers, q, defect);
+    }
+    return kernel.one.read(spec, numbers, q, defect);
+}
+
+ROTCONV_NOINLINE DiagnosticSet write_one_carefully(const Spec& spec, double lock_margin, const double (&q)[4],
+                                                   double* numbers) noexcept {
+    return write_carefully(spec, lock_margin, {q[0], q[1], q[2], q[3]}, numbers, nullptr);
+}
+
 DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept {
-    if (!all(q, 4, is_plain_component)) [[unlikely]] {
-        return write_carefully(spec, lock_margin, {q[0], q[1], q[2], q[3]}, numbers, nullptr);
+    if (!(is_plain_component(alone(q[0])) && is_plain_component(alone(q[1])) && is_plain_component(alone(q[2])) &&
+          is_plain_component(alone(q[3])))) [[unlikely]] {
+        return write_one_carefully(spec, lock_margin, q, numbers);
     }
     return kernel_of(spec.name).one.write(spec, lock_margin, q, numbers);
 }

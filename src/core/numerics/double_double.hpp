@@ -160,6 +160,19 @@ ROTCONV_INLINE double root(double a) noexcept { return __builtin_sqrt(a); }
 ROTCONV_INLINE double square(double a) noexcept { return a * a; }
 ROTCONV_INLINE double select(bool condition, double yes, double no) noexcept { return condition ? yes : no; }
 
+/// A number that was stored by itself a moment ago, read by itself: as part of a vector it would have to wait until it
+/// is in the cache, and all that follows with it.
+ROTCONV_INLINE double alone(const double& stored) noexcept {
+    double number = stored;
+#if defined(__x86_64__)
+    __asm__("" : "+x"(number));
+#elif defined(__aarch64__)
+    __asm__("" : "+w"(number));
+#endif
+    return number;
+}
+template <class T> ROTCONV_INLINE const T& alone(const T& stored) noexcept { return stored; }
+
 /// The nearest double.
 ROTCONV_INLINE double to_double(double a) noexcept { return a; }
 ROTCONV_INLINE double to_double(DoubleDouble a) noexcept { return a.hi; }

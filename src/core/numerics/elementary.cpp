@@ -28,6 +28,16 @@ constexpr DoubleDouble step{step_parts[0], step_parts[1]};
 /// Added and taken off again, it rounds a double below 2^51 to a whole number.
 constexpr double rounding = 0x1.8p52;
 
+/// a - b c, where that is exact, as is a less the rounded product.
+ROTCONV_INLINE double exact_difference(double a, double b, double c) noexcept {
+#if ROTCONV_HAS_FMA
+    return __builtin_fma(-b, c, a);
+#else
+    const DoubleDouble product = two_prod(b, c);
+    return (a - product.hi) - product.lo;
+#endif
+}
+
 /// An angle as so many steps of pi/64, of which 128, a turn, are taken off at will, and a rest in radians of at most
 /// half a step, or a little more.
 struct Steps {
@@ -285,15 +295,32 @@ constexpr double linear = 0x1p-110;
 
 ROTCONV_INLINE bool is_nearly_0(DoubleDouble value) noexcept { return __builtin_fabs(value.hi) < linear; }
 
+/// Its products may underflow.
+ROTCONV_NOINLINE DoubleDouble sine_of_nearly_0(DoubleDouble angle, AngleUnit unit) noexcept {
+    return (ScaledDoubleDouble(angle) * ScaledDoubleDouble(unit_in_radians(unit))).rounded_parts();
+}
+/// Near an axis, where products may underflow.
+ROTCONV_NOINLINE DoubleDouble angle_near_axis(DoubleDouble x, DoubleDouble y, AngleUnit unit) noexcept {
+    return angle_of(ScaledDoubleDouble(x), ScaledDoubleDouble(y), unit).rounded_parts();
+}
+
 } // namespace
 
 template <class T> SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept {
-    if (is_nearly_0(angle)) { // its products may underflow
-        const ScaledDoubleDouble sine = ScaledDoubleDouble(angle) * ScaledDoubleDouble(unit_in_radians(unit));
-        return {rounded_to<T>(sine.rounded_parts()), T(1.0)};
+    if (is_nearly_0(angle)) [[unlikely]] {
+        return {rounded_to<T>(sine_of_nearly_0(angle, unit)), T(1.0)};
     }
     const Steps steps = steps_of_any(angle, unit, T());
     return turned(sine_cosine_of_steps(steps.count), steps.rest, T());
+}
+
+SineCosine<double> half_sine_cosine(DoubleDouble angle) noexcept {
+    const double count = (angle.hi * 0x1.45f306dc9c883p+3 + rounding) - rounding;
+    const DoubleDouble second = two_prod(count, -step_parts[1]);
+    const DoubleDouble rest = two_sum(exact_difference(0.5 * angle.hi, count, step_parts[0]), second.hi);
+    const SineCosine<double> both =
+        turned(sine_cosine_of_steps(count), {rest.hi, rest.lo + (second.lo + 0.5 * angle.lo)}, 0.0);
+    return {alone(both.sine), alone(both.cosine)};
 }
 
 SineCosine<ScaledDoubleDouble> sine_cosine(const ScaledDoubleDouble& angle, AngleUnit unit) noexcept {
@@ -347,12 +374,31 @@ template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::siz
 // NOLINTBEGIN(misc-no-recursion): the one calls the other where a ratio is small, and is called where it is not
 template <class T> DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept {
     const Tangent<T> tangent = tangent_from_nearer_axis(x, y);
-    if (to_double(tangent.near) != 0.0 && to_double(tangent.near) < linear * to_double(tangent.far)) {
-        return angle_of(ScaledDoubleDouble(x), ScaledDoubleDouble(y), unit).rounded_parts();
+    if (to_double(tangent.near) != 0.0 && to_double(tangent.near) < linear * to_double(tangent.far)) [[unlikely]] {
+        return angle_near_axis(x, y, unit);
     }
     const DoubleDouble acute = sloppy_sum_ordered(arc_tangent_of_steps(tangent.count), rest_of_arc_tangent(tangent));
     const DoubleDouble in_unit = unit == AngleUnit::degrees ? acute * exact_degrees_per_radian : acute;
     return from_x_axis(x, y, in_unit, half_turn_in(unit));
+}
+
+DoubleDouble acute_angle(double x, double y) noexcept {
+    const bool flat = y <= x;
+    const double near = flat ? y : x;
+    const double far = flat ? x : y;
+    const double nearest = (near / far + 0x1p-6 * rounding) - 0x1p-6 * rounding; // multiple of 1/64
+    const DoubleDouble steps = arc_tangent_of_steps(64.0 * nearest);
+    const double t = exact_difference(near, far, nearest) / (far + near * nearest);
+    const double s = t * t;
+    const double beyond = (t * s) * ((-0x1.5555555555555p-2 + s * 0x1.999999999999ap-3) +
+                                     (s * s) * (-0x1.2492492492492p-3 + s * 0x1.c71c71c71c71cp-4));
+    if (flat) {
+        const DoubleDouble sum = fast_two_sum(steps.hi, t);
+        return {sum.hi, (sum.lo + steps.lo) + beyond};
+    }
+    const DoubleDouble quarter = fast_two_sum(0.5 * exact_pi.hi, -steps.hi);
+    const DoubleDouble sum = fast_two_sum(quarter.hi, -t);
+    return {sum.hi, (sum.lo + (quarter.lo + (0.5 * exact_pi.lo - steps.lo))) - beyond};
 }
 
 ScaledDoubleDouble angle_of(const ScaledDoubleDouble& x, const ScaledDoubleDouble& y, AngleUnit unit) noexcept {

@@ -34,6 +34,8 @@ inline constexpr DoubleDouble exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x
 /// 90 degrees are exact.
 template <class T> [[nodiscard]] SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept;
 [[nodiscard]] SineCosine<ScaledDoubleDouble> sine_cosine(const ScaledDoubleDouble& angle, AngleUnit unit) noexcept;
+/// Those of half an angle below 2^13 radians, which need not be normalised, as doubles, by a short chain of operations.
+[[nodiscard]] SineCosine<double> half_sine_cosine(DoubleDouble angle) noexcept;
 /// Those of a batch of rows, each angle 0 or at least 2^-300. As Approximate, from angles that are doubles, each is
 /// right to 2^-63 of itself, and both, as a vector, to 0x1.3p-69.
 template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::size_t rows, AngleUnit unit,
@@ -56,6 +58,8 @@ struct SmallAngle {
 /// The angle of the vector (x, y) from the x axis, in [-pi, pi] or [-180, 180]: to 2^-103 of itself, or, from doubles,
 /// to 2^-51 of itself; 0 of (0, 0).
 template <class T> [[nodiscard]] DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept;
+/// The same in radians of x >= 0 and y >= 2^-100, neither below 2^-400 but 0: not normalised.
+[[nodiscard]] DoubleDouble acute_angle(double x, double y) noexcept;
 [[nodiscard]] ScaledDoubleDouble angle_of(const ScaledDoubleDouble& x, const ScaledDoubleDouble& y,
                                           AngleUnit unit) noexcept;
 /// Those of a batch of rows, of components that are 0 or between 2^-950 and 2^400. From Approximate, which must be

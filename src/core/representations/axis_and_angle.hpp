@@ -30,6 +30,19 @@ template <class T> struct AxisVector {
     double back; ///< times this, it is the vector
 };
 
+/// The length of a vector of doubles and what the exact one has beside it, to 2^-100: not normalised.
+ROTCONV_INLINE DoubleDouble length_of(double x, double y, double z) noexcept {
+    const DoubleDouble xx = two_prod(x, x);
+    const DoubleDouble yy = two_prod(y, y);
+    const DoubleDouble zz = two_prod(z, z);
+    const DoubleDouble two = two_sum(xx.hi, yy.hi);
+    const DoubleDouble three = two_sum(two.hi, zz.hi);
+    const double length = __builtin_sqrt(three.hi);
+    const DoubleDouble back = two_prod(length, length);
+    const double rest = ((three.hi - back.hi) - back.lo) + ((two.lo + three.lo) + ((xx.lo + yy.lo) + zz.lo));
+    return {length, rest * (0.5 / length)};
+}
+
 /// (|v| cos, v sin) of the half angle; of no axis the identity.
 template <class T>
 ROTCONV_INLINE void quaternion_of(const AxisVector<T>& v, const SineCosine<T>& half, T (&q)[4]) noexcept {
@@ -157,19 +170,22 @@ template <class Formula> struct AxisAndAngle {
     }
     template <class T>
     static DiagnosticSet write_one(const Spec& spec, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
-        const AxisHalfAngle<T> part(q);
-        const Precise<T> half = angle_of(part.q[0], rounded_to<T>(part.length), spec.unit);
+        const double sign = canonical_sign<T>({alone(q[0]), alone(q[1]), alone(q[2]), alone(q[3])});
+        const Precise<T> length = root(sum_of_squares<T>(alone(q[1]), alone(q[2]), alone(q[3])));
+        const Precise<T> half = angle_of(scaled(alone(q[0]), sign), rounded_to<T>(length), spec.unit);
+        const T part[4] = {scaled(alone(q[0]), sign), scaled(alone(q[1]), sign), scaled(alone(q[2]), sign),
+                           scaled(alone(q[3]), sign)};
         Precise<T> result[size];
-        Formula::numbers_of(part.q, part.length, scaled(half, 2.0), result);
+        Formula::numbers_of(part, length, scaled(half, 2.0), result);
         for (std::size_t k = 0; k < size; ++k) {
             numbers[k] = rounded_to<T>(result[k]);
         }
-        return Formula::diagnostics_of(part.q);
+        return Formula::diagnostics_of(part);
     }
 
     static constexpr Kernel kernel{.fast = {.read = read<double>, .write = write<double>},
                                    .exact = {.read = read<DoubleDouble>, .write = write<DoubleDouble>},
-                                   .one = {.read = read_one, .write = write_one<double>},
+                                   .one = {.size = size, .read = read_one, .write = write_one<double>},
                                    .careful = {.read = read_carefully, .write = write_one<Careful>}};
 };
 

@@ -111,10 +111,11 @@ template <class Formula> struct ColumnsKernel {
         quaternion_of(own, q);
     }
 
-    static constexpr Kernel kernel{.fast = {.read = read<double>, .write = write_rows<Formula, double>},
-                                   .exact = {.read = read<DoubleDouble>, .write = write_rows<Formula, DoubleDouble>},
-                                   .one = {.read = read_one, .write = write_row<Formula, double>},
-                                   .careful = {.read = read_carefully, .write = write_row<Formula, Careful>}};
+    static constexpr Kernel kernel{
+        .fast = {.read = read<double>, .write = write_rows<Formula, double>},
+        .exact = {.read = read<DoubleDouble>, .write = write_rows<Formula, DoubleDouble>},
+        .one = {.size = Formula::size, .read = read_one, .write = write_row<Formula, double>},
+        .careful = {.read = read_carefully, .write = write_row<Formula, Careful>}};
 };
 
 // NOLINTEND(*-avoid-c-arrays)

@@ -138,8 +138,9 @@ namespace dcm {
 
 Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
     // NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay)
-    const double numbers[9] = {matrix(0, 0), matrix(0, 1), matrix(0, 2), matrix(1, 0), matrix(1, 1),
-                               matrix(1, 2), matrix(2, 0), matrix(2, 1), matrix(2, 2)};
+    const double* const m = matrix.data(); // column by column
+    const double numbers[9] = {alone(m[0]), alone(m[3]), alone(m[6]), alone(m[1]), alone(m[4]),
+                               alone(m[7]), alone(m[2]), alone(m[5]), alone(m[8])};
     // Most are clean, and need no table of kernels.
     if (squared_distance(numbers) <= clean_square && clean_defect <= tolerance) [[likely]] {
         const Davenport<double> k(numbers);

@@ -251,7 +251,7 @@ struct Matrix {
 constinit const Kernel kernels::dcm{
     .fast = {.read = Matrix::read<double>, .write = write_rows<Matrix, double>},
     .exact = {.read = Matrix::read<DoubleDouble>, .write = write_rows<Matrix, DoubleDouble>},
-    .one = {.read = Matrix::read_one, .write = write_row<Matrix, double>},
+    .one = {.size = 9, .read = Matrix::read_one, .write = write_row<Matrix, double>},
     .careful = {.read = Matrix::read_carefully, .write = write_row<Matrix, Careful>}};
 
 } // namespace ROTCONV_TARGET

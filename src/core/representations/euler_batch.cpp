@@ -337,7 +337,7 @@ struct Angles {
 
 constexpr Kernel kernel_of_angles{.fast = {.read = Angles::read<double>, .write = Angles::write<double>},
                                   .exact = {.read = Angles::read<DoubleDouble>, .write = Angles::write<DoubleDouble>},
-                                  .one = {.read = Angles::read_one, .write = Angles::write_one<double>},
+                                  .one = {.size = 3, .read = Angles::read_one, .write = Angles::write_one<double>},
                                   .careful = {.read = Angles::read_carefully, .write = Angles::write_one<Careful>},
                                   // elsewhere they gain nothing
                                   .read_first = ROTCONV_HAS_FMA != 0 ? Angles::read_first : nullptr,

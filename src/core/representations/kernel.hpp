@@ -32,6 +32,7 @@ template <class T> struct BatchKernel {
 
 /// One plain row in double.
 struct RowKernel {
+    std::size_t size; ///< how many numbers there are
     Error (*read)(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept;
     DiagnosticSet (*write)(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept;
 };
@@ -186,7 +187,7 @@ template <class Formula> void read_carefully(const Spec& /*spec*/, const double*
 template <class Formula> constexpr Kernel kernel_of_formula{
     .fast = {.read = read_rows<Formula, double>, .write = write_rows<Formula, double>},
     .exact = {.read = read_rows<Formula, DoubleDouble>, .write = write_rows<Formula, DoubleDouble>},
-    .one = {.read = read_row<Formula>, .write = write_row<Formula, double>},
+    .one = {.size = Formula::size, .read = read_row<Formula>, .write = write_row<Formula, double>},
     .careful = {.read = read_carefully<Formula>, .write = write_row<Formula, Careful>}};
 
 /// The diagnostic half_turn if pi - theta <= half_turn_margin, otherwise none.

@@ -86,7 +86,7 @@ struct FourNumbers {
 constinit const Kernel kernels::quat{
     .fast = {.read = FourNumbers::read<double>, .write = FourNumbers::write<double>},
     .exact = {.read = FourNumbers::read<DoubleDouble>, .write = FourNumbers::write<DoubleDouble>},
-    .one = {.read = FourNumbers::read_one, .write = write_row<FourNumbers, double>},
+    .one = {.size = 4, .read = FourNumbers::read_one, .write = write_row<FourNumbers, double>},
     .careful = {.read = FourNumbers::read_carefully, .write = write_row<FourNumbers, Careful>},
     .reading_is_exact = true};
 
