@@ -166,8 +166,6 @@ ROTCONV_INLINE double alone(const double& stored) noexcept {
     double number = stored;
 #if defined(__x86_64__)
     __asm__("" : "+x"(number));
-#elif defined(__aarch64__)
-    __asm__("" : "+w"(number));
 #endif
     return number;
 }

@@ -295,20 +295,12 @@ constexpr double linear = 0x1p-110;
 
 ROTCONV_INLINE bool is_nearly_0(DoubleDouble value) noexcept { return __builtin_fabs(value.hi) < linear; }
 
-/// Its products may underflow.
-ROTCONV_NOINLINE DoubleDouble sine_of_nearly_0(DoubleDouble angle, AngleUnit unit) noexcept {
-    return (ScaledDoubleDouble(angle) * ScaledDoubleDouble(unit_in_radians(unit))).rounded_parts();
-}
-/// Near an axis, where products may underflow.
-ROTCONV_NOINLINE DoubleDouble angle_near_axis(DoubleDouble x, DoubleDouble y, AngleUnit unit) noexcept {
-    return angle_of(ScaledDoubleDouble(x), ScaledDoubleDouble(y), unit).rounded_parts();
-}
-
 } // namespace
 
 template <class T> SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept {
-    if (is_nearly_0(angle)) [[unlikely]] {
-        return {rounded_to<T>(sine_of_nearly_0(angle, unit)), T(1.0)};
+    if (is_nearly_0(angle)) { // its products may underflow
+        const ScaledDoubleDouble sine = ScaledDoubleDouble(angle) * ScaledDoubleDouble(unit_in_radians(unit));
+        return {rounded_to<T>(sine.rounded_parts()), T(1.0)};
     }
     const Steps steps = steps_of_any(angle, unit, T());
     return turned(sine_cosine_of_steps(steps.count), steps.rest, T());
@@ -374,8 +366,8 @@ template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::siz
 // NOLINTBEGIN(misc-no-recursion): the one calls the other where a ratio is small, and is called where it is not
 template <class T> DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept {
     const Tangent<T> tangent = tangent_from_nearer_axis(x, y);
-    if (to_double(tangent.near) != 0.0 && to_double(tangent.near) < linear * to_double(tangent.far)) [[unlikely]] {
-        return angle_near_axis(x, y, unit);
+    if (to_double(tangent.near) != 0.0 && to_double(tangent.near) < linear * to_double(tangent.far)) {
+        return angle_of(ScaledDoubleDouble(x), ScaledDoubleDouble(y), unit).rounded_parts();
     }
     const DoubleDouble acute = sloppy_sum_ordered(arc_tangent_of_steps(tangent.count), rest_of_arc_tangent(tangent));
     const DoubleDouble in_unit = unit == AngleUnit::degrees ? acute * exact_degrees_per_radian : acute;

@@ -170,17 +170,14 @@ template <class Formula> struct AxisAndAngle {
     }
     template <class T>
     static DiagnosticSet write_one(const Spec& spec, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
-        const double sign = canonical_sign<T>({alone(q[0]), alone(q[1]), alone(q[2]), alone(q[3])});
-        const Precise<T> length = root(sum_of_squares<T>(alone(q[1]), alone(q[2]), alone(q[3])));
-        const Precise<T> half = angle_of(scaled(alone(q[0]), sign), rounded_to<T>(length), spec.unit);
-        const T part[4] = {scaled(alone(q[0]), sign), scaled(alone(q[1]), sign), scaled(alone(q[2]), sign),
-                           scaled(alone(q[3]), sign)};
+        const AxisHalfAngle<T> part({alone(q[0]), alone(q[1]), alone(q[2]), alone(q[3])});
+        const Precise<T> half = angle_of(part.q[0], rounded_to<T>(part.length), spec.unit);
         Precise<T> result[size];
-        Formula::numbers_of(part, length, scaled(half, 2.0), result);
+        Formula::numbers_of(part.q, part.length, scaled(half, 2.0), result);
         for (std::size_t k = 0; k < size; ++k) {
             numbers[k] = rounded_to<T>(result[k]);
         }
-        return Formula::diagnostics_of(part);
+        return Formula::diagnostics_of(part.q);
     }
 
     static constexpr Kernel kernel{.fast = {.read = read<double>, .write = write<double>},
