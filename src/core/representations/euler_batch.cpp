@@ -127,20 +127,13 @@ struct Angles {
 
     static Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
         defect = 0.0;
-        // All at once, by the functions of batches, whose vectors have room for four.
-        Column<DoubleDouble> half;
-        Column<double> cosine;
-        Column<double> sine;
-        for (std::size_t i = 0; i < 4; ++i) {
-            half.set(i, i < 3 ? 0.5 * spec.sequence.sign(i) * numbers[i] : 0.0);
-        }
-        sine_cosine(half, 4, spec.unit, cosine, sine);
-        read_by(
-            spec,
-            [&](std::size_t i) {
-                return SineCosine<double>{sine[i], cosine[i]};
-            },
-            q);
+        const auto half_angle = [&](std::size_t i) {
+            const double angle = spec.sequence.sign(i) * alone(numbers[i]);
+            return spec.unit == AngleUnit::radians && __builtin_fabs(angle) < 0x1p12
+                       ? half_sine_cosine(angle)
+                       : sine_cosine<double>(0.5 * angle, spec.unit);
+        };
+        read_by(spec, half_angle, q);
         return all_finite(numbers, 3) ? Error::none : Error::not_finite;
     }
 
