@@ -48,7 +48,7 @@ const std::vector<Way>& ways() {
         {"quat", "cayley", 1, 1},      {"quat", "mrp", 1.25, 0.99},        {"quat", "euler", 5.5, 4.4},
         {"dcm", "quat", 5, 4.27},      {"6d", "quat", 4.25, 3.75},         {"5d", "quat", 5.25, 4.54},
         {"cayley", "quat", 1, 0.89},   {"mrp", "quat", 1.5, 1.31},         {"euler", "quat", 4, 3.41},
-        {"rotvec", "quat", 2.5, 2.19}, {"axis-angle", "quat", 2.75, 2.36}, {"rotvec", "dcm", 2.5, 2.14},
+        {"rotvec", "quat", 2.5, 2.18}, {"axis-angle", "quat", 2.75, 2.36}, {"rotvec", "dcm", 2.5, 2.14},
     };
     return table;
 }
