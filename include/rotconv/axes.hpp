@@ -39,7 +39,8 @@ struct AxesError {
 [[nodiscard]] std::string message(const AxesError& error);
 
 /// FROM:TO, in upper or lower case, of letters of one set: n s e w u d (north, ..., up, down), f b l r u d (forward,
-/// back, left, right, ...), or x y z, with - if against them, which are FROM's own axes where FROM is "xyz".
+/// back, left, right, ...), or x y z, each with a minus sign before it for the opposite direction. Where FROM is "xyz",
+/// the letters of TO are FROM's own axes.
 [[nodiscard]] std::variant<AxesChange, AxesError> parse_axes(std::string_view text);
 
 } // namespace rotconv

@@ -21,7 +21,9 @@ namespace axis_angle {
 /// after reduction). Errors: not_finite, zero_axis.
 [[nodiscard]] Reading to_rotation(const AxisAngle& value) noexcept;
 
-/// n = v/|v|, angle = 2 atan2(|v|, w) in [0, pi]; axis (1, 0, 0) if v is exactly 0.
+/// n = v/|v| of the quaternion with the canonical sign, see Rotation::sign(), which at a half-turn chooses between n
+/// and -n; angle = 2 atan2(|v|, w) in [0, pi] or [0, 180]; axis (1, 0, 0) if v is exactly 0. Accuracy: the table of
+/// examples/accuracy.md.
 [[nodiscard]] AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
 
 /// Margin min(theta, pi - theta), condition max(1, 1/(2 sin(theta/2))).

@@ -17,7 +17,7 @@ namespace rotconv::cayley {
 }
 
 /// c = v/w. If w is 0 or a quotient overflows, each component of v that is not 0 becomes infinite with its sign,
-/// and the others become 0.
+/// and the others become 0. Accuracy: the table of examples/accuracy.md.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (1 + |c|^2)/2.

@@ -24,10 +24,12 @@ struct ComparisonSettings {
 ///
 /// The angle is twice that of (|v|, |s|), where (s, v) is the product of one quaternion and the inverse of the other,
 /// formed with products of 106 bits. It is 0 for equal numbers of one SPEC, and quaternions near the identity may
-/// differ by as little as 1e-150. Attitudes are read to 106 bits and rounded; the worst error found is 3.10 eps.
+/// differ by as little as 1e-150. Attitudes are read to 106 bits and rounded; the worst error of
+/// the angle that was found is 3.10 eps.
 /// Thread-safe: run() changes nothing in it. Composition has the relative attitude.
 class Comparison {
 public:
+    /// @throw std::invalid_argument if a modifier of a spec has no meaning for its representation
     Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings = {});
 
     [[nodiscard]] const Spec& from() const noexcept { return from_; }

@@ -44,7 +44,8 @@ struct ConversionSettings {
 /// @throw std::invalid_argument if there are fewer than spec.size() numbers
 [[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers);
 
-/// By how much (radians, to first order) the attitude of a row is off if its numbers are off by `error`.
+/// By how much (radians, to first order) the attitude of a row is off if its numbers are off by `error`: the error in
+/// radians of angles, the error itself of a matrix, and for the others times the turn that a unit of error makes.
 /// @throw std::invalid_argument if there are fewer than spec.size() numbers
 [[nodiscard]] double attitude_error(const Spec& spec, std::span<const double> numbers, double error);
 

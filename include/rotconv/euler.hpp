@@ -109,7 +109,8 @@ namespace euler {
 /// By default, attitudes nearer to gimbal lock than this (radians), which is rounding, are treated as locked.
 inline constexpr double default_lock_margin = 1e-15;
 
-/// The product of three half-angle quaternions. Angles of any finite size. Error: not_finite.
+/// The product of three half-angle quaternions, q1 q2 q3 of an intrinsic sequence and q3 q2 q1 of an extrinsic one.
+/// Angles of any finite size. Error: not_finite. Accuracy: the table of examples/accuracy.md.
 [[nodiscard]] Reading to_rotation(const EulerAngles& value) noexcept;
 
 /// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi]; these are the ranges of the angles as they
@@ -139,7 +140,8 @@ inline constexpr double default_lock_margin = 1e-15;
 [[nodiscard]] Eigen::Vector3d rate(const EulerAngles& value, const Eigen::Vector3d& w,
                                    Frame frame = Frame::body) noexcept;
 
-/// The left side of that system, regular everywhere. Rates in the unit of the angles a second, result in rad/s.
+/// The inverse of rate(), regular everywhere: the sum of the three axes of the turns, each times its angle's rate.
+/// Rates in the unit of the angles a second, result in rad/s.
 [[nodiscard]] Eigen::Vector3d angular_velocity(const EulerAngles& value, const Eigen::Vector3d& rates,
                                                Frame frame = Frame::body) noexcept;
 

@@ -34,7 +34,9 @@ struct IntegratorEntry {
     bool exponential;            ///< only for the quaternion
 };
 
+/// The table, in the order of Integrator.
 [[nodiscard]] std::span<const IntegratorEntry> integrators() noexcept;
+/// Its row.
 [[nodiscard]] const IntegratorEntry& entry_of(Integrator integrator) noexcept;
 /// rk4 integrates any representation that has rates, the exponential steps only the quaternion.
 [[nodiscard]] bool can_integrate(RepresentationId representation, Integrator integrator) noexcept;
@@ -51,6 +53,7 @@ struct IntegratorEntry {
 /// lost, and each later step returns the same error until start().
 class Stepper {
 public:
+    /// @param renormalise after each step make the numbers exact again, such as a quaternion unit
     /// @throw std::invalid_argument if not can_integrate(representation.name, integrator)
     Stepper(const Spec& representation, Integrator integrator, bool renormalise = false);
 
@@ -60,8 +63,8 @@ public:
     /// The times, as parts of a step, at which step() needs the angular velocity.
     [[nodiscard]] std::span<const double> nodes() const noexcept;
 
-    /// Integrates over `h` seconds. Errors: singular; coarse_step; not_finite if a number overflows; ended before
-    /// start().
+    /// Integrates over `h` seconds; backwards where it is negative. Errors: singular; coarse_step; not_finite if a
+    /// number overflows; ended before start().
     /// @param rates the body's angular velocity in body axes, rad/s, at the nodes
     /// @throw std::invalid_argument if there are not as many rates as nodes
     Error step(double h, std::span<const Eigen::Vector3d> rates);
@@ -98,8 +101,8 @@ template <class Function>
 concept AngularVelocity =
     std::same_as<std::remove_cvref_t<std::invoke_result_t<const Function&, double>>, Eigen::Vector3d>;
 
-/// Integrates over `count` steps of `h` seconds from `start`; omega(t) is the body's angular velocity in body axes,
-/// rad/s.
+/// Integrates over `count` steps of `h` seconds from the time `start`; omega(t) is the body's angular velocity in body
+/// axes, rad/s. The stepper must have begun, see Stepper::start(). Returns the error of the first step that has one.
 template <AngularVelocity Omega>
 Error integrate(Stepper& stepper, const Omega& omega, double start, double h, std::size_t count) {
     std::array<Eigen::Vector3d, 3> rates;

@@ -8,7 +8,7 @@
 /// and Junkins 1996). At a half-turn the chart changes to the shadow set -m/|m|^2, so that the norm stays at most 1.
 namespace rotconv::mrp {
 
-/// q ~ (1 - |m|^2, 2m), for m of any length. Error: not_finite.
+/// q ~ (1 - |m|^2, 2m), for m of any length. Error: not_finite. Accuracy: the table of examples/accuracy.md.
 [[nodiscard]] Reading to_rotation(const Eigen::Vector3d& m) noexcept;
 
 /// m = v/(|q| + w) with w >= 0; the norm is at most 1. Worst error found: 0.99 eps.

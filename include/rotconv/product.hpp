@@ -16,6 +16,7 @@ namespace rotconv {
 class Composition {
 public:
     /// @param settings `left` and `right` turn only A, before it is multiplied; `fast` is not used
+    /// @throw std::invalid_argument if a modifier of a spec has no meaning for its representation
     Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings = {});
 
     [[nodiscard]] const Spec& first() const noexcept { return first_; }
@@ -43,6 +44,7 @@ private:
 /// Thread-safe: run() changes nothing in it.
 class VectorRotation {
 public:
+    /// @throw std::invalid_argument if a modifier of the spec has no meaning for its representation
     explicit VectorRotation(const Spec& from, const ConversionSettings& settings = {});
 
     [[nodiscard]] const Spec& from() const noexcept { return from_; }

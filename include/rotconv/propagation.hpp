@@ -13,7 +13,7 @@ namespace rotconv {
 
 /// The angular velocity between two samples.
 enum class Interpolation : std::uint8_t {
-    linear, ///< linear; each sample is answered at once
+    linear, ///< the straight line from one sample to the next; each sample is answered at once
     cubic,  ///< the cubic through two samples before and two after, at the ends the parabola through three; answers are
             ///< one sample late
 };

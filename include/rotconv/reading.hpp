@@ -79,17 +79,17 @@ private:
 
 /// Kinds of diagnostic, in the order in which they are reported.
 enum class DiagnosticKind : std::uint8_t {
-    normalized,
-    large_angle,
-    gimbal_lock,
-    near_gimbal_lock,
-    half_turn,
-    infinite,
-    identity_axis,
-    method_error,
-    coarse_step,
-    beyond,
-    few_digits
+    normalized,       ///< the numbers were not a rotation by more than `reported_defect`, or the axis not of length 1
+    large_angle,      ///< an angle in radians above `reported_angle`, or a velocity above `reported_velocity`
+    gimbal_lock,      ///< within the lock margin: the third Euler angle is set to 0
+    near_gimbal_lock, ///< a condition above `near_lock_condition`
+    half_turn,        ///< within `half_turn_margin`: the sign of the axis is a convention
+    infinite,         ///< a number of cayley is infinite
+    identity_axis,    ///< the identity: the axis is a convention
+    method_error,     ///< a published method's result is off by more than 1e-6 rad
+    coarse_step,      ///< an estimated error of a step above `reported_step_error`
+    beyond,           ///< an angle above ComparisonSettings::within
+    few_digits        ///< an uncertainty above `reported_openness`
 };
 inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::few_digits) + 1;
 inline constexpr auto all_diagnostic_kinds = [] {
@@ -163,7 +163,7 @@ struct UnusualNumbers {
 struct PartReport {
     DiagnosticSet diagnostics{};
     Sensitivity sensitivity{};
-    double openness = 0.0;
+    double openness = 0.0; ///< as in RowReport
 };
 
 /// The report on one row.
@@ -178,7 +178,7 @@ struct RowReport {
     double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
     double deviation =
         0.0; ///< radians, or a comparison's unit: the angle that method_error, coarse_step and beyond are about
-    double openness = 0.0;              ///< how far the result is open by the digits given, which few_digits is about
+    double openness = 0.0;              ///< radians: what half a unit of last_place() may change in the result
     UnusualNumbers unusual{};           ///< in the first attitude
     UnusualNumbers reference_unusual{}; ///< in the second attitude
     std::vector<PartReport> parts{};    ///< one for each representation of the result, if there are several
@@ -196,7 +196,7 @@ inline constexpr double half_turn_margin = 1e-15;
 inline constexpr double near_lock_condition = 1e6;
 /// Only rows with a larger condition are held against the digits of their numbers.
 inline constexpr double few_digits_condition = 10.0;
-/// A result that is open by more than this (radians) is reported as of few digits.
+/// A result that half a unit of the last place may change by more than this (radians) is reported as of few digits.
 inline constexpr double reported_openness = 1e-2;
 /// An integration step whose estimated error (radians) is above this is reported.
 inline constexpr double reported_step_error = 1e-3;

@@ -32,7 +32,8 @@ namespace rotconv {
 #endif
 }
 
-/// The one internal form of a rotation: a nonzero quaternion (w, x, y, z), Hamilton product, active, body to reference
+/// The one internal form of a rotation (eps in all bounds of these headers is 2^-52, in radians of attitude): a nonzero
+/// quaternion (w, x, y, z), Hamilton product, active, body to reference
 /// (`v_ref = R_ref_body * v_body`).
 ///
 /// The quaternion is *not* normalised: each representation divides by the norm itself, which saves half an eps. All
@@ -129,9 +130,11 @@ std::ostream& operator<<(std::ostream& out, const Rotation& rotation);
 /// of the product a b^-1.
 [[nodiscard]] double angle_between(const Rotation& a, const Rotation& b) noexcept;
 
-/// The attitude a (a^-1 b)^fraction, on the shortest rotation from `a` to `b`: with the digits of `a` if both have the
-/// same, otherwise a unit quaternion to rounding. Max error: 4 eps. The same bits on every machine. Nothing if the two
-/// are, to rounding, half a turn apart: no rotation between them is then the shortest.
+/// The attitude a (a^-1 b)^fraction, on the shortest rotation from `a` to `b`, by slerp (Shoemake 1985): (sin((1 - f)
+/// h) p + sin(f h) q)/sin h with unit quaternions p, q of the same side and the angle h between them. It has the digits
+/// of `a` if both are the same, and is otherwise a unit quaternion to rounding. Max error: 4 eps. The same bits on
+/// every machine. Nothing if the two are half a turn apart to rounding, |p.q| <= 4 eps: no rotation between them is
+/// then the shortest.
 /// @pre fraction is in [0, 1]
 [[nodiscard]] std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept;
 

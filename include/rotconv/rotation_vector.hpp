@@ -21,8 +21,9 @@ namespace rotation_vector {
 /// |r| = 1e15. Beyond, the error grows with |r| 2^-104, except for a vector along a coordinate axis. Error: not_finite.
 [[nodiscard]] Reading to_rotation(const RotationVector& value) noexcept;
 
-/// r = v 2 arg(w, |v|)/|v|, with a norm of at most pi, and with |v| and the quotient to more digits than a double has.
-/// Worst error found: 1.48 eps, of which rounding r takes up to 1.4. Tiny angles keep their relative accuracy.
+/// r = v 2 arg(w, |v|)/|v| of the quaternion with the canonical sign, with a norm of at most pi, and with |v| and the
+/// quotient to more digits than a double has. Worst error found: 1.48 eps, of which rounding r takes up to 1.4. Tiny
+/// angles keep their relative accuracy.
 [[nodiscard]] RotationVector from_rotation(const Rotation& rotation, AngleUnit unit = AngleUnit::radians) noexcept;
 
 /// Margin pi - theta, condition (theta/2)/sin(theta/2), between 1 and pi/2.

@@ -11,7 +11,10 @@
 
 namespace rotconv {
 
-/// Kinds of rows on which conversions are known to fail; help and manual say what they are.
+/// Kinds of rows on which conversions are known to fail: attitudes that are uniform, small, near a half-turn, near
+/// lock, on the border between quaternion components, and the rotations of a cube; then quaternions of other lengths,
+/// matrices and columns with noise, and angles and vectors of many turns. The manual of `rotconv sample` has their
+/// figures.
 enum class SampleKind : std::uint8_t { uniform, small, half_turn, lock, border, cube, scaled, noise, many_turns };
 
 inline constexpr std::array<std::string_view, 9> sample_kind_names{

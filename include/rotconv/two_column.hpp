@@ -23,7 +23,7 @@ namespace two_column {
 /// @pre to_rotation(m) has a rotation
 [[nodiscard]] double defect(const TwoColumns& m) noexcept;
 
-/// The first two columns of the matrix.
+/// The first two columns of the matrix, as accurate as dcm::from_rotation().
 [[nodiscard]] inline TwoColumns from_rotation(const Rotation& rotation) noexcept {
     return dcm::from_rotation(rotation).leftCols<2>();
 }
@@ -50,7 +50,8 @@ namespace five_d {
 
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
-/// r11 = sqrt 2 (y'y - 1)/(y'y + 1), the other five 2 sqrt 2 y/(y'y + 1), then as two_column::to_rotation().
+/// r11 = sqrt 2 (y'y - 1)/(y'y + 1), the other five 2 sqrt 2 y/(y'y + 1), then as two_column::to_rotation(). Accuracy
+/// of both ways: the table of examples/accuracy.md.
 [[nodiscard]] Reading to_rotation(const Vector5& y, double tolerance = default_tolerance) noexcept;
 
 /// The defect of the two columns.

@@ -10,7 +10,7 @@
 
 #include "numerics/davenport.hpp"
 #include "numerics/eigensystem.hpp"
-#include "representations/half_turn.hpp"
+#include "representations/rotation_angle.hpp"
 
 namespace rotconv {
 namespace {

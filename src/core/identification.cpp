@@ -9,7 +9,7 @@
 
 #include "checks.hpp"
 #include "representations/codec.hpp"
-#include "representations/half_turn.hpp"
+#include "representations/rotation_angle.hpp"
 
 namespace rotconv {
 namespace {

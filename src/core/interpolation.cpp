@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "numerics/elementary.hpp"
-#include "representations/half_turn.hpp"
+#include "representations/rotation_angle.hpp"
 
 namespace rotconv {
 namespace {
@@ -20,7 +20,7 @@ double angle_between(const Rotation& a, const Rotation& b) noexcept { return ang
 std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept {
     const Vector4d p = unit(a);
     const Vector4d q = unit(b);
-    const double cosine = p.dot(q); // of half the turn
+    const double cosine = p.dot(q); // of half the angle between them
     if (std::abs(cosine) <= 4.0 * std::numeric_limits<double>::epsilon()) {
         return std::nullopt;
     }
@@ -28,11 +28,11 @@ std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double
     if (p == sign * q) {
         return a;
     }
-    const double half = 2.0 * angle_of((p + sign * q).norm(), (p - sign * q).norm(), AngleUnit::radians).hi;
-    const double whole = sine(half);
-    // A turn whose square is too small for a double is as straight as its chord.
-    const double of_a = whole > 0.0 ? sine((1.0 - fraction) * half) / whole : 1.0 - fraction;
-    const double of_b = whole > 0.0 ? sine(fraction * half) / whole : fraction;
+    const double half_angle = 2.0 * angle_of((p + sign * q).norm(), (p - sign * q).norm(), AngleUnit::radians).hi;
+    const double sine_of_half = sine(half_angle);
+    // If it underflows, the weights are linear.
+    const double of_a = sine_of_half > 0.0 ? sine((1.0 - fraction) * half_angle) / sine_of_half : 1.0 - fraction;
+    const double of_b = sine_of_half > 0.0 ? sine(fraction * half_angle) / sine_of_half : fraction;
     const Vector4d r = of_a * p + (sign * of_b) * q;
     return Rotation::near_unit(r[0], r[1], r[2], r[3]);
 }

@@ -1,6 +1,6 @@
 #include "kernels.hpp"
 
-#include "representations/half_turn.hpp"
+#include "representations/rotation_angle.hpp"
 
 namespace rotconv {
 

@@ -55,20 +55,22 @@ class Decision {
 public:
     Decision(const std::vector<Line>& lines, const InputOptions& options) : lines_(lines), options_(options) {}
 
+    /// The last line is the header where it is_header(), or where the options want one. Otherwise, or where a wanted one
+    /// has numbers for names, the last comment before it is, if it may be one: see comment_of().
     [[nodiscard]] Beginning by_index() const {
         const Line& row = lines_.back();
         if (is_json(row)) {
             return error({.what = StreamError::What::json}, lines_.size() - 1);
         }
         HeaderLine fields(row, delimiter_of(row.text));
-        const bool must_be = options_.header == HeaderMode::yes;
-        const bool may_be = is_header(fields);
-        if (must_be ? are_numbers(fields) : !may_be) {
+        const bool is_wanted = options_.header == HeaderMode::yes;
+        const bool looks_like_one = is_header(fields);
+        if (is_wanted ? are_numbers(fields) : !looks_like_one) {
             if (auto comment = comment_of(fields)) {
                 return {.is_decided = true, .header = std::move(comment), .is_data = true};
             }
         }
-        if (must_be || may_be) {
+        if (is_wanted || looks_like_one) {
             return {.is_decided = true, .header = fields.begins_with_mark() ? fields.without_mark() : fields};
         }
         return {.is_decided = true, .is_data = true};

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../representations/half_turn.hpp"
+#include "../representations/rotation_angle.hpp"
 
 namespace rotconv {
 namespace {

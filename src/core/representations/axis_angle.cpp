@@ -8,7 +8,7 @@
 
 #include "../numerics/angles.hpp"
 #include "codec.hpp"
-#include "half_turn.hpp"
+#include "rotation_angle.hpp"
 
 namespace rotconv::axis_angle {
 

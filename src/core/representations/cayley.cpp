@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "codec.hpp"
-#include "half_turn.hpp"
+#include "rotation_angle.hpp"
 
 namespace rotconv::cayley {
 
@@ -23,13 +23,13 @@ Sensitivity sensitivity(const Rotation& rotation) noexcept {
 }
 
 Eigen::Vector3d rate(const Eigen::Vector3d& c, const Eigen::Vector3d& w, Frame frame) noexcept {
-    const Eigen::Vector3d turn = frame == Frame::body ? c.cross(w) : w.cross(c);
-    return 0.5 * (w + turn + c.dot(w) * c);
+    const Eigen::Vector3d across = frame == Frame::body ? c.cross(w) : w.cross(c);
+    return 0.5 * (w + across + c.dot(w) * c);
 }
 
 Eigen::Vector3d angular_velocity(const Eigen::Vector3d& c, const Eigen::Vector3d& rates, Frame frame) noexcept {
-    const Eigen::Vector3d turn = frame == Frame::body ? rates.cross(c) : c.cross(rates);
-    return (2.0 / (1.0 + c.squaredNorm())) * (rates + turn);
+    const Eigen::Vector3d across = frame == Frame::body ? rates.cross(c) : c.cross(rates);
+    return (2.0 / (1.0 + c.squaredNorm())) * (rates + across);
 }
 
 } // namespace rotconv::cayley

@@ -10,7 +10,7 @@
 #include "../numerics/power_of_two.hpp"
 #include "../numerics/quaternion_algebra.hpp"
 #include "codec.hpp"
-#include "half_turn.hpp"
+#include "rotation_angle.hpp"
 
 namespace rotconv::mrp {
 namespace {

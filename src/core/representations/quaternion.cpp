@@ -30,8 +30,8 @@ Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condit
 
 Eigen::Quaterniond rate(const Eigen::Quaterniond& q, const Eigen::Vector3d& w, Frame frame) noexcept {
     const Eigen::Vector3d v{q.x(), q.y(), q.z()};
-    const Eigen::Vector3d turn = frame == Frame::body ? v.cross(w) : w.cross(v);
-    const Eigen::Vector3d rates = 0.5 * (q.w() * w + turn);
+    const Eigen::Vector3d across = frame == Frame::body ? v.cross(w) : w.cross(v);
+    const Eigen::Vector3d rates = 0.5 * (q.w() * w + across);
     return {-0.5 * v.dot(w), rates.x(), rates.y(), rates.z()};
 }
 
@@ -41,8 +41,8 @@ Eigen::Vector3d angular_velocity(const Eigen::Quaterniond& q, const Eigen::Quate
     const Eigen::Vector3d v{scale(q.x()), scale(q.y()), scale(q.z())};
     const Eigen::Vector3d v_rate{scale(rates.x()), scale(rates.y()), scale(rates.z())};
     const double w = scale(q.w());
-    const Eigen::Vector3d turn = frame == Frame::body ? v_rate.cross(v) : v.cross(v_rate);
-    return (2.0 / (w * w + v.squaredNorm())) * (w * v_rate - scale(rates.w()) * v + turn);
+    const Eigen::Vector3d across = frame == Frame::body ? v_rate.cross(v) : v.cross(v_rate);
+    return (2.0 / (w * w + v.squaredNorm())) * (w * v_rate - scale(rates.w()) * v + across);
 }
 
 } // namespace rotconv::quaternion

@@ -12,7 +12,7 @@
 #include "../numerics/power_of_two.hpp"
 #include "../numerics/quaternion_algebra.hpp"
 #include "codec.hpp"
-#include "half_turn.hpp"
+#include "rotation_angle.hpp"
 
 namespace rotconv::rotation_vector {
 namespace {
@@ -89,8 +89,8 @@ Eigen::Vector3d rate(const RotationVector& value, const Eigen::Vector3d& w, Fram
     const Eigen::Vector3d r = value.vector / per_radian;
     const HalfLength half = half_length(value);
     const double cotangent = half.radians == 0.0 ? 1.0 : half.radians * half.sides.cosine / half.sides.sine;
-    const Eigen::Vector3d turn = frame == Frame::body ? r.cross(w) : w.cross(r);
-    return (stretched(r, cotangent, w) + 0.5 * turn) * per_radian;
+    const Eigen::Vector3d across = frame == Frame::body ? r.cross(w) : w.cross(r);
+    return (stretched(r, cotangent, w) + 0.5 * across) * per_radian;
 }
 
 Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vector3d& rates, Frame frame) noexcept {
@@ -99,8 +99,8 @@ Eigen::Vector3d angular_velocity(const RotationVector& value, const Eigen::Vecto
     const Eigen::Vector3d v = rates / per_radian;
     const HalfLength half = half_length(value);
     const double ratio = half.radians == 0.0 ? 1.0 : half.sides.sine / half.radians;
-    const Eigen::Vector3d turn = frame == Frame::body ? v.cross(r) : r.cross(v);
-    return stretched(r, ratio * half.sides.cosine, v) + (0.5 * ratio * ratio) * turn;
+    const Eigen::Vector3d across = frame == Frame::body ? v.cross(r) : r.cross(v);
+    return stretched(r, ratio * half.sides.cosine, v) + (0.5 * ratio * ratio) * across;
 }
 
 } // namespace rotconv::rotation_vector

@@ -8,17 +8,17 @@
 
 namespace rotconv {
 
-/// theta in [0, pi].
+/// The angle of the rotation, in [0, pi].
 inline double angle_of(const Rotation& rotation) noexcept {
     return 2.0 * angle_of(std::fabs(rotation.w()), rotation.vector_length(), AngleUnit::radians).hi;
 }
 
-/// q/|q|.
+/// The unit quaternion q/|q|.
 inline Eigen::Vector4d unit(const Rotation& rotation) noexcept {
     return Eigen::Map<const Eigen::Vector4d>(rotation.components().data()) / std::sqrt(rotation.squared_norm());
 }
 
-/// pi - theta, without cancellation.
+/// The angle to the nearest half-turn, pi less its own angle, without cancellation.
 inline double angle_to_half_turn(const Rotation& rotation) noexcept {
     return 2.0 * angle_of(rotation.vector_length(), std::fabs(rotation.w()), AngleUnit::radians).hi;
 }

@@ -13,7 +13,7 @@
 #include <rotconv/dcm.hpp>
 
 #include "numerics/eigensystem.hpp"
-#include "representations/half_turn.hpp"
+#include "representations/rotation_angle.hpp"
 
 namespace rotconv {
 namespace {
