@@ -30,7 +30,7 @@ claims methods.md methods.csv '
         printf "lose %.0f digits on noisy\n", log(hostile["Eigen"] / clean["Eigen"]) / log(10)
         printf "takes %.2g times that call, %.2g ns a row\n", ratio["default"], time["default"]
         printf "noise it takes %.2g times, %.2g ns\n", noisy_ratio["default"], noisy_time["default"]
-        printf "From a quaternion to Euler angles it takes %.2g times\n", to_angles
+        printf "from a quaternion it takes %.1g times that call\n", to_angles
     }'
 # shellcheck disable=SC2016
 claims methods.md methods.csv '
@@ -53,7 +53,7 @@ claims methods.md methods.csv '
     }'
 claims charts/speed.svg methods.csv '
     $3 FS $4 == "default,clean" && $15 != "" { if ($15 > most) most = $15; if (!least || $15 < least) least = $15 }
-    END { printf "Exactness takes %.0f to %.0f times the time of Eigen\n", least, most }'
+    END { printf "Exactness takes %.1g to %.0f times the time of Eigen\n", least, most }'
 claims accuracy.md methods.csv '
     $1 FS $2 FS $3 FS $4 FS $6 == "dcm,quat,Eigen,noise,1e-08" { printf "is off by about %.0e x 2^-52 rad\n", $9 }'
 claims streams.md scaling.csv '
