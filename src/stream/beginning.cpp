@@ -55,8 +55,8 @@ class Decision {
 public:
     Decision(const std::vector<Line>& lines, const InputOptions& options) : lines_(lines), options_(options) {}
 
-    /// The last line is the header where it is_header(), or where the options want one. Otherwise, or where a wanted one
-    /// has numbers for names, the last comment before it is, if it may be one: see comment_of().
+    /// The last line is the header where it is_header(), or where the options want one. Otherwise, or where a wanted
+    /// one has numbers for names, the last comment before it is, if it may be one: see comment_of().
     [[nodiscard]] Beginning by_index() const {
         const Line& row = lines_.back();
         if (is_json(row)) {
