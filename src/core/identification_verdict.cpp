@@ -293,7 +293,7 @@ std::vector<Candidate> Identification::turned() const {
         for (const AlignedSide side : {AlignedSide::reference, AlignedSide::body}) {
             for (const Trial* trial : trials) {
                 if (auto turned = with_turn(*trial, side, rows)) {
-                    found.push_back(std::move(*turned));
+                    found.push_back(*turned);
                 }
             }
         }
@@ -304,7 +304,7 @@ std::vector<Candidate> Identification::turned() const {
     if (found.empty() || may_mistake_turns()) {
         for (const Trial* trial : left_over) { // if one of a class does not fit with both, none does
             if (auto turned = with_turn(*trial, AlignedSide::both, rows)) {
-                found.push_back(std::move(*turned));
+                found.push_back(*turned);
             }
         }
     }

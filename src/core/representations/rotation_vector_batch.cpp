@@ -80,7 +80,7 @@ struct RotationVector {
 
 } // namespace
 
-constinit const Kernel kernels::rotvec = [] {
+constinit const Kernel kernels::rotvec = []() noexcept {
     Kernel kernel = AxisAndAngle<RotationVector>::kernel;
     kernel.one = {.size = 3, .read = RotationVector::read_one, .write = RotationVector::write_one};
     return kernel;
