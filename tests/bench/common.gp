@@ -17,6 +17,7 @@ begin(name) = sprintf("chart = '%s/%s.svg'; high = whole * ceil(1.0 * high / who
 # After `unset output`: `system described(...)` says in the file what it shows, for those who do not see it.
 described(title, text) = sprintf("sed -i 's|<title>Gnuplot</title>|<title>%s</title>|; s|<desc>.*</desc>|<desc>%s</desc>|' '%s'", \
     title, text, chart)
+width_of(text) = 6.6 * strlen(text) # of 11 pixels high, nearly
 
 # Pixels from the upper left corner.
 across(x) = x / page
@@ -28,28 +29,15 @@ place_panel(left, top) = sprintf( \
 # --- Methods -------------------------------------------------------------------------------------------------------
 
 method_names = "default fast typed Eigen trace shepperd klumpp sarabandi-thomas bar-itzhack polar compensated" \
-    . " unit two-over-norm homogeneous normalise-first acos atan2 polynomial quaternion" \
-    . " classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed" \
-    . " asin slabaugh shoemake shuster-markley gtsam hertzberg taylor branchless gram-schmidt symmetric"
+    . " acos atan2 gtsam hertzberg classic matrix-threshold bernardes-arccos bernardes-atan2 asin slabaugh shoemake shuster-markley"
 method_colours = "#c1121f #c2560a #8f6b00 #1769aa #6c757d #1f8a4d #8c5a3c #c21e7a #7b3fb5 #b0468a #0b7d7f" \
-    . " #6c757d #8c5a3c #1f8a4d #7b3fb5 #6c757d #6b7a12 #7b3fb5 #1f8a4d" \
-    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #6c757d #7b3fb5 #6c757d #6c757d #1f8a4d" \
-    . " #6c757d #8c5a3c #7b3fb5 #1f8a4d #c21e7a #1f8a4d #1f8a4d #7b3fb5 #1f8a4d #7b3fb5"
+    . " #6c757d #6b7a12 #c21e7a #1f8a4d #6c757d #8c5a3c #7b3fb5 #1f8a4d #6c757d #8c5a3c #7b3fb5 #1f8a4d"
 place_in(list, name) = sum [i = 1:words(list)] (word(list, i) eq name ? i : 0)
 colour(method) = place_in(method_names, method) > 0 ? word(method_colours, place_in(method_names, method)) : plain
 label_of(method) = method eq "default" ? "rotconv, exact" : method eq "fast" ? "rotconv, fast" \
     : method eq "typed" ? "rotconv, C++ call" : method
 is_ours(method) = method eq "default" || method eq "fast" || method eq "typed"
 is_bold(method) = is_ours(method) || method eq "Eigen"
-
-# At most eight of a pair; methods.csv has all.
-shown_methods(pair) = pair eq "dcm-quat" ? "default fast typed Eigen trace shepperd sarabandi-thomas bar-itzhack" \
-    : pair eq "dcm-quat-line" ? "default fast Eigen trace shepperd sarabandi-thomas klumpp bar-itzhack" \
-    : pair eq "dcm-quat-noise" ? "default fast Eigen trace shepperd compensated polar bar-itzhack" \
-    : pair eq "dcm-rotvec" ? "default fast typed Eigen acos atan2 gtsam hertzberg compensated" \
-    : "default fast typed Eigen acos atan2 polynomial quaternion compensated unit two-over-norm homogeneous" \
-        . " normalise-first classic matrix-threshold bernardes-arccos bernardes-atan2 rodrigues half-angle lu inverse closed" \
-        . " asin slabaugh shoemake shuster-markley taylor branchless gram-schmidt symmetric"
 
 # --- Errors --------------------------------------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 
 names = ""
 stats csv using (of_sweep(sweep) && column("distance") == last && place_in(shown_on(sweep), stringcolumn("method")) > 0 \
-    && stringcolumn("method") ne "typed" ? (names = names . " " . stringcolumn("method"), 1) : NaN) nooutput
+    ? (names = names . " " . stringcolumn("method"), 1) : NaN) nooutput
 n = words(names)
 m = n
 do for [i = 1:n] {

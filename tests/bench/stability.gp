@@ -11,9 +11,12 @@ pair_of(sweep) = sweep[1:strstrt(sweep, "/") - 1]
 of_sweep(sweep) = stringcolumn("from") . "-" . stringcolumn("to") . "/" . stringcolumn("stratum") eq sweep
 of_method(sweep, method) = of_sweep(sweep) && stringcolumn("method") eq method
 
-# A typed call errs as the fast way.
-shown_on(sweep) = sweep eq "dcm-quat/noise" ? shown_methods("dcm-quat-noise") \
-    : sweep eq "dcm-quat/to half-turn" ? shown_methods("dcm-quat-line") : shown_methods(pair_of(sweep))
+# At most eight: methods.csv has all. A typed call errs as the fast way.
+shown_on(sweep) = sweep eq "dcm-quat/noise" ? "default fast Eigen trace shepperd compensated polar bar-itzhack" \
+    : sweep eq "dcm-quat/to half-turn" ? "default fast Eigen trace shepperd sarabandi-thomas klumpp bar-itzhack" \
+    : pair_of(sweep) eq "dcm-rotvec" ? "default fast Eigen acos atan2 gtsam hertzberg compensated" \
+    : "default fast Eigen acos atan2 compensated classic matrix-threshold bernardes-arccos bernardes-atan2 asin slabaugh shoemake" \
+        . " shuster-markley"
 
 # Small angles have their own size as the measure.
 error_of(sweep) = strstrt(sweep, "identity") > 0 ? "relative" : "worst"
