@@ -1,9 +1,25 @@
 #!/bin/sh
 # figures_test.sh FOLDER: what the pages of examples say of their charts, and the table of comparison.md, is what was measured.
 set -eu
+scripts=$(cd "$(dirname "$0")/../bench" && pwd)
 cd "$1"
 work=$(mktemp)
-trap 'rm -f "$work"' EXIT
+drawn=$(mktemp -d)
+trap 'rm -rf "$work" "$drawn"' EXIT
+
+# Each chart can be drawn from what was measured.
+if command -v gnuplot > /dev/null; then
+    charts=$PWD/charts
+    for each in scaling:scaling methods:speed methods:stability kinematics:kinematics sets:sets tools:tools; do
+        (cd "$scripts" && gnuplot -e "csv='$charts/${each%:*}.csv'; out='$drawn'" "${each#*:}.gp")
+    done
+    for each in charts/*.svg; do
+        [ -s "$drawn/${each#charts/}" ] || {
+            echo "no script draws $each"
+            exit 1
+        }
+    done
+fi
 
 # claims PAGE MEASUREMENT PROGRAM: the program of awk prints phrases that stand in the page, however its lines are broken.
 claims() {

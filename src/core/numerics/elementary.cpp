@@ -59,9 +59,8 @@ ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, DoubleDouble /*scalar*
 /// The same to 2^-100 or, where more than 40 digits cancel, as many fewer.
 template <class T> ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, T /*scalar*/) noexcept {
     const double count = (angle.hi * 0x1.45f306dc9c883p+4 + rounding) - rounding;
-    const DoubleDouble first = two_prod(count, step_parts[0]);
-    // both differences are exact: where the count is not 0 all are multiples of 2^-58, and the rest is below 2^-5
-    const double near = (angle.hi - first.hi) - first.lo;
+    // exact: where the count is not 0 all are multiples of 2^-58, and the rest is below 2^-5
+    const double near = exact_difference(angle.hi, count, step_parts[0]);
     const DoubleDouble rest = sloppy_sum(DoubleDouble(near), two_prod(count, -step_parts[1]));
     return {count, fast_two_sum(rest.hi, rest.lo + (angle.lo + count * -step_parts[2]))};
 }
@@ -247,8 +246,7 @@ ROTCONV_INLINE DoubleDouble rest_of_arc_tangent(const Tangent<DoubleDouble>& t) 
 }
 ROTCONV_INLINE DoubleDouble rest_of_arc_tangent(const Tangent<double>& t) noexcept {
     const double c = t.count * 0x1p-6;
-    const DoubleDouble product = two_prod(t.far, c);
-    const double tangent = ((t.near - product.hi) - product.lo) / (t.far + t.near * c);
+    const double tangent = exact_difference(t.near, t.far, c) / (t.far + t.near * c);
     const double s = square(counting(tangent));
     return {tangent, tangent * s *
                          (-0x1.5555555555555p-2 +
