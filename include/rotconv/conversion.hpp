@@ -52,7 +52,8 @@ struct ConversionSettings {
 /// The unit of the last place of numbers read from text: the finest decimal place, as they are printed with the fewest
 /// digits, among those that are at least half as large as the largest one; 0, which means exact, if one of these is an
 /// integer. Rounding to it explains a defect of up to two units, and DiagnosticKind::few_digits is about half a unit.
-[[nodiscard]] double last_place(std::span<const double> numbers) noexcept;
+/// @param enough what is at most this need not be exact: any number up to it may be returned
+[[nodiscard]] double last_place(std::span<const double> numbers, double enough = 0.0) noexcept;
 
 /// What is unusual about a row of finite numbers.
 /// @param defect that of a quaternion or matrix, reported above `reported_defect` and, if the numbers are `decimal`,

@@ -32,15 +32,19 @@ bool any_remarkable(const InputBatch& input, const DiagnosticSet* diagnostics, s
     return defects != 0 || errors != 0 || !kinds.empty() || input.any_unusual(rows);
 }
 
-/// See RowReport::openness; 0 if the condition is not above `few_digits_condition`.
+/// See RowReport::openness; 0 if the condition is not above `few_digits_condition`. Below `reported_openness` it is
+/// only a bound.
 double openness(const InputBatch& input, const Spec& from, const Spec& to, std::size_t row) noexcept {
     if (input.attitudes.error[row] != Error::none) {
         return 0.0;
     }
     const std::span numbers(input.own() + row * from.size(), from.size());
     const double condition = codec_of(to.name).sensitivity(to, input.attitudes.at(row)).condition;
-    return condition > few_digits_condition ? condition * attitude_error(from, numbers, 0.5 * last_place(numbers))
-                                            : 0.0;
+    if (!(condition > few_digits_condition)) {
+        return 0.0;
+    }
+    const double enough = reported_openness / (condition * attitude_error(from, numbers, 1.0)); // half of it is used
+    return condition * attitude_error(from, numbers, 0.5 * last_place(numbers, enough));
 }
 
 std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn) noexcept {

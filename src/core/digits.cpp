@@ -11,7 +11,7 @@
 
 namespace rotconv {
 
-double last_place(std::span<const double> numbers) noexcept {
+double last_place(std::span<const double> numbers, double enough) noexcept {
     double largest = 0.0;
     for (const double number : numbers) {
         if (!std::isfinite(number)) {
@@ -19,7 +19,8 @@ double last_place(std::span<const double> numbers) noexcept {
         }
         largest = std::max(largest, std::abs(number));
     }
-    int finest = 0; // a power of ten
+    double power = 1.0; // ten to the number of decimal places, exact to 1e22
+    int places = 0;
     for (const double number : numbers) {
         if (std::abs(number) < 0.5 * largest) {
             continue;
@@ -31,15 +32,16 @@ double last_place(std::span<const double> numbers) noexcept {
         const char* const mark = std::find(begin, end, 'e');
         int exponent = 0;
         std::from_chars(mark + (mark[1] == '+' ? 2 : 1), end, exponent);
-        const int place = exponent - static_cast<int>(mark - begin > 1 ? mark - begin - 2 : 0);
-        if (number == 0.0 || place >= 0) {
+        const int given = static_cast<int>(mark - begin > 1 ? mark - begin - 2 : 0) - exponent;
+        if (number == 0.0 || given <= 0) {
             return 0.0;
         }
-        finest = std::min(finest, place);
-    }
-    double power = 1.0; // exact to 1e22
-    for (; finest < 0; ++finest) {
-        power *= 10.0;
+        for (; places < given; ++places) {
+            power *= 10.0;
+        }
+        if (1.0 / power <= enough) {
+            break;
+        }
     }
     return 1.0 / power;
 }
@@ -54,7 +56,8 @@ double attitude_error(const Spec& spec, std::span<const double> numbers, double 
 UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect, bool decimal) {
     check_size(numbers.size(), spec.size());
     UnusualNumbers found;
-    if (defect > reported_defect && !(decimal && defect <= 2.0 * last_place(numbers.first(spec.size())))) {
+    if (defect > reported_defect &&
+        !(decimal && defect <= 2.0 * last_place(numbers.first(spec.size()), 0.25 * defect))) {
         found.defect = defect;
     }
     const Representation& read = representation(spec.name);

@@ -284,6 +284,14 @@ TEST_CASE("the last place of numbers is that of the large ones, printed with the
     CHECK(last_place({0, 0}) == 0.0);
 }
 
+// Catches a search that ends before it has seen enough, and thus takes a fine last place for a coarse one.
+TEST_CASE("the search for the last place ends only below what is enough") {
+    const std::vector<double> finer_and_finer{0.75, 0.625, 0.70711};
+    CHECK(rotconv::last_place(finer_and_finer, 0.9e-5) == 1e-5);
+    CHECK(rotconv::last_place(finer_and_finer, 1e-4) <= 1e-4);
+    CHECK(rotconv::last_place(finer_and_finer, 1.0) <= 1.0);
+}
+
 // Catches a defect that the digits explain and that is reported, or one that they do not explain and that is not;
 // a sum of both sides of a pair.
 TEST_CASE("a defect is reported where two units of the last place do not explain it") {
