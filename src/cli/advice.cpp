@@ -111,11 +111,7 @@ std::string advice_on_print(std::string_view text, const std::vector<stream::Lin
 /// The option that selects the numbers of a SPEC by their names; empty if the names are not all there.
 std::string columns_option(const Spec& spec, const std::vector<std::string>& names) {
     const auto known = find_names(spec, names);
-    return known ? "--columns " +
-                       in_shell(fmt::format(
-                           "{}",
-                           fmt::join(mapped(known->places, [&names](std::size_t place) { return names[place]; }), ",")))
-                 : "";
+    return known ? "--columns " + in_shell(joined(known->of(names))) : "";
 }
 
 /// What a command of the shell, which reads stdin, makes of a text.
@@ -245,7 +241,7 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
                 columns.push_back(i + 1);
             }
         }
-        auto list = stream::ColumnList::parse(fmt::format("{}", fmt::join(columns, ",")), count);
+        auto list = stream::ColumnList::parse(joined(columns), count);
         if ((by_name || input.columns.empty()) && std::holds_alternative<stream::ColumnList>(list)) {
             stream::InputOptions selecting = input;
             selecting.columns = std::get<stream::ColumnList>(std::move(list));

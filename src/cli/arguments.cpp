@@ -26,7 +26,7 @@ Spec spec_of(const Option& option, const std::string& text, bool degrees) {
     const auto parsed = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&parsed)) {
         const auto is_spec = [](std::string_view each) { return std::holds_alternative<Spec>(parse_spec(each)); };
-        if (std::ranges::all_of(items_of(text), is_spec)) {
+        if (std::ranges::all_of(split(text, ','), is_spec)) {
             throw Usage("{} {}: it takes one SPEC here", option.name(), quoted(text));
         }
         throw Usage("{} {}: {}", option.name(), quoted(text), messages::explain(*error));
@@ -100,7 +100,7 @@ Spec spec_of(const Option& option, bool degrees) { return spec_of(option, option
 std::vector<Spec> specs_of(const Option& option, bool degrees) {
     std::vector<Spec> specs;
     std::vector<std::string> names;
-    for (const std::string_view text : items_of(option.text())) {
+    for (const std::string_view text : split(option.text(), ',')) {
         if (text.empty() && option.given()) {
             throw Usage("{} {}: a SPEC of this list is empty", option.name(), quoted(option.text()));
         }

@@ -7,7 +7,6 @@
 #include <rotconv/euler.hpp>
 
 #include "../operations/operations.hpp"
-#include "words.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -192,17 +191,16 @@ std::string wrong_order(const Part& part, std::span<const std::string> names) {
     if (!known || known->are_in_order()) {
         return {};
     }
-    std::string order = fmt::format("{}", fmt::join(part.names, ","));
+    std::string order = joined(part.names);
     if (const auto& spec = part.attitude) {
         const auto specs = alike(*spec);
         const auto* const right =
             std::ranges::find_if(specs, [&](const Spec& each) { return find_names(each, names)->are_in_order(); });
         const bool is_euler = spec->name == RepresentationId::euler && !spec->has_own_columns;
-        order = fmt::format("{}, which is {}{}", spec->text(),
-                            is_euler ? fmt::format("{}", fmt::join(spellings_of(*spec)[0].names, ",")) : order,
+        order = fmt::format("{}, which is {}{}", spec->text(), is_euler ? joined(spellings_of(*spec)[0].names) : order,
                             right == specs.end() ? "" : fmt::format("; it is the order of {}", right->text()));
     }
-    return fmt::format("{} is not the order of {}", quoted(fmt::format("{}", fmt::join(names, ","))), order);
+    return fmt::format("{} is not the order of {}", quoted(joined(names)), order);
 }
 
 } // namespace rotconv::cli

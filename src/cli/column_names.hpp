@@ -11,6 +11,7 @@
 #include <rotconv/spec.hpp>
 
 #include "../stream/row_operation.hpp"
+#include "words.hpp"
 
 /// Names of numbers, as headers have them, held against a SPEC.
 namespace rotconv::cli {
@@ -26,6 +27,14 @@ struct KnownNames {
 
     /// They are the first ones, and in the order of the SPEC.
     [[nodiscard]] bool are_in_order() const noexcept;
+    /// Their texts, of all that are there, in the order of the SPEC.
+    [[nodiscard]] std::vector<std::string> of(std::span<const std::string> names) const {
+        return mapped(places, [names](std::size_t place) { return names[place]; });
+    }
+    /// Their columns, from 1, with commas.
+    [[nodiscard]] std::string columns() const {
+        return joined(mapped(places, [](std::size_t place) { return place + 1; }));
+    }
 };
 
 /// Numbers of a row that belong together: an attitude, a vector, or rates.

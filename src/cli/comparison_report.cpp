@@ -136,7 +136,7 @@ private:
             faults.emplace_back("--strict met a diagnostic");
         }
         std::erase(faults, "");
-        return fmt::format("{}", fmt::join(faults, "; "));
+        return joined(faults, "; ");
     }
 
     /// The rotations on one side that leave less than a hundredth, if there are any, and what they leave, in radians.

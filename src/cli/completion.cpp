@@ -16,7 +16,7 @@ namespace rotconv::cli {
 namespace {
 
 /// Words, in a list, as one word of the shell.
-std::string as_word(const auto& words) { return in_shell(fmt::format("{}", fmt::join(words, " "))); }
+std::string as_word(const auto& words) { return in_shell(joined(words, " ")); }
 
 /// The modifiers that each representation takes.
 std::string modifiers() {
@@ -41,7 +41,7 @@ std::string modifiers() {
 std::string lines_of(const OptionSet& options) {
     std::string lines;
     for (const Option* option : options.all()) {
-        for (const std::string_view name : items_of(option->names)) {
+        for (const std::string_view name : split(option->names, ',')) {
             lines += fmt::format("{} {} {}\n", name, option->takes_argument() ? option->argument : "-", option->about);
         }
     }

@@ -52,7 +52,7 @@ struct JsonRows {
             filter += nest.has_arrays ? "flatten | @csv" : "@csv";
         } else {
             if (const auto known = spec ? find_names(*spec, nest.with_number) : std::nullopt) {
-                names = mapped(known->places, [&nest](std::size_t place) { return nest.with_number[place]; });
+                names = known->of(nest.with_number);
             }
             const auto has = [&nest](const auto& each) { return std::ranges::count(nest.with_number, each) > 0; };
             if (names.empty() || !std::ranges::all_of(names, has)) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -15,16 +16,15 @@ namespace {
 
 std::string aliases_of(const Representation& entry) {
     const auto names = messages::names_of(entry);
-    return fmt::format("{}", fmt::join(names.begin() + 1, names.end(), " "));
+    return joined(std::span(names).subspan(1), " ");
 }
 
-std::string columns_of(const Spec& spec) { return fmt::format("{}", fmt::join(operations::names_of(spec), " ")); }
+std::string columns_of(const Spec& spec) { return joined(operations::names_of(spec), " "); }
 
 /// The modifiers, or the sequence, that a preset means for a representation.
 std::string effect_of(const Project& preset, const Representation& entry) {
     const PresetMeaning meaning = meaning_of(preset.text, entry);
-    return meaning.sequence ? meaning.sequence->text()
-                            : fmt::format("{}", fmt::join(messages::words_of(meaning.modifiers), ", "));
+    return meaning.sequence ? meaning.sequence->text() : joined(messages::words_of(meaning.modifiers), ", ");
 }
 
 /// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat", or "nothing".
@@ -77,7 +77,7 @@ std::string list_one(const Representation& entry) {
         line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic);");
         line("", "a minus sign before a letter negates that angle: Z-Y-X");
     }
-    line("modifiers", fmt::format("{}", fmt::join(messages::words_of(entry.modifiers), " ")));
+    line("modifiers", joined(messages::words_of(entry.modifiers), " "));
     for (const Project& preset : presets()) {
         const std::string effect = effect_of(preset, entry);
         line(&preset == presets().data() ? "presets" : "",

@@ -116,16 +116,12 @@ private:
                            std::vector<stream::Note>& notes) {
         if (const auto others = find_names(part, header); others && !others->is_numbered) {
             const auto& places = others->places;
-            const auto last = std::ranges::adjacent_find(places, [](auto one, auto next) { return next != one + 1; });
+            const bool is_range = places.back() - places.front() + 1 == places.size() && std::ranges::is_sorted(places);
             notes.push_back(
                 {Kind::order,
-                 fmt::format(
-                     "the header has {} at {}, but {} are read",
-                     fmt::join(mapped(places, [&](auto place) { return header[place]; }), ","),
-                     last == places.end()
-                         ? fmt::format("{}-{}", places.front() + 1, places.back() + 1)
-                         : fmt::format("{}", fmt::join(mapped(places, [](auto place) { return place + 1; }), ",")),
-                     fmt::join(names, ","))});
+                 fmt::format("the header has {} at {}, but {} are read", joined(others->of(header)),
+                             is_range ? fmt::format("{}-{}", places.front() + 1, places.back() + 1) : others->columns(),
+                             joined(names))});
         }
     }
 
@@ -171,7 +167,7 @@ std::string axes_options(const RowOptions& options) {
         return "";
     }
     const auto project_of = [](const Option& option) {
-        const auto spec = parse_spec(items_of(option.text()).front()); // all SPECs after -t have the same axes
+        const auto spec = parse_spec(split(option.text(), ',').front()); // all SPECs after -t have the same axes
         return std::holds_alternative<Spec>(spec) ? std::get<Spec>(spec).project : nullptr;
     };
     const Project* const from = project_of(options.from);

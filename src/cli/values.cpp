@@ -158,7 +158,7 @@ std::optional<Values> row_of_words(const std::string& text, stream::Delimiter de
     if (labelled == 0 || (is_first_alone && values.labels.size() > 1)) {
         values.labels.clear();
     }
-    values.row = fmt::format("{}", fmt::join(fields, std::string(1, delimiter.text())));
+    values.row = joined(fields, std::string(1, delimiter.text()));
     return values;
 }
 
@@ -175,7 +175,7 @@ bool is_value(std::string_view word) {
 bool holds_number(std::string_view word) { return std::ranges::any_of(tokens_of(word), &Token::is_number); }
 
 Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given) {
-    std::string text = fmt::format("{}", fmt::join(words, " "));
+    std::string text = joined(words, " ");
     if (!given || words.size() > 1) {
         given = text.find(',') != std::string::npos ? stream::Delimiter::character(',') : stream::Delimiter::blanks();
     }
@@ -200,21 +200,14 @@ void take_attitude(Values& values, const Spec& spec) {
         is(15, 1.0)) {
         const std::array<std::size_t, 9> places{0, 1, 2, 4, 5, 6, 8, 9, 10};
         const auto kept = mapped(places, [&fields](std::size_t place) { return fields[place]; });
-        values.row = fmt::format("{}", fmt::join(kept, std::string(1, values.delimiter.text())));
+        values.row = joined(kept, std::string(1, values.delimiter.text()));
         values.labels.clear();
         return;
     }
     const bool has_more = fields.size() > spec.size() && std::ranges::all_of(fields, stream::is_number);
     if (const auto known = has_more ? find_names(spec, values.labels) : std::nullopt; known && !known->is_numbered) {
-        std::vector<std::string> names;
-        std::vector<std::size_t> columns;
-        for (const std::size_t place : known->places) {
-            names.push_back(values.labels[place]);
-            columns.push_back(place + 1);
-        }
-        const std::string list = fmt::format("{}", fmt::join(columns, ","));
-        throw Usage("{} where {} has {}: {} are at {} (--columns {})", counted(fields.size(), "number"), spec.text(),
-                    spec.size(), fmt::format("{}", fmt::join(names, ",")), list, list);
+        throw Usage("{0} where {1} has {2}: {3} are at {4} (--columns {4})", counted(fields.size(), "number"),
+                    spec.text(), spec.size(), joined(known->of(values.labels)), known->columns());
     }
 }
 

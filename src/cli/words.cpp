@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include "../core/split.hpp"
 #include "../stream/file.hpp"
 #include "../stream/utf8.hpp"
 
@@ -27,7 +26,7 @@ std::string shortened(std::string_view text) {
 std::string quoted(std::string_view text) { return fmt::format("'{}'", shortened(text)); }
 
 std::string quoted_list(const std::vector<std::string>& texts) {
-    return texts.empty() ? "none" : fmt::format("{}", fmt::join(mapped(texts, quoted), ", "));
+    return texts.empty() ? "none" : joined(mapped(texts, quoted), ", ");
 }
 
 std::string numbered(const std::vector<std::string>& texts) {
@@ -46,22 +45,9 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-std::vector<std::string_view> items_of(std::string_view list) { return split(list, ','); }
-
 std::vector<std::string> words_in(std::string_view text) {
     const auto words = filtered(split(text, ' '), [](std::string_view word) { return !word.empty(); });
     return {words.begin(), words.end()};
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-    return result;
-}
-
-bool is_alphanumeric(char c) noexcept {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
 std::string without_marks(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/text.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/json.hpp"
 
@@ -30,6 +31,11 @@ template <class Range, class Condition> [[nodiscard]] auto filtered(const Range&
     return chosen;
 }
 
+/// The items with the mark between them.
+[[nodiscard]] std::string joined(const auto& items, std::string_view mark = ",") {
+    return fmt::format("{}", fmt::join(items, mark));
+}
+
 /// A text for messages: characters that could move a terminal's cursor, hide or end the line are escaped.
 [[nodiscard]] std::string shown(std::string_view text);
 
@@ -48,20 +54,11 @@ template <class Range, class Condition> [[nodiscard]] auto filtered(const Range&
 /// "1 row", "2 rows".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
-/// What stands between the commas of a list.
-[[nodiscard]] std::vector<std::string_view> items_of(std::string_view list);
-
 /// The words of a text, which has blanks between them.
 [[nodiscard]] std::vector<std::string> words_in(std::string_view text);
 
-/// With the letters of ASCII in lower case.
-[[nodiscard]] std::string lower(std::string_view text);
-
 /// Only the letters and digits.
 [[nodiscard]] std::string without_marks(std::string_view text);
-
-/// A letter or a digit of ASCII.
-[[nodiscard]] bool is_alphanumeric(char c) noexcept;
 
 /// A word as a shell reads it: in quotes if it needs them.
 [[nodiscard]] std::string in_shell(std::string_view word);

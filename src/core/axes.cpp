@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "text.hpp"
+
 namespace rotconv {
 namespace {
 
@@ -12,8 +14,7 @@ constexpr std::array<std::string_view, 3> sets{"ewnsud", "fblrud", "xXyYzZ"};
 /// A letter for each direction of a triple, in lower case; X for -x.
 std::string letters_of(std::string_view triple) {
     std::string letters;
-    for (char c : triple) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    for (const char c : lower(triple)) {
         if (letters.ends_with('-')) {
             letters.back() = c >= 'x' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : '?';
         } else {

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "representations/codec.hpp"
-#include "split.hpp"
+#include "text.hpp"
 
 namespace rotconv {
 namespace {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "../core/text.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
@@ -14,10 +15,9 @@ namespace {
 using Lookup = std::variant<std::vector<std::size_t>, ColumnError>;
 
 /// Whether a text is a word for a missing number, in any case.
-bool is_missing(std::string_view text) noexcept {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+bool is_missing(std::string_view text) {
     constexpr std::array<std::string_view, 9> words{"", "na", "n/a", "null", "none", "nil", "-", "?", "."};
-    return std::ranges::any_of(words, [&](std::string_view word) { return std::ranges::equal(text, word, {}, lower); });
+    return std::ranges::count(words, lower(text)) != 0;
 }
 
 /// Whether a text is a number with a comma for its point.

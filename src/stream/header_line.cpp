@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "../core/text.hpp"
+
 namespace rotconv::stream {
 namespace {
 
 /// Whether a character may be part of a mark before the first name. Letters beyond ASCII may not.
 bool is_mark(char c) noexcept {
-    return (static_cast<unsigned char>(c) & 0x80U) == 0U && (c < '0' || c > '9') && (c < 'A' || c > 'Z') &&
-           (c < 'a' || c > 'z') && c != '_' && c != '"' && c != '\'';
+    return (static_cast<unsigned char>(c) & 0x80U) == 0U && !is_alphanumeric(c) && c != '_' && c != '"' && c != '\'';
 }
 
 } // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rotconv {
+
+/// What stands between the marks, which may be nothing.
+[[nodiscard]] inline std::vector<std::string_view> split(std::string_view text, char mark) {
+    std::vector<std::string_view> parts{text.substr(0, text.find(mark))};
+    while (parts.back().end() != text.end()) {
+        text.remove_prefix(parts.back().size() + 1);
+        parts.push_back(text.substr(0, text.find(mark)));
+    }
+    return parts;
+}
+
+/// With the letters of ASCII in lower case.
+[[nodiscard]] inline std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    return result;
+}
+
+/// A letter or a digit of ASCII.
+[[nodiscard]] constexpr bool is_alphanumeric(char c) noexcept {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+} // namespace rotconv
