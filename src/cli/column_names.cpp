@@ -146,25 +146,21 @@ bool KnownNames::are_in_order() const noexcept {
     return std::ranges::all_of(places, [&next](std::size_t place) { return place == next++; });
 }
 
-Part::Part(const Spec& spec, std::size_t begin_) : names(operations::names_of(spec)), begin(begin_), attitude(spec) {}
-
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
     std::vector<Part> parts;
-    std::size_t begin = numbers.kept;
-    if (numbers.attitude) {
-        parts.emplace_back(*numbers.attitude, begin);
-        begin += numbers.attitude->size();
-    }
-    const auto at = [&numbers](std::size_t place) {
-        return numbers.names.begin() + static_cast<std::ptrdiff_t>(place);
+    auto name = numbers.names.begin();
+    const auto add = [&](std::size_t size, const std::optional<Spec>& attitude = {}) {
+        const auto begin = std::exchange(name, name + static_cast<std::ptrdiff_t>(size));
+        if (size > 0) {
+            parts.push_back({{begin, name}, static_cast<std::size_t>(begin - numbers.names.begin()), attitude});
+        }
     };
-    const std::size_t end = numbers.names.size() - (numbers.second ? numbers.second->size() : 0);
-    if (begin < end) {
-        parts.emplace_back(std::vector(at(begin), at(end)), begin);
-    }
-    if (numbers.second) {
-        parts.emplace_back(*numbers.second, end);
-    }
+    const std::size_t size = numbers.attitude ? numbers.attitude->size() : 0;
+    const std::size_t second = numbers.second ? numbers.second->size() : 0;
+    add(numbers.kept);
+    add(size, numbers.attitude);
+    add(numbers.names.size() - numbers.kept - size - second);
+    add(second, numbers.second);
     return parts;
 }
 
@@ -184,6 +180,10 @@ std::optional<KnownNames> find_names(const Part& part, std::span<const std::stri
         }
     }
     return std::nullopt;
+}
+
+std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names) {
+    return find_names({operations::names_of(spec), 0, spec}, names);
 }
 
 std::string wrong_order(const Part& part, std::span<const std::string> names) {

@@ -37,13 +37,10 @@ struct KnownNames {
     }
 };
 
-/// Numbers of a row that belong together: an attitude, a vector, or rates.
+/// Numbers of a row that belong together: a time or key, an attitude, a vector, or velocities.
 struct Part {
-    Part(const Spec& spec, std::size_t begin_ = 0);
-    Part(std::vector<std::string> names_, std::size_t begin_ = 0) : names(std::move(names_)), begin(begin_) {}
-
-    std::vector<std::string> names{}; ///< as rotconv writes them
-    std::size_t begin = 0;            ///< the place of the first number
+    std::vector<std::string> names; ///< as rotconv writes them
+    std::size_t begin = 0;          ///< the place of the first number
     std::optional<Spec> attitude{};
 
     /// Its own among what stands for each number of a row.
@@ -52,13 +49,14 @@ struct Part {
     }
 };
 
-/// The numbers of a row, without the kept ones.
+/// The numbers of a row.
 [[nodiscard]] std::vector<Part> parts_of(const stream::RowNumbers& numbers);
 
 /// Looks among names, in any case, for those of all numbers of a project, quat, dcm, or roll, pitch and yaw, or of a
 /// part without an attitude. What counts is what is left of them without a prefix and a suffix that all of them share,
 /// and without units: w (or s, scalar) x y z; 11 to 33, or 00 to 22; roll pitch yaw; 0 1 2 3 for a quaternion.
 [[nodiscard]] std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names);
+[[nodiscard]] std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names);
 
 /// What is wrong with names that are those of the part's numbers in another order, as the end of a sentence; otherwise
 /// empty.

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <span>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>

@@ -22,22 +22,9 @@ class Notes {
 public:
     Notes(const RowOptions& options, const Option& time_option, bool refuses, const stream::InputOptions& input)
         : degrees_(options.degrees.given()), time_option_(time_option.name()),
+          time_unit_((time_option.given() ? time_option : options.time_unit).text()),
           refuses_(refuses && input.columns.empty()),
-          is_by_index_(!input.columns.empty() && !input.columns.has_names()), parts_(parts_of(input.numbers)) {
-        const std::string& time_unit = (time_option.given() ? time_option : options.time_unit).text();
-        units_ = mapped(input.numbers.names, [&](const std::string& name) -> std::string {
-            const bool is_time = name == "t" || (name == "key" && !time_unit.empty());
-            return name == "wx" || name == "wy" || name == "wz" ? name_of(degrees_)
-                   : !is_time                                   ? ""
-                   : time_unit.empty()                          ? "s"
-                                                                : time_unit;
-        });
-        for (const Part& part : parts_) {
-            for (std::size_t i = first_angle(part); i < part.names.size(); ++i) {
-                units_[part.begin + i] = name_of(part.attitude->unit == AngleUnit::degrees);
-            }
-        }
-    }
+          is_by_index_(!input.columns.empty() && !input.columns.has_names()), parts_(parts_of(input.numbers)) {}
 
     [[nodiscard]] std::vector<std::string> own_names(std::vector<std::string> names) const {
         for (const Part& part : parts_) {
@@ -84,27 +71,20 @@ public:
                 add_others(part, names, said.header, notes);
             }
         }
-        for (std::size_t i = 0; i < said.names.size(); ++i) {
-            const auto unit = name_and_unit(said.names[i]).second;
-            const std::string& own = units_[i];
-            if (!unit.empty() && !own.empty() && unit != own && is_angle(unit) == is_angle(own)) {
-                notes.push_back(
-                    {is_angle(own) ? Kind::unit : Kind::time_unit,
-                     fmt::format("the header's {} is in {}, but {}", quoted(said.names[i]), unit, mend(i, unit))});
+        for (const Part& part : parts_) {
+            for (std::size_t i = 0; i < part.names.size(); ++i) {
+                const std::string& name = said.names[part.begin + i];
+                const auto unit = name_and_unit(name).second;
+                if (const std::string told = other_unit(part, i, unit); !told.empty()) {
+                    notes.push_back({is_angle(unit) ? Kind::unit : Kind::time_unit,
+                                     fmt::format("the header's {} is in {}, but {}", quoted(name), unit, told)});
+                }
             }
         }
         return notes;
     }
 
 private:
-    static std::string name_of(bool degrees) { return degrees ? "deg" : "rad"; }
-
-    /// The first of a part's numbers that is an angle, as are those after it.
-    static std::size_t first_angle(const Part& part) {
-        const Representation* const read = part.attitude ? &representation(part.attitude->name) : nullptr;
-        return read != nullptr && read->has_angles() ? read->first_angle : part.names.size();
-    }
-
     /// What is wrong with the order of names; nothing where they are numbers, whose order is not known for sure.
     static std::string error_of_order(const Part& part, std::span<const std::string> names) {
         const auto known = find_names(part, names);
@@ -125,28 +105,39 @@ private:
         }
     }
 
-    [[nodiscard]] std::string mend(std::size_t at, std::string_view unit) const {
-        if (!is_angle(unit)) {
-            return fmt::format("times are read in {}: {} {}", units_[at], time_option_, unit);
+    /// What is to be done about the unit that a header gives to one of the part's numbers, if it is another than that
+    /// in which the number is read.
+    [[nodiscard]] std::string other_unit(const Part& part, std::size_t at, std::string_view unit) const {
+        const bool degrees = unit == "deg";
+        if (part.attitude) {
+            const Representation& read = representation(part.attitude->name);
+            Spec right = *part.attitude;
+            right.unit = degrees ? AngleUnit::degrees : AngleUnit::radians;
+            return is_angle(unit) && read.has_angles() && at >= read.first_angle && right.unit != part.attitude->unit
+                       ? fmt::format("{} reads {}: {}{}", part.attitude->text(), degrees ? "radians" : "degrees",
+                                     right.text(), degrees_ ? ", without -d" : "")
+                       : "";
         }
-        for (const Part& part : parts_) {
-            if (part.attitude && at >= part.begin && at < part.begin + part.names.size()) {
-                Spec right = *part.attitude;
-                right.unit = unit == "deg" ? AngleUnit::degrees : AngleUnit::radians;
-                return fmt::format("{} reads {}: {}{}", part.attitude->text(), unit == "deg" ? "radians" : "degrees",
-                                   right.text(), degrees_ ? ", without -d" : "");
-            }
+        if (part.names.front() == "wx") {
+            return is_angle(unit) && degrees != degrees_
+                       ? fmt::format("angular velocities are read in {}/s: {} -d", degrees_ ? "deg" : "rad",
+                                     degrees ? "add" : "leave out")
+                       : "";
         }
-        return fmt::format("angular velocities are read in {}/s: {} -d", units_[at],
-                           unit == "deg" ? "add" : "leave out");
+        const std::string& name = part.names.front();
+        const bool is_time = name == "t" || (name == "key" && !time_unit_.empty());
+        const std::string_view own = time_unit_.empty() ? "s" : time_unit_;
+        return is_time && !unit.empty() && !is_angle(unit) && unit != own
+                   ? fmt::format("times are read in {}: {} {}", own, time_option_, unit)
+                   : "";
     }
 
-    bool degrees_;                   ///< angular velocities too
-    std::string time_option_;        ///< that names the unit
-    bool refuses_;                   ///< names in another order
-    bool is_by_index_;               ///< the columns are selected so, and not by name
-    std::vector<Part> parts_;        ///< of a row
-    std::vector<std::string> units_; ///< of each number; empty: not one of those in headers
+    bool degrees_;            ///< angular velocities too
+    std::string time_option_; ///< that names the unit
+    std::string time_unit_;   ///< empty: keys have none, and times are in seconds
+    bool refuses_;            ///< names in another order
+    bool is_by_index_;        ///< the columns are selected so, and not by name
+    std::vector<Part> parts_; ///< of a row
 };
 
 /// The first of the texts that is a change of axes, as an option; nothing where the axes stay as they are.

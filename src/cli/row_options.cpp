@@ -135,18 +135,18 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
         }
         command.notes.push_back(std::move(note));
     }
-    if (!in.numbers.attitude) {
+    const auto part = std::ranges::find_if(parts, [](const Part& each) { return each.attitude.has_value(); });
+    if (part == parts.end()) {
         return;
     }
-    const Part& part = parts.front();
-    const auto own = part.of(labels);
+    const auto own = part->of(labels);
     const auto given = filtered(own, [](const std::string& label) { return !label.empty(); });
-    const auto known = find_names(part.names, own);
-    if (!given.empty() && !find_names(part, own) && !(known && known->are_in_order())) {
+    const auto known = find_names({part->names}, own);
+    if (!given.empty() && !find_names(*part, own) && !(known && known->are_in_order())) {
         command.notes.push_back(
             {.kind = stream::Note::Kind::order,
              .text = fmt::format("the labels {} are not names of {}: the numbers are read as they stand",
-                                 fmt::join(given, ","), part.attitude->text())});
+                                 fmt::join(given, ","), part->attitude->text())});
     }
 }
 
