@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,6 +8,7 @@
 
 #include <rotconv/spec.hpp>
 
+#include "../operations/operations.hpp"
 #include "../stream/file.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
@@ -24,93 +23,32 @@ namespace {
 
 constexpr std::size_t most_kept = std::size_t{64} << 10U;
 
-using Fields = std::vector<std::string_view>;
-
-Fields split(std::string_view line, const stream::InputOptions& input) {
-    Fields fields;
-    input.delimiter.value_or(stream::Delimiter::of_row(line)).split(line, fields);
-    return fields;
-}
-
-bool is_row(const Fields& fields) {
-    return 2 * static_cast<std::size_t>(std::ranges::count_if(fields, stream::is_number)) > fields.size();
-}
-
-std::vector<stream::Line> lines_of(std::string_view text) {
-    std::vector<stream::Line> lines;
-    while (!text.empty()) {
-        lines.push_back(stream::next_line(text));
-    }
-    return lines;
-}
-
-/// The first of the last rows that have one number of fields; none where rows before them have it too.
-std::size_t last_block(const std::vector<stream::Line>& lines, const stream::InputOptions& input) {
-    std::size_t first = lines.size();
-    std::size_t width = 0;
-    for (; first > 0; --first) {
-        const std::string_view text = lines[first - 1].text;
-        const Fields fields = split(text, input);
-        if (input.is_row(text) && (!is_row(fields) || (width != 0 && fields.size() != width))) {
-            break;
-        }
-        width = input.is_row(text) ? fields.size() : width;
-    }
-    const auto is_alike = [&](const stream::Line& each) { return split(each.text, input).size() == width; };
-    return std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(first), is_alike) ? lines.size()
-                                                                                                    : first;
-}
-
-/// Makes nothing of the rows' numbers.
-class Nothing final : public stream::RowOperation {
-public:
-    Nothing() { names = {"nothing"}; }
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Nothing>(*this); }
-    std::size_t run(const stream::NumberRows& rows, std::span<double> /*out*/,
-                    std::vector<RowReport>& /*reports*/) override {
-        return rows.lines.size();
-    }
+/// A line in fields, and what it may be.
+struct Row : stream::HeaderLine {
+    Row(const stream::Line& line_, const stream::InputOptions& input)
+        : HeaderLine(line_, input.delimiter.value_or(stream::Delimiter::of_row(line_.text))),
+          is_row(input.is_row(line_.text)),
+          has_numbers(is_row && 2 * std::ranges::count_if(fields, stream::is_number) > std::ranges::ssize(fields)) {}
+    bool is_row;      ///< neither blank nor a comment
+    bool has_numbers; ///< it is a row, and more than half of its fields are numbers
 };
 
-/// Whether the text has rows, and the numbers of all of them can be read.
-bool reads(std::string_view text, stream::InputOptions input,
-           std::shared_ptr<stream::RowOperation> operation = std::make_shared<Nothing>()) {
+/// Whether the text has rows, and all are read and answered by the operation; without one, their numbers are read.
+bool reads(std::string_view text, stream::InputOptions input, const stream::RowOperation* operation = nullptr) {
+    const operations::RowsAtOnce nothing([](const auto&...) {}, {"nothing"});
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
     }
-    const stream::Options options{.input = std::move(input), .operation = std::move(operation)};
+    const stream::Options options{.input = std::move(input),
+                                  .operation = operation != nullptr ? operation->copy() : nothing.copy()};
     stream::TextSource source(text);
     const auto result = stream::run(source, nullptr, options, [](const stream::Event&) {});
     return !result.error && !result.stopped && result.answered > 0;
 }
 
-/// Whether also none of its rows fails; an operation that remembers its rows is not asked.
-bool converts(std::string_view text, const stream::Options& options) {
-    const bool only_reads = options.operation->in_order || options.pairing || options.input.take_count;
-    return only_reads ? reads(text, options.input) : reads(text, options.input, options.operation->copy());
-}
-
-/// Advice on numbers as programs print them for people; otherwise empty.
-std::string advice_on_print(std::string_view text, const std::vector<stream::Line>& lines,
-                            const stream::InputOptions& input, const std::string& name) {
-    if (std::ranges::count(lines, "---", &stream::Line::text) > 0) {
-        return "messages that are parted by --- are printed as rows by ros2 topic echo --csv";
-    }
-    Values values = values_of({std::string(text)}, std::nullopt);
-    if (input.numbers.attitude && values.labels.empty()) {
-        take_attitude(values, *input.numbers.attitude);
-    }
-    Fields fields;
-    static_cast<void>(values.delimiter.split(values.row, fields));
-    return fields.size() == input.numbers.names.size() && std::ranges::all_of(fields, stream::is_number)
-               ? "numbers as programs print them can be given as one VALUE, in quotes" +
-                     (name.empty() ? "" : fmt::format(": rotconv ... \"$(cat{})\"", name))
-               : "";
-}
-
 /// The option that selects the numbers of a SPEC by their names; empty if the names are not all there.
-std::string columns_option(const Spec& spec, const std::vector<std::string>& names) {
-    const auto known = find_names(spec, names);
+std::string columns_option(const std::optional<Spec>& spec, const std::vector<std::string>& names) {
+    const auto known = spec ? find_names(*spec, names) : std::nullopt;
     return known ? "--columns " + in_shell(joined(known->of(names))) : "";
 }
 
@@ -120,28 +58,238 @@ struct Filter {
     std::string_view command;
     char from = '\0'; ///< the character that it replaces
     char to = '\0';   ///< '\0': it takes the character out
+
+    [[nodiscard]] std::string of(std::string_view text) const {
+        std::string made(text);
+        if (to == '\0') {
+            std::erase(made, from);
+        } else {
+            std::ranges::replace(made, from, to);
+        }
+        return made;
+    }
 };
 constexpr auto filters = std::to_array<Filter>({
-    {"", ""},
     {"to turn decimal commas into points", "tr , .", ',', '.'},
     {"commas and tabs part the numbers", R"(tr , '\t')", ',', '\t'},
     {"to take numbers out of quotes", "tr -d '\"'", '"'},
 });
-std::string filtered_text(std::string_view text, const Filter& filter) {
-    std::string made(text);
-    if (filter.to == '\0') {
-        std::erase(made, filter.from);
-    } else {
-        std::ranges::replace(made, filter.from, filter.to);
+
+/// The beginning of a stream with a row that cannot be read, and how it can be read.
+class Beginning {
+public:
+    Beginning(std::string_view text, const stream::Options& options, const std::string& file)
+        : text_(text), input_(options.input),
+          operation_(options.operation->in_order || options.pairing || input_.take_count ? nullptr
+                                                                                         : options.operation.get()),
+          file_(file == "-" ? "" : " " + file_in_shell(file)) {
+        while (!text.empty()) {
+            rows_.emplace_back(stream::next_line(text), input_);
+        }
+        first_ = static_cast<std::size_t>(std::ranges::find_if(rows_, &Row::has_numbers) - rows_.begin());
+        width_ = first_ < rows_.size() ? rows_[first_].fields.size() : 0;
     }
-    return made;
-}
+
+    /// See messages::advice(). @param at index of the line at which reading stopped
+    [[nodiscard]] std::string advice(std::size_t at, bool has_header) {
+        if (at >= rows_.size() || reads(text_, input_)) { // what is wrong is not how the numbers stand
+            return {};
+        }
+        for (std::size_t i = at + 1; by_name_ && i < rows_.size(); ++i) {
+            if (std::holds_alternative<std::vector<std::size_t>>(input_.columns.positions(rows_[i].names()))) {
+                return fmt::format("line {0} has them: tail -n +{0}{1} | rotconv ...", i + 1, file_);
+            }
+        }
+        if (at > first_ || (has_header && rows_[at].fields.size() == width_)) {
+            return {};
+        }
+        const std::string of_header = first_ > at + 1 ? "" : header_advice();
+        offer_options(rows_[at].line.text);
+        if (found_.empty() && of_header.find(": ") != std::string::npos) {
+            return of_header;
+        }
+        if (first_ == at) {
+            offer_kinds();
+        }
+        for (const Filter& filter : filters) {
+            offer(
+                filter.of(text_), input_,
+                fmt::format("{}: {}{}{} | rotconv ...", filter.told, filter.command, file_.empty() ? "" : " <", file_));
+        }
+        for (const std::size_t row : {last_block(), first_}) {
+            if (row > at && row < rows_.size()) {
+                offer_rows(row);
+            }
+        }
+        offer_kinds();
+        found_ = found_.empty() && input_.columns.empty() ? print_advice() : found_;
+        return found_.empty() ? of_header : found_;
+    }
+
+private:
+    /// Says of the header right before the first row with numbers what is wrong with it, or which columns it has.
+    [[nodiscard]] std::string header_advice() const {
+        const auto names = by_name_ || width_ == 0 || first_ == 0 ? std::vector<std::string>()
+                                                                  : rows_[first_ - 1].without_mark().names();
+        if (names.empty() || std::ranges::any_of(names, stream::is_number)) {
+            return {};
+        }
+        if (names.size() == width_) {
+            const std::string option = columns_option(input_.numbers.attitude, names);
+            return !input_.columns.empty() || width_ <= count_ ? ""
+                   : option.empty()                            ? "the columns are " + numbered(names)
+                                                               : "the header has them: " + option;
+        }
+        stream::InputOptions with_header = input_;
+        with_header.header = stream::HeaderMode::yes;
+        const bool helps = reads(text_, with_header);
+        const bool selects = input_.columns.empty() && names.size() == count_;
+        return fmt::format("the header has {} and the rows {}{}{}", counted(names.size(), "name"),
+                           counted(width_, "field"), helps || selects ? ": add --header yes" : "",
+                           selects && !helps ? " --columns LIST" : "");
+    }
+
+    /// The first of the last rows that have one number of fields; none where rows before them have it too.
+    [[nodiscard]] std::size_t last_block() const {
+        std::size_t first = rows_.size();
+        std::size_t width = 0;
+        for (; first > 0; --first) {
+            const Row& row = rows_[first - 1];
+            if (row.is_row && (!row.has_numbers || (width != 0 && row.fields.size() != width))) {
+                break;
+            }
+            width = row.is_row ? row.fields.size() : width;
+        }
+        const auto has_width = [width](const Row& row) { return row.fields.size() == width; };
+        return std::ranges::any_of(std::span(rows_).first(first), has_width) ? rows_.size() : first;
+    }
+
+    /// Takes what is told, if it is the first that helps: with it, the text is read so.
+    void offer(std::string_view text, const stream::InputOptions& input, const std::string& told) {
+        found_ = found_.empty() && reads(text, input) ? told : found_;
+    }
+
+    /// Offers options with which the line at which reading stopped is read, or left out.
+    void offer_options(std::string_view line) {
+        stream::InputOptions input = input_;
+        if (line.find('\t') != std::string_view::npos && line.find(' ') != std::string_view::npos) {
+            input.delimiter = stream::Delimiter::blanks();
+            offer(text_, input, "tabs and blanks part the numbers: add --delimiter blank");
+            input.delimiter = input_.delimiter;
+        }
+        input.comment = line.substr(0, line.find_first_not_of("/%!*;|"));
+        input.comment = input.comment.empty() ? "COMMENT" : input.comment;
+        if (line.starts_with(input.comment)) {
+            offer(text_, input,
+                  fmt::format("lines that begin with {} are not rows: add --comment {}", input.comment,
+                              in_shell(input.comment)));
+        }
+    }
+
+    /// Offers a command that makes the text of the rows from one on: by index, if the columns that are given do not
+    /// serve, with a LIST of those that are numbers.
+    void offer_text(std::string_view text, std::size_t row, const stream::RowOperation* operation,
+                    const std::string& command) {
+        if (!found_.empty()) {
+            return;
+        }
+        if (!by_name_ && reads(text, input_, operation)) {
+            found_ = command + " | rotconv ...";
+            return;
+        }
+        std::vector<std::size_t> columns;
+        for (std::size_t i = 0; i < rows_[row].fields.size() && columns.size() < count_; ++i) {
+            if (stream::is_number(rows_[row].fields[i])) {
+                columns.push_back(i + 1);
+            }
+        }
+        auto list = stream::ColumnList::parse(joined(columns), count_);
+        if ((by_name_ || input_.columns.empty()) && std::holds_alternative<stream::ColumnList>(list)) {
+            stream::InputOptions selecting = input_;
+            selecting.columns = std::get<stream::ColumnList>(std::move(list));
+            offer(text, selecting, command + " | rotconv ... --columns LIST");
+        }
+    }
+
+    /// Offers rows that begin with the name of their kind, for each of several kinds.
+    void offer_kinds() {
+        for (std::size_t i = first_; i < rows_.size() && found_.empty(); ++i) {
+            const Row& row = rows_[i];
+            const std::string_view name = row.has_numbers ? row.fields[0] : "";
+            if (name.empty() || !is_alphanumeric(name[0]) || stream::is_number(name)) {
+                continue;
+            }
+            const std::string_view text = row.line.text;
+            const std::string kind(text.substr(0, static_cast<std::size_t>(name.end() - text.begin()) + 1));
+            const auto is_of_kind = [&kind](const Row& each) { return each.line.text.starts_with(kind); };
+            const auto count = std::ranges::count_if(rows_, is_of_kind);
+            if (count < 2 || count == std::ranges::count_if(rows_, &Row::has_numbers) ||
+                &*std::ranges::find_if(rows_, is_of_kind) != &row) {
+                continue; // a name of its own, the only kind, or one that was tried
+            }
+            std::string rows;
+            for (const Row& each : rows_) {
+                rows.append(is_of_kind(each) ? each.line.text : "").append(each.line.end);
+            }
+            offer_text(rows, i, nullptr,
+                       fmt::format("to keep only one kind of row: grep {}{}", in_shell("^" + kind), file_));
+        }
+    }
+
+    /// Offers the rows with numbers from one on, perhaps up to a row without: numbers may also be described by rows.
+    void offer_rows(std::size_t row) {
+        const auto rows = std::span(rows_).subspan(row);
+        const auto end = std::ranges::find_if_not(rows, &Row::has_numbers);
+        const bool is_rest = std::none_of(end, rows.end(), [](const Row& each) { return each.is_row; });
+        const auto place = [this](const Row& each) {
+            return static_cast<std::size_t>(each.line.text.data() - text_.data());
+        };
+        const std::string_view text =
+            text_.substr(place(rows[0]), is_rest ? std::string_view::npos : place(*end) - place(rows[0]));
+        const std::string command = fmt::format(
+            "the first row of numbers is line {}: {}{}", row + 1,
+            is_rest ? fmt::format("tail -n +{}", row + 1)
+                    : fmt::format("sed -n {},{}p", row + 1, row + static_cast<std::size_t>(end - rows.begin())),
+            file_);
+        offer_text(text, row, operation_, command);
+        for (const Filter& filter : filters) {
+            offer_text(filter.of(text), row, operation_, fmt::format("{} | {}", command, filter.command));
+        }
+    }
+
+    /// Advice on numbers as programs print them for people.
+    [[nodiscard]] std::string print_advice() const {
+        if (std::ranges::any_of(rows_, [](const Row& row) { return row.line.text == "---"; })) {
+            return "messages that are parted by --- are printed as rows by ros2 topic echo --csv";
+        }
+        Values values = values_of({std::string(text_)}, std::nullopt);
+        if (input_.numbers.attitude && values.labels.empty()) {
+            take_attitude(values, *input_.numbers.attitude);
+        }
+        std::vector<std::string_view> fields;
+        static_cast<void>(values.delimiter.split(values.row, fields));
+        return fields.size() == count_ && std::ranges::all_of(fields, stream::is_number)
+                   ? "numbers as programs print them can be given as one VALUE, in quotes" +
+                         (file_.empty() ? "" : fmt::format(": rotconv ... \"$(cat{})\"", file_))
+                   : "";
+    }
+
+    std::string_view text_;
+    const stream::InputOptions& input_;
+    const stream::RowOperation* operation_; ///< what rows must pass; null if it remembers rows: they are only read
+    std::string file_;                      ///< in a command
+    bool by_name_ = input_.columns.has_names();
+    std::size_t count_ = input_.numbers.names.size();
+    std::vector<Row> rows_;
+    std::size_t first_ = 0; ///< the first row with numbers
+    std::size_t width_ = 0; ///< its fields; 0: there is none
+    std::string found_;     ///< the first advice that helps
+};
 
 } // namespace
 
 std::string advice(std::string_view beginning, std::size_t line, bool has_header, const stream::Options& options,
                    const std::string& file) {
-    const stream::InputOptions& input = options.input;
     if (beginning.find('\0') != std::string_view::npos) {
         return "the input is not text: rows of numbers are read, as NumPy's savetxt or ros2 topic echo --csv write "
                "them";
@@ -149,159 +297,7 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
     if (beginning.size() >= most_kept) { // its last line is cut
         beginning = beginning.substr(0, beginning.rfind('\n') + 1);
     }
-    const auto lines = lines_of(beginning);
-    const std::size_t at = line - 1;
-    if (at >= lines.size() || reads(beginning, input)) { // what is wrong is not how the numbers stand
-        return {};
-    }
-    const auto fields_of = [&](std::size_t index) { return split(lines[index].text, input); };
-    const auto is_first_row = [&input](const stream::Line& each) {
-        return input.is_row(each.text) && is_row(split(each.text, input));
-    };
-    const auto first_row = std::ranges::find_if(lines, is_first_row);
-    const auto row = static_cast<std::size_t>(first_row - lines.begin());
-    const std::string name = file == "-" ? "" : " " + file_in_shell(file);
-    const bool by_name = input.columns.has_names();
-    const std::size_t count = input.numbers.names.size();
-    const auto header_of = [&input](const stream::Line& each) {
-        return stream::HeaderLine(each, input.delimiter.value_or(stream::Delimiter::of_row(each.text)));
-    };
-    if (by_name) {
-        const auto later =
-            std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(line), lines.end(), [&](const auto& each) {
-                return std::holds_alternative<std::vector<std::size_t>>(
-                    input.columns.positions(header_of(each).names()));
-            });
-        if (later != lines.end()) {
-            return fmt::format("line {0} has them: tail -n +{0}{1} | rotconv ...", later - lines.begin() + 1, name);
-        }
-    }
-    const Fields fields = row < lines.size() ? fields_of(row) : Fields();
-    if (at > row || (has_header && fields_of(at).size() == fields.size())) {
-        return {};
-    }
-
-    // The header right before the rows.
-    const auto names = row == 0 || row == lines.size() || row > at + 1
-                           ? std::vector<std::string>()
-                           : header_of(lines[row - 1]).without_mark().names();
-    std::string of_header;
-    if (!by_name && !names.empty() && std::ranges::none_of(names, stream::is_number)) {
-        stream::InputOptions with_header = input;
-        with_header.header = stream::HeaderMode::yes;
-        if (names.size() == fields.size()) {
-            const std::string option = input.numbers.attitude ? columns_option(*input.numbers.attitude, names) : "";
-            of_header = !input.columns.empty() || names.size() <= count ? ""
-                        : option.empty()                                ? "the columns are " + numbered(names)
-                                                                        : "the header has them: " + option;
-        } else {
-            const bool helps = reads(beginning, with_header);
-            const bool selects = input.columns.empty() && names.size() == count;
-            of_header = fmt::format("the header has {} and the rows {}{}", counted(names.size(), "name"),
-                                    counted(fields.size(), "field"), helps || selects ? ": add --header yes" : "") +
-                        (selects && !helps ? " --columns LIST" : "");
-        }
-    }
-
-    std::string found;
-    const auto offer = [&found](std::string_view text, const stream::InputOptions& reading, const std::string& told) {
-        if (found.empty() && reads(text, reading)) {
-            found = told;
-        }
-    };
-    const std::string_view text = lines[at].text;
-    stream::InputOptions reading = input;
-    reading.delimiter = stream::Delimiter::blanks();
-    if (text.find('\t') != std::string_view::npos && text.find(' ') != std::string_view::npos) {
-        offer(beginning, reading, "tabs and blanks part the numbers: add --delimiter blank");
-    }
-    reading = input;
-    const std::size_t size = std::min(text.find_first_not_of("/%!*;|"), text.size());
-    reading.comment = size > 0 ? text.substr(0, size) : "COMMENT";
-    if (text.starts_with(reading.comment)) {
-        offer(beginning, reading,
-              fmt::format("lines that begin with {} are not rows: add --comment {}", reading.comment,
-                          in_shell(reading.comment)));
-    }
-    found = found.empty() && of_header.find(": ") != std::string::npos ? of_header : found;
-
-    // What is made of the text; by index, and with LIST, where the columns that are given do not serve.
-    const auto try_text = [&](std::string_view made, std::size_t first, const std::string& told, bool whole) {
-        if (first >= lines.size() || !found.empty()) {
-            return;
-        }
-        if (!by_name && (whole ? converts(made, options) : reads(made, input))) {
-            found = told + " | rotconv ...";
-            return;
-        }
-        std::vector<std::size_t> columns; // those that are numbers
-        const Fields own = fields_of(first);
-        for (std::size_t i = 0; i < own.size() && columns.size() < count; ++i) {
-            if (stream::is_number(own[i])) {
-                columns.push_back(i + 1);
-            }
-        }
-        auto list = stream::ColumnList::parse(joined(columns), count);
-        if ((by_name || input.columns.empty()) && std::holds_alternative<stream::ColumnList>(list)) {
-            stream::InputOptions selecting = input;
-            selecting.columns = std::get<stream::ColumnList>(std::move(list));
-            offer(made, selecting, told + " | rotconv ... --columns LIST");
-        }
-    };
-    const auto try_kinds = [&] { // rows that begin with the name of their kind
-        for (std::size_t i = row; i < lines.size() && found.empty(); ++i) {
-            const Fields own = is_first_row(lines[i]) ? fields_of(i) : Fields();
-            if (!own.empty() && !own[0].empty() && is_alphanumeric(own[0][0]) && !stream::is_number(own[0])) {
-                const std::string_view line_text = lines[i].text;
-                const std::string kind(
-                    line_text.substr(0, static_cast<std::size_t>(own[0].end() - line_text.begin()) + 1));
-                const auto begins = [&kind](const stream::Line& each) { return each.text.starts_with(kind); };
-                const auto of_kind = std::ranges::count_if(lines, begins);
-                if (of_kind < 2 || of_kind == std::ranges::count_if(lines, is_first_row) ||
-                    std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(i), begins)) {
-                    continue; // a name of its own, the only kind, or one that was tried
-                }
-                std::string rows;
-                for (const stream::Line& each : lines) {
-                    rows.append(begins(each) ? each.text : "").append(each.end);
-                }
-                try_text(rows, i, fmt::format("to keep only one kind of row: grep {}{}", in_shell("^" + kind), name),
-                         false);
-            }
-        }
-    };
-    if (row == at) {
-        try_kinds();
-    }
-    // The rows from a line on, perhaps up to another; numbers may also be described by rows.
-    for (const std::size_t first : {std::size_t{0}, last_block(lines, input), row}) {
-        if (first >= lines.size() || (first > 0 && first <= at)) {
-            continue;
-        }
-        const auto begin = lines.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto end = first > 0 ? std::find_if_not(begin, lines.end(), is_first_row) : lines.end();
-        const bool is_rest =
-            std::all_of(end, lines.end(), [&input](const auto& each) { return !input.is_row(each.text); });
-        const char* const stop = is_rest ? beginning.data() + beginning.size() : end->text.data();
-        const std::string_view part(begin->text.data(), static_cast<std::size_t>(stop - begin->text.data()));
-        const std::string cut = is_rest ? fmt::format("tail -n +{}{}", first + 1, name)
-                                        : fmt::format("sed -n {},{}p{}", first + 1, end - lines.begin(), name);
-        for (const Filter& filter : filters) {
-            if (first > 0) {
-                try_text(filtered_text(part, filter), first,
-                         fmt::format("the first row of numbers is line {}: {}{}{}", first + 1, cut,
-                                     filter.command.empty() ? "" : " | ", filter.command),
-                         true);
-            } else if (!filter.command.empty()) {
-                offer(filtered_text(part, filter), input,
-                      fmt::format("{}: {}{}{} | rotconv ...", filter.told, filter.command, name.empty() ? "" : " <",
-                                  name));
-            }
-        }
-    }
-    try_kinds();
-    found = found.empty() && input.columns.empty() ? advice_on_print(beginning, lines, input, name) : found;
-    return found.empty() ? of_header : found;
+    return Beginning(beginning, options, file).advice(line - 1, has_header);
 }
 
 std::string contents_advice(const std::string& path) {
@@ -318,15 +314,14 @@ std::string contents_advice(const std::string& path) {
     std::size_t line = 1;
     stream::Output nowhere;
     const bool has_row = preamble.read(rest, line, nowhere);
-    const Fields fields = has_row ? split(stream::next_line(rest).text, input) : Fields();
-    if (!is_row(fields)) {
+    const Row row(has_row ? stream::next_line(rest) : stream::Line(), input);
+    if (!row.has_numbers) {
         return fmt::format("; {} does not begin with a row of numbers", quoted(path));
     }
-    auto names = preamble.names();
-    if (names.empty()) {
-        names.assign(fields.begin(), fields.end());
-    }
-    std::string told = fmt::format("; {} has {}: {}", quoted(path), counted(fields.size(), "column"), numbered(names));
+    const auto names =
+        preamble.names().empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : preamble.names();
+    std::string told =
+        fmt::format("; {} has {}: {}", quoted(path), counted(row.fields.size(), "column"), numbered(names));
     for (const char* spec : {"quat", "dcm", "rpy"}) {
         if (const std::string option = columns_option(std::get<Spec>(parse_spec(spec)), names); !option.empty()) {
             return fmt::format("{}; perhaps -f {} {}", told, spec, option);

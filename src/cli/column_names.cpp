@@ -106,15 +106,11 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& spelling, con
     }
     for (const std::string& name : names) {
         for (auto at = name.find(spelling.front()); at != std::string::npos; at = name.find(spelling.front(), at + 1)) {
-            std::vector<std::size_t> places;
-            for (const std::string& each : spelling) {
+            const auto places = mapped(spelling, [&](const std::string& each) {
                 const auto found = place_of.find(std::string(name).replace(at, spelling.front().size(), each));
-                if (found == place_of.end()) {
-                    break;
-                }
-                places.push_back(found->second);
-            }
-            if (places.size() == spelling.size()) {
+                return found == place_of.end() ? names.size() : found->second;
+            });
+            if (std::ranges::count(places, names.size()) == 0) {
                 return places;
             }
         }

@@ -126,7 +126,7 @@ private:
         }
         const std::string& name = part.names.front();
         const bool is_time = name == "t" || (name == "key" && !time_unit_.empty());
-        const std::string_view own = time_unit_.empty() ? "s" : time_unit_;
+        const std::string own = time_unit_.empty() ? "s" : time_unit_;
         return is_time && !unit.empty() && !is_angle(unit) && unit != own
                    ? fmt::format("times are read in {}: {} {}", own, time_option_, unit)
                    : "";
