@@ -5,62 +5,6 @@
 
 using namespace program;
 
-TEST_CASE("options of the conversion do not stand before a command") {
-    // Catches an option that is taken and ignored.
-    check_usage_error("-i rows rates -f quat 1 0 0 0 2 4 6", {"--input", "before rates"});
-    check_usage_error("--append --precision 3 survey -f quat", {"before survey"});
-    check_usage_error("-f quat list", {"before list"});
-}
-
-TEST_CASE("a sequence is three letters with different neighbours and of one case") {
-    // Catches sequences that describe no attitude.
-    for (const std::string& sequence : words_of("ZZX XYY ZY ZYXZ zYX ABC 123 passive")) {
-        check_usage_error("-f quat -t euler:" + sequence, {sequence});
-    }
-    check_usage_error("-f quat -t euler", {"euler"});
-}
-
-TEST_CASE("modifiers are a set with at most one preset") {
-    // Catches an order or a count that matters.
-    CHECK(run("-f quat:xyzw:xyzw -t quat 0 0 0 1") == done("1 0 0 0\n"));
-    CHECK(run("-f quat:scipy:xyzw -t quat 0 0 0 1") == done("1 0 0 0\n"));
-    CHECK(run("-f quat:passive:passive -t quat 0.5 0.5 0.5 0.5") == done("0.5 -0.5 -0.5 -0.5\n"));
-    CHECK(run("-f quat:passive:xyzw -t quat:xyzw:passive -0.5 0.5 0.5 0.5") == done("-0.5 0.5 0.5 0.5\n"));
-    check_usage_error("-f quat:scipy:ros -t dcm", {"ros"});
-    check_usage_error("-f quat -t dcm:spice:matlab", {"matlab"});
-}
-
-TEST_CASE("aliases are the names that they stand for") {
-    // Catches an alias that points to a neighbour.
-    CHECK(run("-f quaternion -t matrix 0.5 0.5 0.5 0.5") == done("0 0 1 1 0 0 0 1 0\n"));
-    CHECK(run("-f quat -t two-column 0.5 0.5 0.5 0.5") == done("0 1 0 0 0 1\n"));
-    CHECK(run("-f two-column -t 6d 0 1 0 0 0 1") == done("0 1 0 0 0 1\n"));
-    CHECK(run("-f gibbs -t cayley 1 1 1") == done("1 1 1\n"));
-    CHECK(run("-f axang -t exp 1 0 0 0") == done("0 0 0\n"));
-    CHECK(run("-f hopf -t quat --diagnostics off -- 0 0 0 2.414213562373095 0") == done("1 0 0 0\n"));
-}
-
-TEST_CASE("a preset leaves the names alone that it does not mention") {
-    // Catches a preset that is refused or does too much.
-    CHECK(run("-f dcm:scipy -t quat:scipy 0 0 1 1 0 0 0 1 0") == done("0.5 0.5 0.5 0.5\n"));
-    CHECK(run("-f dcm:matlab -t quat:matlab 0 0 1 1 0 0 0 1 0") == done("0.5 -0.5 -0.5 -0.5\n"));
-    CHECK(run("-f dcm:spice -t quat:spice 0 0 1 1 0 0 0 1 0") == done("0.5 0.5 0.5 0.5\n"));
-    CHECK(run("-f dcm:trawny -t quat:trawny 0 0 1 1 0 0 0 1 0") == done("-0.5 -0.5 -0.5 0.5\n"));
-    CHECK(run("-f dcm:stuelpnagel -t quat:stuelpnagel 0 0 1 1 0 0 0 1 0") == done("0.5 0.5 0.5 0.5\n"));
-    CHECK(run("-f euler:ZYX:spice:deg -t dcm 90 0 0") == done("0 -1 0 1 0 0 0 0 1\n"));
-    CHECK(run("-f mrp:trawny -t mrp:tum 0 0 0") == done("0 0 0\n"));
-}
-
-TEST_CASE("an option that is given twice, or a flag with an argument, is named") {
-    // Catches the parser's own sentence, and an argument that is dropped.
-    check_usage_error("-f quat -f dcm -t dcm", {"rotconv: --from is given twice"});
-    check_usage_error("-fquat --from=dcm -t dcm", {"rotconv: --from is given twice"});
-    check_usage_error("rates -f quat -p 3 --precision 4", {"rotconv: --precision is given twice"});
-    check_usage_error("-f quat -t dcm --append=5", {"rotconv: --append takes no argument"});
-    check_usage_error("-f quat -t dcm --help=5", {"rotconv: --help takes no argument"});
-    CHECK(run("-f quat -t rpy -d -d 1 0 0 0") == done("0 0 0\n"));
-}
-
 TEST_CASE("whatever comes from outside is shown without its control characters") {
     // Catches a name that writes lines of its own, or moves the cursor of a terminal.
     // Beside control characters: of the direction of text, a soft hyphen, a vowel separator, an annotation, a tag.
@@ -116,24 +60,6 @@ TEST_CASE("whatever comes from outside is shown without its control characters")
     CHECK(missing(run("-f quat -t rpy m\xC3\xA4rz.csv").err, {"'m\xC3\xA4rz.csv'"}) == "");
 }
 
-TEST_CASE("numbers of options are checked") {
-    // Catches digits that are cut off, and senseless amounts.
-    const std::string convert = "-f quat -t dcm ";
-    for (const std::string digits : {"0", "-1", "2.5", "x", "nan", "1e99", "3x"}) {
-        check_usage_error(convert + "-p " + digits, {"precision", digits});
-        if (digits != "0") {
-            check_usage_error(convert + "--decimals " + digits, {"decimals", digits});
-        }
-        check_usage_error(convert + "--threads " + digits, {"threads", digits});
-    }
-    check_usage_error(convert + "--decimals 101", {"--decimals '101' must be a whole number from 0 to 100"});
-    check_usage_error(convert + "-p 3 --decimals 3", {"--precision cannot be combined with --decimals"});
-    for (const std::string amount : {"-1", "x", "nan", "-inf", "1e-3x"}) {
-        check_usage_error(convert + "--tolerance " + amount, {"tolerance", amount});
-        check_usage_error(convert + "--lock-margin " + amount, {"lock-margin", amount});
-    }
-}
-
 TEST_CASE("the version names the kernels that the processor can run") {
     // Catches a name that is not of the kernels chosen, and a choice that does not look at the processor.
     std::ifstream processor("/proc/cpuinfo");
@@ -170,12 +96,8 @@ TEST_CASE("every command has a help that fits on a screen or two, and names what
     CHECK(shared.find("What comments begin with") == std::string::npos);
 }
 
-TEST_CASE("list knows every representation") {
-    // Catches a representation that cannot be looked up.
-    const auto all = run("list");
-    CHECK(all == done(all.out));
-    for (const std::string& name : words_of("dcm 6d 5d quat axis-angle rotvec euler rpy cayley mrp")) {
-        CHECK(missing(all.out, {"\n" + name}) == "");
-        CHECK(run("list " + name).out.starts_with(name));
-    }
+TEST_CASE("with VALUEs the end of stdin is not waited for") {
+    // Catches a program that reads stdin, which is still open.
+    Process process(words_of("-f quat -t quat 1 0 0 0"));
+    CHECK(process.wait() == done("1 0 0 0\n"));
 }
