@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -172,13 +173,8 @@ Worst worst_error(const Spec& from, const Spec& to, const Convert& convert, cons
             error = static_cast<double>(2 * abs(exact.w())) / oracle::eps;
         }
         if (!(error <= worst.error)) {
-            std::ostringstream where;
-            where.precision(17);
-            where << from.text() << " to " << to.text() << ":";
-            for (const double v : row) {
-                where << ' ' << v;
-            }
-            worst = {std::isnan(error) ? std::numeric_limits<double>::infinity() : error, where.str()};
+            worst = {std::isnan(error) ? std::numeric_limits<double>::infinity() : error,
+                     from.text() + " to " + to.text() + ":" + text_of(row)};
         }
     }
     return worst;
@@ -210,6 +206,20 @@ Converted converted(const Spec& from, const Spec& to, std::span<const double> ro
     conversion.run(rows, result.numbers, reports);
     result.report = reports.empty() ? rotconv::RowReport{} : reports.front();
     return result;
+}
+
+std::string text_of(std::span<const double> row) {
+    std::ostringstream text;
+    text.precision(17);
+    for (const double number : row) {
+        text << ' ' << number;
+    }
+    return text.str();
+}
+
+std::string text_of(const char* path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 std::vector<double> joined(std::vector<double> first, const std::vector<double>& second) {

@@ -76,6 +76,11 @@ struct Converted {
 Converted converted(const rotconv::Spec& from, const rotconv::Spec& to, std::span<const double> rows,
                     const rotconv::ConversionSettings& settings = {});
 
+/// The numbers in all their digits, a blank before each.
+std::string text_of(std::span<const double> row);
+/// A page of the project.
+std::string text_of(const char* path);
+
 /// One row of both.
 std::vector<double> joined(std::vector<double> first, const std::vector<double>& second);
 

@@ -1,8 +1,6 @@
 // The table of limits: every way between the quaternion and a representation, over all strata.
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "accuracy.hpp"
@@ -105,8 +103,7 @@ TEST_CASE("angles of any finite size are taken modulo the full turn") {
 
 // Catches a page that claims other limits or figures than the tests hold.
 TEST_CASE("the page on accuracy shows the table of limits") {
-    std::ifstream file(ROTCONV_EXAMPLES "/accuracy.md");
-    const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::string page = accuracy::text_of(ROTCONV_EXAMPLES "/accuracy.md");
     for (const auto& way : accuracy::ways()) {
         std::ostringstream row;
         row << "| `" << way.from << "` | `" << way.to << "` | " << way.limit << " | " << way.worst << " |";
@@ -117,8 +114,7 @@ TEST_CASE("the page on accuracy shows the table of limits") {
 
 // Catches a README that promises less or more than the table.
 TEST_CASE("the README lists the limits of plain double arithmetic") {
-    std::ifstream file(ROTCONV_README);
-    std::string readme{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::string readme = accuracy::text_of(ROTCONV_README);
     std::ranges::replace(readme, '\n', ' ');
     const auto listed = [](const std::vector<std::string>& names, auto limit, const std::string& preposition) {
         double largest = 0.0;

@@ -131,14 +131,9 @@ TEST_CASE("both targets give the same bits for numbers of every size, row for ro
                 ++compared;
                 without_error += plain.attitudes.error[i] == rotconv::Error::none ? 1 : 0;
                 if (!are_same(plain, fused, i, to.size()) && ++different < 4) {
-                    std::string text;
-                    for (std::size_t k = 0; k < from.size(); ++k) {
-                        char digits[32];
-                        std::snprintf(digits, sizeof digits, " %.17g", rows[i * from.size() + k]);
-                        text += digits;
-                    }
-                    UNSCOPED_INFO(specs[batch % specs.size()] << " to " << specs[batch / specs.size() % specs.size()]
-                                                              << ":" << text);
+                    UNSCOPED_INFO(specs[batch % specs.size()]
+                                  << " to " << specs[batch / specs.size() % specs.size()] << ":"
+                                  << accuracy::text_of({&rows[i * from.size()], from.size()}));
                 }
             }
         }

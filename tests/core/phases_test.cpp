@@ -74,13 +74,8 @@ void compare(const std::string& from_text, const std::string& to_text, double lo
                 }
             }
             if (!all && ++counts.different < 4) {
-                std::string text;
-                for (std::size_t k = 0; k < from.size(); ++k) {
-                    char digits[32];
-                    std::snprintf(digits, sizeof digits, " %.17g", in[i * from.size() + k]);
-                    text += digits;
-                }
-                UNSCOPED_INFO(from_text << " to " << to_text << ":" << text);
+                UNSCOPED_INFO(from_text << " to " << to_text << ":"
+                                        << accuracy::text_of({in + i * from.size(), from.size()}));
             }
         }
     }

@@ -97,13 +97,8 @@ Rounding rounding_of(const Spec& from, const Spec& to, const std::vector<std::ve
                 }
                 ++count.wrong;
                 if (count.wrong <= 3) {
-                    std::string text;
-                    for (const double number : row) {
-                        char digits[40];
-                        std::snprintf(digits, sizeof digits, " %.17g", number);
-                        text += digits;
-                    }
-                    std::printf("   number %zu:%s: %.17g for %.17g\n", i + 1, text.c_str(), result[i], exact[i].value);
+                    std::printf("   number %zu:%s: %.17g for %.17g\n", i + 1, text_of(row).c_str(), result[i],
+                                exact[i].value);
                 }
             }
         }

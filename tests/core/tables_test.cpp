@@ -12,16 +12,12 @@
 #include <rotconv/axes.hpp>
 #include <rotconv/spec.hpp>
 
+#include "accuracy.hpp"
 #include "catch.hpp"
 
 using namespace rotconv;
 
 namespace {
-
-std::string text_of(const char* path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 /// Words are letters, digits and hyphens.
 std::set<std::string> words_of(std::string text) {
@@ -40,7 +36,8 @@ struct Item {
 /// The items of the manual's lists.
 std::vector<Item> items_of_manual() {
     std::vector<Item> items;
-    std::string text = text_of(ROTCONV_MANUAL "/rotconv-conventions.7") + text_of(ROTCONV_MANUAL "/rotconv.1");
+    std::string text =
+        accuracy::text_of(ROTCONV_MANUAL "/rotconv-conventions.7") + accuracy::text_of(ROTCONV_MANUAL "/rotconv.1");
     const std::string begin = "\n.It Cm ";
     for (auto at = text.find(begin); at != std::string::npos;) {
         const auto line_end = text.find('\n', at + 1);
@@ -105,7 +102,7 @@ TEST_CASE("the README shows every representation with its aliases") {
 // Catches a modifier or a preset that was added, or renamed, in the code alone.
 TEST_CASE("the manual explains every modifier and preset, and the README names them") {
     const auto items = items_of_manual();
-    const auto readme = words_of(text_of(ROTCONV_README));
+    const auto readme = words_of(accuracy::text_of(ROTCONV_README));
     std::vector<std::string> names;
     std::ranges::transform(all_modifiers, std::back_inserter(names), [](auto m) { return std::string(name_of(m)); });
     std::ranges::transform(presets(), std::back_inserter(names), [](auto& p) { return std::string(p.text); });

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "accuracy.hpp"
 #include "catch.hpp"
 #include "oracle.hpp"
+#include "strata.hpp"
 
 using namespace rotconv;
 using accuracy::spec;
@@ -38,29 +38,14 @@ struct Case {
     std::string written; ///< the answer by the order of preference, "L" and "R" for turns without a name
 };
 
-class Attitudes {
-public:
-    explicit Attitudes(unsigned seed) : random_(seed) {}
-    Quaternion any() {
-        Quaternion q(normal_(random_), normal_(random_), normal_(random_), normal_(random_));
-        return q.normalized();
-    }
-    std::size_t index(std::size_t from, std::size_t end) {
-        return std::uniform_int_distribution(from, end - 1)(random_);
-    }
-    /// A turn of a normally distributed vector, standard deviation in radians on each axis, at most thrice that long.
-    Quaternion small(double deviation) {
-        Vector3 v;
-        do {
-            v = {normal_(random_), normal_(random_), normal_(random_)};
-        } while (v.norm() > 3);
-        return oracle::about(v, v.norm() * deviation);
-    }
-
-private:
-    std::mt19937_64 random_;
-    std::normal_distribution<double> normal_;
-};
+/// A turn of a normally distributed vector, standard deviation in radians on each axis, at most thrice that long.
+Quaternion small(strata::Source& random, double deviation) {
+    Vector3 v;
+    do {
+        v = {random.normal(), random.normal(), random.normal()};
+    } while (v.norm() > 3);
+    return oracle::about(v, v.norm() * deviation);
+}
 
 /// The proper rotation whose rows are these, or their opposites.
 Quaternion axes(const std::array<std::array<int, 3>, 3>& rows) {
@@ -107,14 +92,14 @@ std::vector<Case> cases() {
 }
 
 /// Rows of a case, with noise, radians on each axis. Sets of rows are drawn from them, for the oracle takes its time.
-std::vector<Row> pairs_of(const Case& each, Attitudes& random, double noise) {
+std::vector<Row> pairs_of(const Case& each, strata::Source& random, double noise) {
     constexpr std::size_t count = 1000;
     std::vector<Row> pairs(count);
     for (Row& pair : pairs) {
-        pair = oracle::numbers(each.unknown, random.any());
+        pair = oracle::numbers(each.unknown, random.attitude());
         Quaternion turned = each.left * oracle::attitude(each.unknown, pair) * each.right;
         if (noise > 0) {
-            turned = turned * random.small(noise);
+            turned = turned * small(random, noise);
         }
         const Row known = oracle::numbers(each.known, turned);
         pair.insert(pair.end(), known.begin(), known.end());
@@ -147,7 +132,7 @@ std::string text_of(const Candidate& answer) {
 }
 
 void check(const Case& each, int seed, std::size_t count, double noise, double within, double allowed) {
-    Attitudes random(static_cast<unsigned>(seed));
+    strata::Source random(static_cast<unsigned>(seed));
     std::size_t wrong = 0;
     std::size_t undecided = 0;
     const Identification fresh(each.unknown.size(), each.known, {}, {.within = within});
@@ -155,7 +140,8 @@ void check(const Case& each, int seed, std::size_t count, double noise, double w
     for (int run = 0; run < runs; ++run) {
         Row rows;
         for (std::size_t i = 0; i < count; ++i) {
-            std::swap(pairs[i], pairs[random.index(i, pairs.size())]);
+            const int other = random.integer(static_cast<int>(i), static_cast<int>(pairs.size()) - 1);
+            std::swap(pairs[i], pairs[static_cast<std::size_t>(other)]);
             rows.insert(rows.end(), pairs[i].begin(), pairs[i].end());
         }
         const std::vector<std::size_t> lines(count, 1);
@@ -169,7 +155,7 @@ void check(const Case& each, int seed, std::size_t count, double noise, double w
         }
         const Candidate& found = *verdict.answer;
         CHECK(text_of(found) == each.written);
-        wrong += error_of(found, each, random.any()) <= allowed ? 0 : 1;
+        wrong += error_of(found, each, random.attitude()) <= allowed ? 0 : 1;
     }
     INFO(each.name);
     CHECK(wrong == 0);
@@ -200,17 +186,16 @@ TEST_CASE("no wrong convention is found where all rows turn little, or about one
     int seed = 200;
     std::size_t answered = 0;
     for (const Case& each : cases()) {
-        Attitudes random(static_cast<unsigned>(++seed));
+        strata::Source random(static_cast<unsigned>(++seed));
         for (const bool is_small : {true, false}) {
             std::size_t wrong = 0;
             for (int run = 0; run < (is_sanitized ? 10 : 60); ++run) {
-                const Quaternion base = random.any();
-                const Vector3 axis = random.any().vec();
+                const Quaternion base = random.attitude();
+                const Vector3 axis = random.axis();
                 Row rows;
                 for (int i = 0; i < 8; ++i) {
-                    const Quaternion step = is_small
-                                                ? random.small(0.02)
-                                                : oracle::about(axis, 0.1 * static_cast<double>(random.index(0, 60)));
+                    const Quaternion step =
+                        is_small ? small(random, 0.02) : oracle::about(axis, 0.1 * random.integer(0, 59));
                     const Row unknown = oracle::numbers(each.unknown, base * step);
                     const Row known =
                         oracle::numbers(each.known, each.left * oracle::attitude(each.unknown, unknown) * each.right);
@@ -223,7 +208,7 @@ TEST_CASE("no wrong convention is found where all rows turn little, or about one
                 identification.add(rows, lines, reports);
                 const Verdict verdict = identification.verdict();
                 answered += verdict.answer ? 1 : 0;
-                wrong += verdict.answer && error_of(*verdict.answer, each, random.any()) > 1e-5 ? 1 : 0;
+                wrong += verdict.answer && error_of(*verdict.answer, each, random.attitude()) > 1e-5 ? 1 : 0;
             }
             INFO(each.name << (is_small ? ", little" : ", about one axis"));
             CHECK(wrong == 0);

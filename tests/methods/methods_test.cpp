@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -195,18 +194,9 @@ TEST_CASE("the weaknesses of formulas for exact matrices, without noise") {
     }
 }
 
-namespace {
-
-std::string text_of(const char* path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-} // namespace
-
 // Catches a method that is listed and never tried, or never measured.
 TEST_CASE("every method of the table is known to the tests and to methods.csv") {
-    const std::string measured = text_of(ROTCONV_EXAMPLES "/charts/methods.csv");
+    const std::string measured = accuracy::text_of(ROTCONV_EXAMPLES "/charts/methods.csv");
     const auto defaults = std::ranges::count(known(), rotconv::default_method, &Known::name);
     CHECK(std::ssize(rotconv::methods()) + defaults == std::ssize(known()));
     for (const Method& method : rotconv::methods()) {
@@ -455,8 +445,8 @@ TEST_CASE("a conversion takes no method of another pair") {
 TEST_CASE("the pages count the methods") {
     const std::string published = std::to_string(rotconv::methods().size());
     const auto pairs = std::ranges::count(known(), rotconv::default_method, &Known::name);
-    CHECK(text_of(ROTCONV_README).find(published + " published methods") != std::string::npos);
-    std::string page = text_of(ROTCONV_EXAMPLES "/methods.md");
+    CHECK(accuracy::text_of(ROTCONV_README).find(published + " published methods") != std::string::npos);
+    std::string page = accuracy::text_of(ROTCONV_EXAMPLES "/methods.md");
     std::ranges::replace(page, '\n', ' ');
     const std::string claim = "For " + std::to_string(pairs) + " pairs, `rotconv list methods` lists " + published +
                               " methods besides the default";

@@ -12,40 +12,6 @@
 
 using namespace program;
 
-namespace {
-
-/// Files of a folder and the program, run on them.
-class Files {
-public:
-    Files& add(const std::string& name, const std::string& text) {
-        write_file(folder_ / name, text);
-        return *this;
-    }
-    /// Names of files stand as @NAME.
-    [[nodiscard]] Result operator()(const std::string& arguments, const std::string& input = {}) const {
-        Words words = words_of(arguments);
-        for (auto& word : words) {
-            if (word.starts_with('@')) {
-                word = path(word.substr(1));
-            }
-        }
-        Result result = run(words, input);
-        for (const char* name : {"new", "old"}) { // as the messages have them
-            const std::string where = path(name);
-            for (auto at = result.err.find(where); at != std::string::npos; at = result.err.find(where)) {
-                result.err.replace(at, where.size(), name);
-            }
-        }
-        return result;
-    }
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-private:
-    Folder folder_;
-};
-
-} // namespace
-
 TEST_CASE("each row is paired with the nearest whose nearest it is") {
     // Catches a greedy match, and ties that are decided by chance. The pairs are found anew by looking at all.
     std::mt19937 engine(7);

@@ -1,4 +1,6 @@
-#include "usage.hpp"
+#include <catch.hpp>
+
+#include "process.hpp"
 
 using namespace program;
 
@@ -37,23 +39,6 @@ TEST_CASE("identify ends with options that read the numbers") {
         }
     }
     CHECK(answer("-t quat", run("-f rpy:deg -t quat --append", angles).out) == "-f rpy:deg --columns 1-3");
-}
-
-TEST_CASE("identify tells conventions apart that people mix up") {
-    // Catches one read as the other.
-    CHECK(answer("-t dcm --tolerance inf", with_matrix("quat:xyzw --tolerance inf", quaternions)) ==
-          "-f quat:xyzw --columns 1-4");
-    CHECK(answer("-t dcm --tolerance inf", with_matrix("quat --tolerance inf", quaternions)) ==
-          "-f quat --columns 1-4");
-    CHECK(answer("-t dcm", with_matrix("euler:ZYX:deg", angles)) == "-f euler:ZYX:deg --columns 1-3");
-    CHECK(answer("-t dcm", with_matrix("euler:zyx:deg", angles)) == "-f euler:zyx:deg --columns 1-3");
-    CHECK(answer("-t dcm", with_matrix("euler:ZXZ:bunge:deg", angles)) == "-f euler:ZXZ:deg --columns 1-3");
-    CHECK(answer("-t dcm", with_matrix("euler:ZYZ:deg", angles)) == "-f euler:ZYZ:deg --columns 1-3");
-    CHECK(answer("-t dcm", with_matrix("euler:ZYX", "0.1 0.2 0.3\n-1 0.7 2\n")) == "-f euler:ZYX --columns 1-3");
-    // ZYX listed as roll, pitch, yaw
-    CHECK(answer("-t dcm", with_matrix("euler:ZYX:deg --columns 3,2,1", angles)) == "-f rpy:deg --columns 1-3");
-    const std::string matrices = run("-f dcm:col -t quat --append", run("-f rpy:deg -t dcm", angles).out).out;
-    CHECK(answer("-t quat", matrices) == "-f dcm:col --columns 1-9");
 }
 
 TEST_CASE("identify answers in the columns of the file") {
@@ -211,32 +196,6 @@ TEST_CASE("identify takes bad rows, headers and comments as a conversion does") 
     CHECK(missing(run("identify -t dcm", "{\"q\": 1}\n").err, {"looks like JSON"}) == "");
     CHECK(missing(answer("-t dcm --delimiter comma", "0,0,30,1,0,0,0,1,0,0,0,1\n"),
                   {"ambiguous: ", " fit; there is one row"}) == ""); // any turn fits one row
-}
-
-TEST_CASE("wrong uses of identify are usage errors") {
-    // Catches a search for something else than what was asked for.
-    check_usage_errors({"identify", "identify -t quatt", "identify -f quat", "identify -t quat -f quat:xyzw",
-                        "identify -t quat --format csv", "identify -t quat --within x", "identify -t quat --within -1",
-                        "identify -t quat -f mrp --columns 1-6", "identify -t quat --columns 1,1,2",
-                        "identify -t quat nosuchfile", "identify -t quat --width 7 --columns 9 --input-format f64",
-                        "identify -t quat --tolerance x"},
-                       "1 0 0 0\n");
-    CHECK(missing(run("identify --help").out, {"rotconv identify -t KNOWN", "--within", "--columns", "NAME"}) == "");
-}
-
-TEST_CASE("the memory of identify does not grow with the stream, and its first row may come late") {
-    // Catches rows that are kept, beyond those that constant turns are looked for in.
-    const std::string rows = repeated(with_matrix("rpy:deg", angles), 3000);
-    Process process(words_of("identify -t dcm"));
-    process.write("# a");
-    process.write(" remark\n");
-    for (int i = 0; i < 12; ++i) {
-        process.write(rows);
-    }
-    const long before = process.peak_memory_after(rows);
-    process.write(rows);
-    CHECK((process.peak_memory_after(rows) <= before + 256 || is_sanitized));
-    CHECK(last_line(process.finish().out) == "-f rpy:deg --columns 1-3");
 }
 
 TEST_CASE("the known attitudes of identify may stand in another file") {

@@ -365,6 +365,24 @@ Folder::~Folder() {
     std::filesystem::remove_all(path_, ignored);
 }
 
+Files& Files::add(const std::string& name, std::string_view text) {
+    write_file(folder_ / name, text);
+    return *this;
+}
+
+Result Files::operator()(const std::string& arguments, const std::string& input) const {
+    Words words = words_of(arguments);
+    for (std::string& word : words) {
+        word = word.starts_with('@') ? path(word.substr(1)) : word;
+    }
+    Result result = run(words, input);
+    const std::string folder = path("");
+    for (auto at = result.err.find(folder); at != std::string::npos; at = result.err.find(folder)) {
+        result.err.erase(at, folder.size());
+    }
+    return result;
+}
+
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
     std::ofstream file(path, std::ios::binary);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

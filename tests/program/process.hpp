@@ -130,6 +130,18 @@ private:
     std::filesystem::path path_;
 };
 
+/// Files of a folder and the program, run on them.
+class Files {
+public:
+    Files& add(const std::string& name, std::string_view text);
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    /// @param arguments names of files stand as @NAME; messages have their names alone
+    [[nodiscard]] Result operator()(const std::string& arguments, const std::string& input = {}) const;
+
+private:
+    Folder folder_;
+};
+
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 std::string read_file(const std::filesystem::path& path);
 

@@ -5,13 +5,13 @@
 #include <sstream>
 #include <utility>
 
-#include "usage.hpp"
+#include <catch.hpp>
+
+#include "process.hpp"
 
 using namespace program;
 
 namespace {
-
-const std::string spin = "0,0,0,1\n1,0,0,1\n2,0,0,1\n";
 
 /// Yaw of the last row, of rows t,roll,pitch,yaw.
 double last_yaw(const std::string& rows) { return std::stod(rows.substr(rows.rfind(',') + 1)); }
@@ -138,7 +138,7 @@ TEST_CASE("the unit of the times") {
         const std::string rows = std::string("0 0 0 1\n") + step + " 0 0 1\n";
         CHECK(words_of(run(std::string("propagate -t rotvec -p 15 --time-unit ") + unit, rows).out).back() == "0.25");
     }
-    CHECK(run("propagate -t quat --time-unit h", spin) ==
+    CHECK(run("propagate -t quat --time-unit h", "0,0,0,1\n") ==
           stopped(any_output, {"'h' is not a known time unit (legal: s ms us ns)"}));
     CHECK(missing(run("propagate --help").out, {"--time-unit"}) == "");
 }
@@ -279,33 +279,6 @@ TEST_CASE("substeps make the steps shorter") {
     CHECK(error("--substeps 10") < 1e-6);
     CHECK(run("propagate -t quat --substeps 0", rows).exit_code == 2);
     CHECK(run("propagate -t quat --substeps 1.5", rows).exit_code == 2);
-}
-
-TEST_CASE("wrong uses of propagate are usage errors") {
-    // Catches settings that are replaced in silence.
-    check_usage_errors({"propagate", "propagate -t quatt", "propagate -t quat --with axis-angle",
-                        "propagate -t quat --with nothing", "propagate -t quat --integrator euler",
-                        "propagate -t quat --with mrp --integrator magnus4", "propagate -t quat --interpolation spline",
-                        "propagate -t quat -f quat", "propagate -t quat 0 0 0 1", "propagate -t quat --columns 1-3",
-                        "propagate -t quat x"},
-                       spin);
-    CHECK(missing(run("propagate --help").out, {"rotconv propagate -t SPEC", "--initial", "--with", "--substeps"}) ==
-          "");
-}
-
-TEST_CASE("the memory of propagate does not grow with the stream") {
-    // Catches a propagation that keeps its rows.
-    std::vector<std::string> parts(3);
-    for (int i = 0; i < 60000; ++i) {
-        parts[static_cast<std::size_t>(i / 20000)] += std::to_string(i) + " 0 0 1e-3\n";
-    }
-    for (const std::string interpolation : {"linear", "cubic"}) {
-        Process process(words_of("propagate -t quat --interpolation " + interpolation));
-        const long before = process.peak_memory_after(parts[0]);
-        process.write(parts[1]);
-        CHECK((process.peak_memory_after(parts[2]) <= before + 256 || is_sanitized));
-        CHECK(count_rows(process.finish().out) == 60000);
-    }
 }
 
 TEST_CASE("rows that are refused do not keep the one before them waiting for ever") {

@@ -1,5 +1,6 @@
 #include <array>
 #include <clocale>
+#include <functional>
 
 #include <catch.hpp>
 
@@ -116,6 +117,43 @@ TEST_CASE("memory does not grow with the stream") {
     CHECK(result.exit_code == 0);
     CHECK(count_rows(result.err) == 2);
     CHECK(missing(result.err, {"half-turn", "normalized", "500000"}) == "");
+}
+
+TEST_CASE("memory does not grow with the stream of a command that remembers rows") {
+    // Catches rows that are kept, beyond those that constant turns are looked for in.
+    const auto times = [](const std::string& rest) {
+        return [rest](int part) {
+            std::string rows;
+            for (int i = 20'000 * part; i < 20'000 * (part + 1); ++i) {
+                rows += std::to_string(i) + rest;
+            }
+            return rows;
+        };
+    };
+    const std::string matrix = run("-f rpy:deg -t dcm --append", "10 20 30\n-50 60 100\n120 -30 5\n").out;
+    struct Case {
+        const char* arguments;
+        std::function<std::string(int)> rows; ///< of a part of the stream
+        int parts;                            ///< that come first
+        const char* last;                     ///< the beginning of the last line
+    };
+    for (const Case& c :
+         {Case{"survey -f quat", [](int) { return repeated("1 0 0 0\n0.8 0 0 0.6\n", 8000); }, 1, "mrp"},
+          Case{"identify -t dcm", [&](int) { return repeated(matrix, 3000); }, 13, "-f rpy:deg --columns 1-3"},
+          Case{"propagate -t quat --interpolation linear", times(" 0 0 1e-3\n"), 1, "59999 "},
+          Case{"propagate -t quat --interpolation cubic", times(" 0 0 1e-3\n"), 1, "59999 "}}) {
+        INFO(c.arguments);
+        Process process(words_of(c.arguments));
+        process.write("# a");
+        process.write(" remark\n");
+        for (int part = 1; part < c.parts; ++part) {
+            process.write(c.rows(0));
+        }
+        const long before = process.peak_memory_after(c.rows(0));
+        process.write(c.rows(1));
+        CHECK((process.peak_memory_after(c.rows(2)) <= before + 256 || is_sanitized));
+        CHECK(last_line(process.finish().out).starts_with(c.last));
+    }
 }
 
 TEST_CASE("many rows come out as many and in order") {

@@ -1,6 +1,8 @@
 #include <cmath>
 
-#include "usage.hpp"
+#include <catch.hpp>
+
+#include "process.hpp"
 
 using namespace program;
 
@@ -54,22 +56,6 @@ TEST_CASE("survey has a line for each set with what was met and where") {
           "");
     CHECK(line_of(result.out, "rotvec").back() == "no");
     CHECK(line_of(result.out, "5d").back() == "yes");
-}
-
-TEST_CASE("survey counts a jump only where its halving comes to one") {
-    // Catches a search that differs from the manual's rule: past the lock of YZX one part is
-    // steep enough, but the halves in which the angles change more do not lead to it.
-    const auto result = run("survey -f quat:tum", "0.0403 0.0545 0.7745 0.6289\n0.0463 0.0544 0.6954 0.7150\n");
-    CHECK(result.exit_code == 0);
-    CHECK(line_of(result.out, "euler:YZX").at(6) == "0");
-}
-
-TEST_CASE("survey does not let Euler angles through lock serve") {
-    // Catches lock that no row has hit.
-    const auto result = run("survey -f rpy:deg", "0 88 0\n0 89.5 0\n0 90.7 0\n0 92 0\n");
-    CHECK(result.exit_code == 0);
-    CHECK(line_of(result.out, "euler:ZYX").back() == "no");
-    CHECK(line_of(result.out, "mrp").back() == "yes");
 }
 
 TEST_CASE("the condition that serves is an option") {
@@ -144,22 +130,4 @@ TEST_CASE("survey of nothing names no set") {
         CHECK(run("survey -f quat", input) == went_on("none\n", {"there was no row with an attitude"}));
         CHECK(run("survey -f quat --format json", input).out == "{\"rows\": 0, \"smallest\": \"none\"}\n");
     }
-}
-
-TEST_CASE("wrong uses of survey are usage errors") {
-    // Catches a survey of something else than what was asked for.
-    check_usage_errors({"survey", "survey -f quatt", "survey -f quat 1 0 0 0", "survey -f quat -t dcm",
-                        "survey -f quat --format csv", "survey -f quat x", "survey -f quat --columns 1-3"},
-                       "1 0 0 0\n");
-    CHECK(missing(run("survey --help").out, {"rotconv survey -f SPEC", "--condition", "--columns"}) == "");
-}
-
-TEST_CASE("the memory of survey does not grow with the stream") {
-    // Catches a survey that keeps its rows.
-    const std::string rows = repeated("1 0 0 0\n0.8 0 0 0.6\n", 8000);
-    Process process(words_of("survey -f quat"));
-    const long before = process.peak_memory_after(rows);
-    process.write(rows);
-    CHECK((process.peak_memory_after(rows) <= before + 256 || is_sanitized));
-    CHECK(last_line(process.finish().out) == "mrp");
 }

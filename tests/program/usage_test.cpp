@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "usage.hpp"
+#include <catch.hpp>
+
+#include "process.hpp"
 
 using namespace program;
 
