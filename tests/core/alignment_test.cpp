@@ -219,6 +219,7 @@ TEST_CASE("no other turns leave less than those that are found") {
     }
 }
 
+// Catches later pairs that have a part in it, and the inverse of the turn.
 TEST_CASE("the first pair alone tells its turn") {
     Source source(5);
     for (int run = 0; run < 100; ++run) {

@@ -64,10 +64,10 @@ Dcm matrix_of(const std::vector<double>& numbers) {
 
 } // namespace
 
+// Catches a matrix that is transposed, and letters that are taken for where old axes go. The numbers of MAVROS's
+// test mavros/test/test_frame_conversions.cpp, transform_static_frame__ned_to_enu_123 and
+// __aircraft_to_baselink_123.
 TEST_CASE("vectors change as in other projects' own conversions") {
-    // Catches a matrix that is transposed, and letters that are taken for where old axes go. The numbers of MAVROS's
-    // test mavros/test/test_frame_conversions.cpp, transform_static_frame__ned_to_enu_123 and
-    // __aircraft_to_baselink_123.
     CHECK(changed("ned:enu", {1, 2, 3}) == Vector{2, 1, -3});
     CHECK(changed("enu:ned", {1, 2, 3}) == Vector{2, 1, -3});
     CHECK(changed("frd:flu", {1, 2, 3}) == Vector{1, -2, -3});
@@ -88,8 +88,8 @@ TEST_CASE("vectors change as in other projects' own conversions") {
     CHECK(axes("x-YZ:xyz").matrix == axes("x-yz:xyz").matrix);
 }
 
+// Catches a sign of the permutation, and a set whose axes are taken in a left-handed order.
 TEST_CASE("hands are those of the letters") {
-    // Catches a sign of the permutation, and a set whose axes are taken in a left-handed order.
     for (const std::string right :
          {"ned", "enu", "nwu", "wsu", "esd", "frd", "flu", "rdf", "rub", "rfu", "luf", "xyz", "yzx", "yx-z"}) {
         INFO(right);
@@ -103,9 +103,9 @@ TEST_CASE("hands are those of the letters") {
     CHECK(!axes("ruf:fru").changes_hand());
 }
 
+// Catches a triple that is refused or mistaken, and a turn that rounds.
 TEST_CASE(
     "of all pairs of triples the matrix has an entry 1 or -1 in each row and column, and the hands are its sign's") {
-    // Catches a triple that is refused or mistaken, and a turn that rounds.
     for (const Words& set : {Words{"e", "w", "n", "s", "u", "d"}, Words{"f", "b", "l", "r", "u", "d"},
                              Words{"x", "-x", "y", "-y", "z", "-z"}}) {
         const auto all = triples(set);
@@ -126,8 +126,8 @@ TEST_CASE(
     }
 }
 
+// Catches N in the place of N', sides exchanged, a hand that is lost, and a constant rotation that is rounded.
 TEST_CASE("axes on both sides exchange and negate entries of the matrix, and change no other bit") {
-    // Catches N in the place of N', sides exchanged, a hand that is lost, and a constant rotation that is rounded.
     strata::Source source(2301);
     const auto dcm = accuracy::spec("dcm");
     const auto mrp = accuracy::spec("mrp");
@@ -150,9 +150,9 @@ TEST_CASE("axes on both sides exchange and negate entries of the matrix, and cha
     CHECK(mirrored > 500);
 }
 
+// Catches -M on one side alone. CoordinateSpaces.cs of ROS-TCP-Connector: (x, y, z, w) becomes (z, -x, y, -w) for
+// FLU, (z, x, -y, -w) for FRD. Unreal's, with axes forward, right, up, becomes (-x, y, -z, w).
 TEST_CASE("a Unity quaternion becomes that of ROS") {
-    // Catches -M on one side alone. CoordinateSpaces.cs of ROS-TCP-Connector: (x, y, z, w) becomes (z, -x, y, -w) for
-    // FLU, (z, x, -y, -w) for FRD. Unreal's, with axes forward, right, up, becomes (-x, y, -z, w).
     strata::Source source(2302);
     const auto spec = accuracy::spec("quat:xyzw");
     for (int i = 0; i < 1000; ++i) {
@@ -175,6 +175,7 @@ TEST_CASE("a Unity quaternion becomes that of ROS") {
     }
 }
 
+// Catches one fault that is told as another, a message without the text that is wrong, and one of another error.
 TEST_CASE("a text that names no axes says why") {
     using What = AxesError::What;
     for (const std::string text :
@@ -194,15 +195,14 @@ TEST_CASE("a text that names no axes says why") {
     CHECK(error_of("fud:flu").what == What::opposite_directions);
     CHECK(error_of("xyz:xy-x").triple == "xy-x");
     CHECK(error_of("xyz:-xy-x").what == What::same_direction);
-    // Catches a message without the text that is wrong, and one of another error.
     CHECK(message(error_of("frd:fl")).starts_with("'frd:fl' is not FROM:TO, such as ned:enu"));
     CHECK(message(error_of("ned:flu")).starts_with("'ned:flu': the letters must be of one set"));
     CHECK(message(error_of("NND:ned")) == "'NND:ned': 'NND' has one direction twice");
     CHECK(message(error_of("ned:nsd")).starts_with("'ned:nsd': 'nsd' has opposite directions"));
 }
 
+// Catches a product in plain double, in the other order, and rests that are lost.
 TEST_CASE("constant rotations are multiplied to 100 bits") {
-    // Catches a product in plain double, in the other order, and rests that are lost.
     strata::Source source(2303);
     const auto rpy = accuracy::spec("rpy:deg");
     using oracle::Real;

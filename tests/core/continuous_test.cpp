@@ -150,9 +150,9 @@ Numbers degrees_rows(std::size_t count, const std::function<Numbers(double)>& ro
 
 } // namespace
 
+// Catches a wrong alternative, a turn too few, a choice that is not the nearest, and one between the wrong numbers
+// (passive, degrees, the order of a quaternion).
 TEST_CASE("continuous numbers mean the attitude, and step no further than the motion allows") {
-    // Catches a wrong alternative, a turn too few, a choice that is not the nearest, and one between the wrong numbers
-    // (passive, degrees, the order of a quaternion).
     constexpr double step = 0.005;
     for (const auto& motion :
          {motions::tumbling(), motions::spin(), motions::symmetric_body(), motions::coning(), motions::gentle()}) {
@@ -195,8 +195,8 @@ TEST_CASE("continuous numbers mean the attitude, and step no further than the mo
     }
 }
 
+// Catches a search that leaves out the other triple, a sign, or turns of one angle.
 TEST_CASE("no other numbers of an attitude are nearer to the last") {
-    // Catches a search that leaves out the other triple, a sign, or turns of one angle.
     strata::Source source(1310);
     for (const auto& to : specs_with_choice()) {
         const double unit = to.unit == AngleUnit::degrees ? 180.0 / pi : 1.0;
@@ -226,8 +226,8 @@ TEST_CASE("no other numbers of an attitude are nearer to the last") {
     }
 }
 
+// Catches a loop that jumps at lock, and turns that are lost after many.
 TEST_CASE("Euler angles that run through lock are those of the motion") {
-    // Catches a loop that jumps at lock, and turns that are lost after many.
     const auto radians = accuracy::spec("euler:ZYX");
     const auto motion = motions::through_lock();
     const auto rows = rows_of(motion, 0.01, 3000);
@@ -245,8 +245,8 @@ TEST_CASE("Euler angles that run through lock are those of the motion") {
     }
 }
 
+// Catches the wrong one of sum and difference, in any sequence, at either lock.
 TEST_CASE("at lock the third angle keeps its last value and the first takes the rest") {
-    // Catches the wrong one of sum and difference, in any sequence, at either lock.
     for (const std::string& sequence : accuracy::signed_sequences()) {
         const Spec spec = accuracy::spec("euler:" + sequence + ":deg");
         for (const double direction : {1.0, -1.0}) {
@@ -279,8 +279,8 @@ TEST_CASE("at lock the third angle keeps its last value and the first takes the 
     CHECK(distance(to, row_of(to, result, 1), {10, 90, 20}) < 1e-14);
 }
 
+// Catches an axis that falls back to (1, 0, 0) or turns round, -0, and turns of degrees that are not exact.
 TEST_CASE("whole turns are counted, through the identity and half-turns") {
-    // Catches an axis that falls back to (1, 0, 0) or turns round, -0, and turns of degrees that are not exact.
     const auto vector = accuracy::spec("rotvec:deg");
     const auto axis_angle = accuracy::spec("axis-angle:deg");
     const auto degrees = accuracy::spec("rpy:deg");
@@ -309,8 +309,8 @@ TEST_CASE("whole turns are counted, through the identity and half-turns") {
           {0, 170, 0, 0, 340, 0, 0, 360, 0, 0, 360, 0, 0, 360 + 2e-9, 0});
 }
 
+// Catches a choice by rounding, or one that leaves the canonical numbers without need.
 TEST_CASE("of equally near numbers the canonical ones stay") {
-    // Catches a choice by rounding, or one that leaves the canonical numbers without need.
     const auto degrees = accuracy::spec("rpy:deg");
     CHECK(continuous(Spec{}, Spec{}, {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1}) ==
           Numbers{0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
@@ -319,8 +319,8 @@ TEST_CASE("of equally near numbers the canonical ones stay") {
     CHECK(continuous(vector, vector, {0, 0, 90, 0, 0, -90}) == Numbers{0, 0, 90, 0, 0, -90});
 }
 
+// Catches numbers of a failed row, nan, that become the last ones.
 TEST_CASE("a row without a result changes nothing for the next") {
-    // Catches numbers of a failed row, nan, that become the last ones.
     const auto degrees = accuracy::spec("rpy:deg");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto result =
@@ -332,8 +332,8 @@ TEST_CASE("a row without a result changes nothing for the next") {
     CHECK(row_of(degrees, result, 5) == Numbers{0, 0, 180});
 }
 
+// Catches a shadow of the rounded vector, and products that underflow or overflow on the way.
 TEST_CASE("the shadow is rounded once, whatever its size") {
-    // Catches a shadow of the rounded vector, and products that underflow or overflow on the way.
     strata::Source source(1311);
     for (int i = 0; i < tried(300); ++i) {
         auto q = oracle::numbers(Spec{}, source.attitude());
@@ -360,8 +360,8 @@ TEST_CASE("the shadow is rounded once, whatever its size") {
     }
 }
 
+// Catches a product that underflows, to other bytes where multiplication and addition are not fused.
 TEST_CASE("a tiny component beside a large one keeps its digits through whole turns") {
-    // Catches a product that underflows, to other bytes where multiplication and addition are not fused.
     const auto vector = accuracy::spec("rotvec");
     const Numbers row{-4.241285179436e-310, -3.3287369127795e-310, 3.580244628935314};
     Numbers rows{0, 0, 3};
@@ -369,8 +369,8 @@ TEST_CASE("a tiny component beside a large one keeps its digits through whole tu
     CHECK(row_of(vector, continuous(vector, vector, rows), 1) == row);
 }
 
+// Catches the low part of 2 pi left out.
 TEST_CASE("numbers of many turns are rounded once") {
-    // Catches the low part of 2 pi left out.
     const auto to = accuracy::spec("rpy");
     const auto vector = accuracy::spec("rotvec");
     Numbers yaws;
@@ -388,8 +388,8 @@ TEST_CASE("numbers of many turns are rounded once") {
     CHECK(std::fabs(long_result.back() - 0.8e5) <= 1e5 * oracle::eps + half_ulp);
 }
 
+// Catches numbers that are changed where there is one way to write them.
 TEST_CASE("what has no choice stays") {
-    // Catches numbers that are changed where there is one way to write them.
     for (const auto* text : {"dcm", "6d", "5d", "cayley"}) {
         CHECK(!ContinuousNumbers(accuracy::spec(text)).have_choice());
     }

@@ -156,9 +156,9 @@ std::string called(Spec meant, Columns columns) {
 
 } // namespace
 
+// Catches a candidate that is left out, columns that are read the wrong way round, SPECs that differ taken for one,
+// SPECs that are one taken for two, and a name that is not the simplest.
 TEST_CASE("every SPEC is identified by its numbers, in every order of the columns") {
-    // Catches a candidate that is left out, columns that are read the wrong way round, SPECs that differ taken for one,
-    // SPECs that are one taken for two, and a name that is not the simplest.
     const auto attitudes = wide_attitudes(6);
     for (const std::string& text : accuracy::combined_specs()) {
         INFO(text);
@@ -185,11 +185,11 @@ TEST_CASE("every SPEC is identified by its numbers, in every order of the column
     }
 }
 
+// Catches candidates that are counted twice or not at all. Of three numbers: 24 sequences, as 12 in 6 orders with 8
+// choices of signs, which are those of the inverse too, in degrees or radians; rotvec in these, passive or not;
+// cayley and mrp, passive or not. Of four: the scalar first or last, and the angle, passive or not, in degrees or
+// radians. Of six: one column after the other, or row by row, passive or not.
 TEST_CASE("there are so many conventions of a count of numbers") {
-    // Catches candidates that are counted twice or not at all. Of three numbers: 24 sequences, as 12 in 6 orders with 8
-    // choices of signs, which are those of the inverse too, in degrees or radians; rotvec in these, passive or not;
-    // cayley and mrp, passive or not. Of four: the scalar first or last, and the angle, passive or not, in degrees or
-    // radians. Of six: one column after the other, or row by row, passive or not.
     const auto count = [](std::size_t numbers, std::optional<RepresentationId> name = {}) {
         return Identification(numbers, spec("quat"), name).best_first().size();
     };
@@ -213,15 +213,15 @@ TEST_CASE("there are so many conventions of a count of numbers") {
           }) == 392);
 }
 
+// Catches candidates that are the same attitude on a generic row.
 TEST_CASE("one wide row is enough, and its candidates all differ") {
-    // Catches candidates that are the same attitude on a generic row.
     const auto attitudes = wide_attitudes(1);
     CHECK(identified(rows_of(attitudes, spec("euler:zxz:deg:passive"), {0, 1, 2}), 3, "dcm", 1e-9) ==
           "euler:zxz:deg:passive 123");
 }
 
+// Catches one of them read as the other.
 TEST_CASE("the pairs that are mixed up are told apart") {
-    // Catches one of them read as the other.
     const auto attitudes = wide_attitudes(3);
     const auto of = [&](std::string_view text, const Columns& columns, std::string_view known = "dcm") {
         return identified(rows_of(attitudes, spec(text), columns, spec(known)), columns.size(), known);
@@ -243,8 +243,8 @@ TEST_CASE("the pairs that are mixed up are told apart") {
     CHECK(of("quat:xyzw:passive", {0, 1, 2, 3}, "dcm") == "quat:xyzw:passive 1234");
 }
 
+// Catches limits for exact numbers alone.
 TEST_CASE("six digits are enough") {
-    // Catches limits for exact numbers alone.
     const auto attitudes = wide_attitudes(50);
     for (const char* text : {"euler:YZY:deg:passive", "rotvec", "quat:xyzw", "dcm:col", "6d:passive", "5d"}) {
         INFO(text);
@@ -258,8 +258,8 @@ TEST_CASE("six digits are enough") {
     }
 }
 
+// Catches an angle that is taken from the angles' differences. Yaw - roll is all that counts.
 TEST_CASE("rows at gimbal lock tell what they can") {
-    // Catches an angle that is taken from the angles' differences. Yaw - roll is all that counts.
     std::vector<Row> rows;
     for (int i = 0; i < 5; ++i) {
         const Row unknown{20.0 + 31 * i, 90, 10.0 * i};
@@ -277,8 +277,8 @@ TEST_CASE("rows at gimbal lock tell what they can") {
     CHECK(identified(rows, 3) == "euler:ZYX:deg 123");
 }
 
+// Catches an answer that is one of many, and a reason that does not hold.
 TEST_CASE("narrow rows are ambiguous, and it is said why") {
-    // Catches an answer that is one of many, and a reason that does not hold.
     using Ambiguity = Verdict::Ambiguity;
     const Columns plain{0, 1, 2};
     const auto of = [&](const std::vector<Row>& angles) {
@@ -323,8 +323,8 @@ TEST_CASE("narrow rows are ambiguous, and it is said why") {
     CHECK(identified(wide, 3) == "rpy:deg 123");
 }
 
+// Catches the least bad candidate taken for the answer.
 TEST_CASE("numbers that fit nothing are called so") {
-    // Catches the least bad candidate taken for the answer.
     auto rows = rows_of(wide_attitudes(5), spec("rpy"), {0, 1, 2});
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i][0] = 0.1 * static_cast<double>(i);
@@ -340,8 +340,8 @@ TEST_CASE("numbers that fit nothing are called so") {
     CHECK(nothing.rows() == 0);
 }
 
+// Catches a table sorted by the last angle alone.
 TEST_CASE("a candidate that fits but for one late row stands before those that never fit") {
-    // Catches a table sorted by the last angle alone.
     auto rows = rows_of(wide_attitudes(300), spec("euler:YXZ"), {0, 1, 2});
     rows[250][1] += 2.0;
     Identification identification(3, spec("dcm"));
@@ -354,8 +354,8 @@ TEST_CASE("a candidate that fits but for one late row stands before those that n
     CHECK(best.angle == Approx(2.0));
 }
 
+// Catches a figure in other units, and the line of another row.
 TEST_CASE("the angle is that between the attitudes") {
-    // Catches a figure in other units, and the line of another row.
     auto rows = rows_of(wide_attitudes(20), spec("rotvec"), {0, 1, 2}, spec("quat"));
     for (const auto& [at, angle] : {std::pair(std::size_t{7}, 1e-5), std::pair(std::size_t{12}, 3e-4)}) {
         const auto known = std::span(rows[at]).subspan(3);
@@ -374,8 +374,8 @@ TEST_CASE("the angle is that between the attitudes") {
     CHECK(strict.verdict().fitting == 0);
 }
 
+// Catches a bad row that drives the right candidate out, and a row that is counted all the same.
 TEST_CASE("rows that cannot be read are errors and count for nothing") {
-    // Catches a bad row that drives the right candidate out, and a row that is counted all the same.
     const double nan = std::numeric_limits<double>::quiet_NaN();
     auto rows = rows_of(wide_attitudes(10), spec("quat:xyzw"), {0, 1, 2, 3});
     rows[3][4] = 7;                       // no matrix
@@ -399,8 +399,8 @@ TEST_CASE("rows that cannot be read are errors and count for nothing") {
     }
 }
 
+// Catches a quaternion of any norm that fits.
 TEST_CASE("a candidate that cannot read a row leaves with it") {
-    // Catches a quaternion of any norm that fits.
     const auto attitudes = wide_attitudes(4);
     auto rows = rows_of(attitudes, spec("axis-angle:deg"), {0, 1, 2, 3});
     Identification identification(4, spec("dcm"));
@@ -415,8 +415,8 @@ TEST_CASE("a candidate that cannot read a row leaves with it") {
     CHECK(quat->angle_row == 1);
 }
 
+// Catches a candidate that leaves with its batch.
 TEST_CASE("what comes of rows does not depend on how many come at once") {
-    // Catches a candidate that leaves with its batch.
     const auto rows = rows_of(wide_attitudes(300), spec("euler:XZX:deg"), {1, 0, 2});
     Identification all(3, spec("dcm"));
     add(all, rows);

@@ -32,8 +32,8 @@ Rotation random_rotation(std::mt19937_64& engine) {
 
 } // namespace
 
+// Catches a turn the long way, weights that are not those of the angle, and digits lost for small turns.
 TEST_CASE("an attitude between two is that of the turn by its rotation vector") {
-    // Catches a turn the long way, weights that are not those of the angle, and digits lost for small turns.
     std::mt19937_64 engine(20261123);
     double worst = 0.0;
     for (int i = 0; i < 4000; ++i) {
@@ -62,6 +62,7 @@ TEST_CASE("an attitude between two is that of the turn by its rotation vector") 
     CHECK(worst <= 4);
 }
 
+// Catches weights that are rounded where there is nothing to weigh.
 TEST_CASE("between an attitude and itself is that attitude, to the last bit") {
     std::mt19937_64 engine(1);
     for (int i = 0; i < 1000; ++i) {
@@ -74,8 +75,8 @@ TEST_CASE("between an attitude and itself is that attitude, to the last bit") {
     }
 }
 
+// Catches squares that underflow, and an axis made of rounding.
 TEST_CASE("turns of any size are interpolated, except half turns") {
-    // Catches squares that underflow, and an axis made of rounding.
     const Rotation none;
     for (const double size : {1e-20, 1e-150, 1e-170, 1e-300}) {
         const auto found = interpolate(none, Rotation::from_components(1.0, size, 0.0, 0.0), 0.25);

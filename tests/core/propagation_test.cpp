@@ -169,6 +169,7 @@ TEST_CASE("the sets and integrators rank as measured") {
     CHECK(error("6d", Integrator::rk4) < 1.5 * dcm);
 }
 
+// Catches a shadow or a whole turn that is never changed to, and numbers that grow past their range.
 TEST_CASE("charts that have another one change to it, and keep their bounds") {
     for (const Motion& motion : {motions::tumbling(), motions::spin()}) {
         const Result mrp = integrated(motion, "mrp", Integrator::rk4, 0.01);
@@ -286,8 +287,8 @@ TEST_CASE("a step that turns by more than the set can follow is called coarse") 
     CHECK(error("euler:ZYX", 1.0, 1.5) == Error::none);
 }
 
+// Catches rates that are looked at only where the integrator needs them: those of Gauss and Legendre lie inside.
 TEST_CASE("the greatest rate of a step counts wherever it is") {
-    // Catches rates that are looked at only where the integrator needs them: those of Gauss and Legendre lie inside.
     for (const auto interpolation : {Interpolation::linear, Interpolation::cubic}) {
         for (const IntegratorEntry& entry : integrators()) {
             const auto error = [&](double first, double last) {
@@ -366,8 +367,8 @@ Step last_step(const Way& way, Interpolation interpolation, const Rotation& init
 
 } // namespace
 
+// Catches an integrator or a set whose estimate is of something else, and steps that are wrongly passed over.
 TEST_CASE("the estimate of a step's own error is of the order of that error") {
-    // Catches an integrator or a set whose estimate is of something else, and steps that are wrongly passed over.
     const Motion motion = motions::tumbling();
     for (const Way& way : ways) {
         int reported = 0;
@@ -397,8 +398,8 @@ TEST_CASE("the estimate of a step's own error is of the order of that error") {
     }
 }
 
+// Catches a bound that is drawn too wide: rates of any shape, at any attitude.
 TEST_CASE("steps of which nothing is estimated are far from being reported") {
-    // Catches a bound that is drawn too wide: rates of any shape, at any attitude.
     std::mt19937_64 random(11);
     std::normal_distribution<double> normal;
     const auto vector = [&] { return Vector3d(normal(random), normal(random), normal(random)); };
@@ -418,8 +419,8 @@ TEST_CASE("steps of which nothing is estimated are far from being reported") {
     }
 }
 
+// Catches a sum over substeps, and an estimate that stays.
 TEST_CASE("a sample's estimate is the greatest of its steps, and that of no other sample") {
-    // Catches a sum over substeps, and an estimate that stays.
     const auto estimate = [](double interval, std::size_t substeps) {
         Propagator propagator({.representation = spec("dcm"), .integrator = Integrator::rk4, .substeps = substeps});
         propagator.push(0, {0, 0, 1});
@@ -446,6 +447,7 @@ TEST_CASE("a step backwards is refused before the singularity as one forwards is
     }
 }
 
+// Catches a drift off the set that stays, and a projection that turns the attitude.
 TEST_CASE("renormalising takes the defect away, and changes the attitude little") {
     const Motion motion = motions::tumbling();
     for (const char* set : {"dcm", "6d", "5d", "quat"}) {
@@ -489,6 +491,7 @@ TEST_CASE("a rate that is a polynomial is interpolated exactly") {
     CHECK(attitude_error(Interpolation::cubic, 3) < 0.1 * attitude_error(Interpolation::linear, 3));
 }
 
+// Catches an answer that waits for nothing, comes before its time, or is lost at the end.
 TEST_CASE("linear answers each sample at once, cubic one late") {
     const PropagationSettings settings{.interpolation = Interpolation::cubic};
     Propagator linear({});
@@ -515,8 +518,8 @@ TEST_CASE("linear answers each sample at once, cubic one late") {
     CHECK(angle_of(*one.flush()) == 0.0);
 }
 
+// Catches an interval that is integrated twice or left out.
 TEST_CASE("a sample that is settled early is not answered again, and the next ones follow") {
-    // Catches an interval that is integrated twice or left out.
     for (const int early : {0, 1, 2, 5}) {
         Propagator propagator({.interpolation = Interpolation::cubic});
         int answered = 0;
@@ -537,6 +540,7 @@ TEST_CASE("a sample that is settled early is not answered again, and the next on
     }
 }
 
+// Catches a refused sample that is integrated all the same.
 TEST_CASE("a sample that is not later, or not finite, is refused and changes nothing") {
     for (const auto interpolation : {Interpolation::linear, Interpolation::cubic}) {
         Propagator clean({.interpolation = interpolation});
@@ -583,6 +587,7 @@ TEST_CASE("samples too close for their differences are refused and change nothin
     }
 }
 
+// Catches an attitude that comes back after the lock.
 TEST_CASE("a propagator whose chart is left says so from there on") {
     const PropagationSettings settings{.representation = spec("euler:ZYX"),
                                        .integrator = Integrator::rk4,

@@ -282,6 +282,7 @@ TEST_CASE("margin and condition of a rotation vector are those of its numbers") 
     }
 }
 
+// Catches an axis or a sign that one sequence alone gets wrong.
 TEST_CASE("rates of all Euler angles are those of the oracle") {
     for (const std::string& sequence : accuracy::signed_sequences()) {
         const std::string text = "euler:" + sequence;
@@ -348,6 +349,7 @@ TEST_CASE("the worst rates that are known stay within the limits") {
     }
 }
 
+// Catches numbers where there are none.
 TEST_CASE("at a singularity there are no rates, and the report says so") {
     const auto error = [](const char* text, const std::vector<double>& numbers, const RateSettings& settings = {}) {
         const Spec s = spec(text);

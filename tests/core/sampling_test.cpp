@@ -179,6 +179,7 @@ TEST_CASE("uniform sample rows are uniform") {
     CHECK(std::ranges::all_of(sums, [](double mean) { return std::abs(mean) < within; }));
 }
 
+// Catches samples that stay far from what they are to be near to.
 TEST_CASE("small and half-turn sample rows come near to it") {
     std::vector<Real> angles;
     for (const Row& row : rows_of(spec("rotvec"), SampleKind::small, 1000)) {
@@ -202,6 +203,7 @@ TEST_CASE("small and half-turn sample rows come near to it") {
     }
 }
 
+// Catches the lock of another sequence, and rows that keep away from it.
 TEST_CASE("sample rows come near the gimbal lock of the sequence, or of all in turn") {
     constexpr std::size_t count = 2400;
     const auto sequences = EulerSequence::all();
@@ -235,6 +237,7 @@ TEST_CASE("sample rows come near the gimbal lock of the sequence, or of all in t
     }
 }
 
+// Catches samples that a choice of the largest component never sees.
 TEST_CASE("sample rows come near the borders between quaternion components") {
     std::size_t equal = 0;
     std::size_t near = 0;
@@ -251,6 +254,7 @@ TEST_CASE("sample rows come near the borders between quaternion components") {
     CHECK(without_trace > 100);
 }
 
+// Catches a rotation that is missing or stands twice.
 TEST_CASE("cube sample rows are the rotations of the cube, each once") {
     const auto rows = rows_of(spec("dcm"), SampleKind::cube, 24);
     CHECK(std::set<Row>(rows.begin(), rows.end()).size() == 24);
@@ -264,6 +268,7 @@ TEST_CASE("cube sample rows are the rotations of the cube, each once") {
     CHECK(std::set<Row>(finite.begin(), finite.end()).size() == 15);
 }
 
+// Catches a kind that says more than its rows are.
 TEST_CASE("scaled, noisy and long sample rows are so within their limits") {
     std::vector<Real> norms;
     for (const Row& row : rows_of(spec("quat:xyzw"), SampleKind::scaled, 1000)) {

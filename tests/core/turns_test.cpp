@@ -31,8 +31,8 @@ std::vector<double> random_quaternion(strata::Source& source) {
 
 } // namespace
 
+// Catches plain products, which add 2, a product in the wrong order, and one taken on the wrong side of an inverse.
 TEST_CASE("a turn on each side adds at most 1 eps to a conversion's error") {
-    // Catches plain products, which add 2, a product in the wrong order, and one taken on the wrong side of an inverse.
     strata::Source source(1301);
     for (const auto* from_text : {"quat", "quat:passive", "dcm:passive", "euler:ZYX:deg", "rotvec"}) {
         const auto from = accuracy::spec(from_text);
@@ -58,8 +58,8 @@ TEST_CASE("a turn on each side adds at most 1 eps to a conversion's error") {
     }
 }
 
+// Catches a product of plain roundings, whose worst case is above 1.5 eps in so many pairs.
 TEST_CASE("the product itself is rounded once") {
-    // Catches a product of plain roundings, whose worst case is above 1.5 eps in so many pairs.
     strata::Source source(1302);
     double worst = 0.0;
     for (int i = 0; i < 20'000; ++i) {
@@ -73,8 +73,8 @@ TEST_CASE("the product itself is rounded once") {
     CHECK(worst <= 1.0);
 }
 
+// Catches a turn that rounds, scales a unit quaternion, or leaves a sign or -0 that is not printed.
 TEST_CASE("a turn by the identity, half-turns and quarter turns is exact") {
-    // Catches a turn that rounds, scales a unit quaternion, or leaves a sign or -0 that is not printed.
     const Rotation identity;
     strata::Source source(1303);
     for (int i = 0; i < 1000; ++i) {
@@ -97,8 +97,8 @@ TEST_CASE("a turn by the identity, half-turns and quarter turns is exact") {
           std::vector<double>{-1, 0, 0, 0, -1, 0, 0, 0, 1});
 }
 
+// Catches a lock that is looked for before the turn, and a defect that the turn has changed.
 TEST_CASE("what is told of a turned attitude is the input's defect and the output's sensitivity") {
-    // Catches a lock that is looked for before the turn, and a defect that the turn has changed.
     const auto degrees = accuracy::spec("rpy:deg");
     const Rotation down = *read_attitude(degrees, std::array{0.0, 90.0, 0.0});
     std::vector<double> out(6);
@@ -114,8 +114,8 @@ TEST_CASE("what is told of a turned attitude is the input's defect and the outpu
     CHECK(out == std::vector<double>{0, 90, 0, 0, 0, 0});
 }
 
+// Catches the order or the inverse left out.
 TEST_CASE("an attitude is read with all that its SPEC says") {
-    // Catches the order or the inverse left out.
     const auto spec = accuracy::spec("quat:xyzw:passive");
     const std::array<double, 4> numbers{0.1, 0.2, 0.3, 0.9};
     const Reading reading = read_attitude(spec, numbers);

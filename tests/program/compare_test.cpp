@@ -12,8 +12,8 @@
 
 using namespace program;
 
+// Catches a greedy match, and ties that are decided by chance. The pairs are found anew by looking at all.
 TEST_CASE("each row is paired with the nearest whose nearest it is") {
-    // Catches a greedy match, and ties that are decided by chance. The pairs are found anew by looking at all.
     std::mt19937 engine(7);
     Files files;
     for (int round = 0; round < 60; ++round) {
@@ -60,8 +60,8 @@ TEST_CASE("each row is paired with the nearest whose nearest it is") {
     }
 }
 
+// Catches sums in another order, pairs that shift where blocks end, and a file that is held.
 TEST_CASE("compare gives the same bytes with any number of threads, and needs no memory for its length") {
-    // Catches sums in another order, pairs that shift where blocks end, and a file that is held.
     Files files;
     std::string rows;
     std::string others;
@@ -88,8 +88,8 @@ TEST_CASE("compare gives the same bytes with any number of threads, and needs no
     }
 }
 
+// Catches rows that are held: by row, by keys that are equal, and by keys whose next one must be seen.
 TEST_CASE("the memory of compare does not grow with the streams") {
-    // Catches rows that are held: by row, by keys that are equal, and by keys whose next one must be seen.
     Files files;
     for (const std::string options :
          {"", "--key 1 ", "--key 1 --key-within 0.5 ", "--key 1 --key-within 1.2 --interpolate --key-offset 0.6 "}) {
@@ -134,8 +134,8 @@ TEST_CASE("the memory of compare does not grow with the streams") {
     }
 }
 
+// Catches a wrong pair, and memory that grows with what stands between two keys.
 TEST_CASE("a row whose partner cannot be told ends the comparison") {
-    // Catches a wrong pair, and memory that grows with what stands between two keys.
     Files files;
     const std::string options = "compare -f quat --key 1 --columns 2-5 --key-within 0.5 --format csv @new @old";
     files.add("old", "1.1 1 0 0 0\n");
@@ -147,8 +147,8 @@ TEST_CASE("a row whose partner cannot be told ends the comparison") {
                                          "before the next key\n"}));
 }
 
+// Catches a comparison that waits for full blocks.
 TEST_CASE("a pair that has arrived is answered") {
-    // Catches a comparison that waits for full blocks.
     Files files;
     files.add("old", "0 0 0\n0 0 0\n0 0 0\n");
     Process process(Words{"compare", "-f", "rotvec", "--format", "csv", "-", files.path("old")});
@@ -161,8 +161,8 @@ TEST_CASE("a pair that has arrived is answered") {
     CHECK(process.finish().exit_code == 0);
 }
 
+// Catches a row that waits for the row after it, and a neighbour that is waited for though the key is met.
 TEST_CASE("an interpolated reference is answered as soon as its later row has come") {
-    // Catches a row that waits for the row after it, and a neighbour that is waited for though the key is met.
     Files files;
     REQUIRE(::mkfifo(files.path("fifo").c_str(), 0600) == 0);
     Process process(Words{"compare", "-f", "rotvec", "--key", "1", "--columns", "2-4", "--interpolate", "--key-within",
@@ -185,8 +185,8 @@ TEST_CASE("an interpolated reference is answered as soon as its later row has co
     CHECK(result.exit_code == 1);
 }
 
+// Catches fields that get into the sums.
 TEST_CASE("rows of doubles are compared too") {
-    // Catches fields that get into the sums.
     Files files;
     files.add("new", bytes_of({7, 0, 0, 0, 8, 0, 0, 0.25})).add("old", bytes_of({7, 0, 0, 0, 8, 0, 0, 0}));
     const std::string options = "compare -f rotvec --input-format f64 --width 4 --columns 2-4 --within 0.25 ";
@@ -203,8 +203,8 @@ TEST_CASE("rows of doubles are compared too") {
     CHECK(files(options + "@new @old").exit_code == 2);
 }
 
+// Catches a check that goes on, and then fails because nobody reads, or says so.
 TEST_CASE("a reader that closes the pipe ends a comparison and an identification quietly") {
-    // Catches a check that goes on, and then fails because nobody reads, or says so.
     Files files;
     files.add("old", repeated("0.5 -0.5 0.5 0.5\n", 1000));
     for (const std::string& arguments : {"compare -f quat --format csv - " + files.path("old"),

@@ -43,8 +43,8 @@ const std::string past_a_half_turn = "0 0 170\n0 0 -170\n0 0 -100\n0 0 0\n0 0 10
 
 } // namespace
 
+// Catches a format that writes the numbers before the choice.
 TEST_CASE("yaw runs past 180 degrees to 1000, in every format") {
-    // Catches a format that writes the numbers before the choice.
     const std::string yaws[] = {"170", "190", "260", "360", "460", "560", "650", "740", "830", "920", "1000"};
     std::string plain;
     std::string appended;
@@ -77,8 +77,8 @@ TEST_CASE("yaw runs past 180 degrees to 1000, in every format") {
           done("0 0 170\n0 0 190\n0 0 260\n"));
 }
 
+// Catches a result that is rounded, brought near to the last one, and rounded again.
 TEST_CASE("numbers of a motion come back as they went in") {
-    // Catches a result that is rounded, brought near to the last one, and rounded again.
     std::mt19937 engine(63);
     const auto step = [&engine] { return std::uniform_int_distribution(-90, 90)(engine); };
     std::string angles;
@@ -98,8 +98,8 @@ TEST_CASE("numbers of a motion come back as they went in") {
     CHECK((run("-f rotvec -t rotvec --continuous --diagnostics off", vectors) == done(vectors)));
 }
 
+// Catches a sign that follows w, and one that is compared in another order.
 TEST_CASE("a quaternion does not flip") {
-    // Catches a sign that follows w, and one that is compared in another order.
     const std::string rows = "0 0 0.6 0.8\n-0.01 0 0.6 0.8\n0 0 -0.6 -0.8\n0 0 0.6 0.8\n";
     CHECK(run("-f quat -t quat --continuous -p 3 --diagnostics off", rows) ==
           done("0 0 0.6 0.8\n-0.01 0 0.6 0.8\n0 0 0.6 0.8\n0 0 0.6 0.8\n"));
@@ -110,8 +110,8 @@ TEST_CASE("a quaternion does not flip") {
                  run("-f axis-angle:deg -t axis-angle:deg", "0 1 0 170\n0 1 0 190\n0 1 0 340\n0 1 0 0\n").err});
 }
 
+// Catches numbers that are compared with nan or with those of a row that was left out.
 TEST_CASE("a row without a result changes nothing for the next") {
-    // Catches numbers that are compared with nan or with those of a row that was left out.
     const std::string command = "-f rpy:deg -t rpy:deg --continuous --on-error ";
     const std::string rows = "0 0 170\nx 0 0\n0 0 -170\nnan 0 0\n0 0 -100\n";
     CHECK(run(command + "nan", rows).out == "0 0 170\nnan nan nan\n0 0 190\nnan nan nan\n0 0 260\n");
@@ -120,8 +120,8 @@ TEST_CASE("a row without a result changes nothing for the next") {
           stopped("0 0 170\n0 0 190\n", {"rotconv: -:3: not finite"}));
 }
 
+// Catches an option that one of them ignores.
 TEST_CASE("propagate and published methods are continuous too") {
-    // Catches an option that one of them ignores.
     std::string rows;
     std::string expected;
     for (int i = 0; i <= 10; ++i) {
@@ -141,8 +141,8 @@ TEST_CASE("propagate and published methods are continuous too") {
     CHECK(lost.out == "1 0 0 0\n0 nan nan nan\n1 0 0 0\n");
 }
 
+// Catches an option that is refused where it has no effect, or has one.
 TEST_CASE("representations without a choice stay as they are") {
-    // Catches an option that is refused where it has no effect, or has one.
     const auto rows = moving_rows(300, false);
     for (const std::string to : {"dcm", "6d", "5d", "cayley"}) {
         CHECK(run("-f quat --continuous -t " + to, rows) == run("-f quat -t " + to, rows));
@@ -151,8 +151,8 @@ TEST_CASE("representations without a choice stay as they are") {
     CHECK(run("rates -f quat --continuous", rows).exit_code == 2);
 }
 
+// Catches blocks that choose before it is their turn, and a choice that is lost between two blocks.
 TEST_CASE("a continuous stream has the same bytes with any number of threads and however it arrives") {
-    // Catches blocks that choose before it is their turn, and a choice that is lost between two blocks.
     const auto rows = moving_rows(15'000, true);
     const Folder folder;
     const auto file = folder / "rows";
@@ -173,8 +173,8 @@ TEST_CASE("a continuous stream has the same bytes with any number of threads and
     }
 }
 
+// Catches the fast way of rows of doubles, which has blocks of its own.
 TEST_CASE("continuous doubles have the same bytes with any number of threads") {
-    // Catches the fast way of rows of doubles, which has blocks of its own.
     const auto rows =
         run("-f quat -t quat --format f64 --tolerance 1 --diagnostics off", moving_rows(20'000, false)).out;
     const std::string command = "-f quat -t rpy --input-format f64 --format f64 --continuous --diagnostics off ";
@@ -187,8 +187,8 @@ TEST_CASE("continuous doubles have the same bytes with any number of threads") {
     CHECK((run("-f quat -t rpy --continuous --diagnostics off --format f64", text) == expected));
 }
 
+// Catches a thread that waits for its turn while the input is open.
 TEST_CASE("a continuous row is answered before the next one is sent") {
-    // Catches a thread that waits for its turn while the input is open.
     Process process(words_of("-f rpy:deg -t rpy:deg --continuous --threads 4 -p 12"));
     double yaw = 0.0;
     const auto next = [&yaw] {
@@ -210,8 +210,8 @@ TEST_CASE("a continuous row is answered before the next one is sent") {
     CHECK(process.finish() == done(""));
 }
 
+// Catches threads that wait for ever for a turn that nobody takes.
 TEST_CASE("a continuous stream ends at an error, and when its reader leaves") {
-    // Catches threads that wait for ever for a turn that nobody takes.
     const auto rows = moving_rows(30'000, false);
     for (int i = 0; i < 5; ++i) {
         Process failing(words_of("-f quat -t rpy --tolerance 1 --continuous --threads 4"));
@@ -228,8 +228,8 @@ TEST_CASE("a continuous stream ends at an error, and when its reader leaves") {
     }
 }
 
+// Catches rows that are kept for the choice.
 TEST_CASE("memory does not grow with a continuous stream") {
-    // Catches rows that are kept for the choice.
     const Folder folder;
     const auto file = folder / "rows";
     write_file(file, repeated("1 2 3 4\n4 3 2 1\n", 300'000));

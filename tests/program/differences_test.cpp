@@ -28,8 +28,8 @@ std::string constant_rate(double rate, double step, int rows) {
 
 } // namespace
 
+// Catches a chord in the place of the angle, a sign of the quaternion that counts, and a first row that is lost.
 TEST_CASE("differences of a constant rate are that rate, at every row") {
-    // Catches a chord in the place of the angle, a sign of the quaternion that counts, and a first row that is lost.
     constexpr int count = 500;
     const std::string rows = constant_rate(1.75, 0.125, count); // times that are exact
     const auto result = run(differences + "-f quat:tum --columns t,qx,qy,qz,qw", rows);
@@ -56,8 +56,8 @@ TEST_CASE("differences of a constant rate are that rate, at every row") {
     CHECK(rest.empty());
 }
 
+// Catches a row that waits for more than the second, and a state that is lost between batches.
 TEST_CASE("differences answer each row as it comes, whatever the threads and the blocks") {
-    // Catches a row that waits for more than the second, and a state that is lost between batches.
     Process process({"rates", "--differences", "-f", "rpy", "-p", "12"});
     process.write("0 0 0 0\n1 0 0 1\n");
     CHECK(process.read_rows(2) == "0 0 0 1\n1 0 0 1\n");

@@ -44,9 +44,9 @@ const BadRow bad_rows[] = {
 
 } // namespace
 
+// Catches lost rows, rows after the error, rows that shift against their input, a wrong line number, and messages
+// that do not show the text at fault.
 TEST_CASE("a row that fails ends the run, is written as nan or is left out") {
-    // Catches lost rows, rows after the error, rows that shift against their input, a wrong line number, and messages
-    // that do not show the text at fault.
     for (const BadRow& row : bad_rows) {
         INFO(row.from << ": " << row.bad);
         const auto rows = std::string(row.good) + "\n" + row.bad + "\n" + row.good + "\n";
@@ -60,8 +60,8 @@ TEST_CASE("a row that fails ends the run, is written as nan or is left out") {
     CHECK(run("-f quat -t quat", "1,0,0,0\n1,0,0,x\n") == stopped("1,0,0,0\n")); // the default
 }
 
+// Catches a special case of no good row.
 TEST_CASE("all rows may fail") {
-    // Catches a special case of no good row.
     const auto rows = repeated("0,0,0,0\n", 1000);
     const auto skipped = run(reorder + "--on-error skip", rows);
     CHECK(skipped.exit_code == 1);
@@ -70,16 +70,16 @@ TEST_CASE("all rows may fail") {
     CHECK(run(reorder + "--on-error nan", rows) == went_on(repeated("nan,nan,nan,nan\n", 1000)));
 }
 
+// Catches short rows out of short rows in.
 TEST_CASE("missing selected fields are added at the end of the row under nan") {
-    // Catches short rows out of short rows in.
     CHECK(run(reorder + "--on-error nan --columns 2-5", "t,1,0,0,0\nu\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
     CHECK(run(reorder + "--on-error nan --columns 2-5", "t,1,0,0,0\nu,1,0\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
     CHECK(run(reorder + "--on-error nan --columns 3-6", "t,s,1,0,0,0\nu,v\n").out ==
           "t,s,0,0,0,1\nu,v,nan,nan,nan,nan\n");
 }
 
+// Catches a tolerance that is ignored, or compared with another measure.
 TEST_CASE("a defect within the tolerance is no error") {
-    // Catches a tolerance that is ignored, or compared with another measure.
     const std::string quiet = " --diagnostics off";
     CHECK(run("-f quat -t quat" + quiet, "1.0005 0 0 0\n0 -0.9995 0 0\n") == done("1 0 0 0\n0 1 0 0\n"));
     CHECK(run("-f quat -t quat --tolerance 1" + quiet, "1.5 0 0 0\n0 0.25 0 0\n") == done("1 0 0 0\n0 1 0 0\n"));
@@ -89,15 +89,15 @@ TEST_CASE("a defect within the tolerance is no error") {
     CHECK(run("-f quat -t quat --tolerance 0", "1.0000001 0 0 0\n").exit_code == 2);
 }
 
+// Catches an attitude made of nothing.
 TEST_CASE("a tolerance of inf still refuses what has no attitude") {
-    // Catches an attitude made of nothing.
     CHECK(run("-f quat -t quat --tolerance inf 0 0 0 0").exit_code == 2);
     CHECK(run("-f dcm -t quat --tolerance inf -1 0 0 0 -1 0 0 0 -1").exit_code == 2);
     CHECK(run("-f 6d -t quat --tolerance inf 1 0 0 2 0 0").exit_code == 2);
 }
 
+// Catches messages that steer the terminal or fill it.
 TEST_CASE("the text at fault is quoted without its control characters") {
-    // Catches messages that steer the terminal or fill it.
     const auto result = run(reorder, "1,\x1B[2J,0,0\n");
     CHECK(result.err.find('\x1B') == std::string::npos);
     const auto numbers = run(reorder + "--header no", "1," + repeated("x", 100'000) + ",0,0\n");
@@ -105,8 +105,8 @@ TEST_CASE("the text at fault is quoted without its control characters") {
     CHECK(numbers.err.size() < 1000);
 }
 
+// Catches thousands of lines that bury what matters, and rows that vanish without a word.
 TEST_CASE("of bad rows twenty are told of, and the rest counted") {
-    // Catches thousands of lines that bury what matters, and rows that vanish without a word.
     const std::string rows = "1 0 0 0\n" + repeated("0 0 0 0\n", 2400);
     const auto result = run("-f quat -t quat --on-error nan", rows);
     CHECK(result.exit_code == 1);

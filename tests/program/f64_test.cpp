@@ -51,8 +51,8 @@ Numbers made_numbers(std::size_t rows, std::size_t width) {
 
 } // namespace
 
+// Catches an order of bytes, numbers or rows that is not that of the input.
 TEST_CASE("doubles in, doubles out") {
-    // Catches an order of bytes, numbers or rows that is not that of the input.
     const auto result =
         run("-f quat -t quat:xyzw --format f64" + binary, bytes_of({0.5, -0.5, 0.5, 0.5, 1, 0, 0, 0, 0, 0, -1, 0}));
     CHECK(result.exit_code == 0);
@@ -61,8 +61,8 @@ TEST_CASE("doubles in, doubles out") {
     CHECK(run("-f quat -t dcm --format f64" + binary, "") == done(""));
 }
 
+// Catches digits that are lost on one side.
 TEST_CASE("doubles in, text out, and the other way round") {
-    // Catches digits that are lost on one side.
     CHECK(run("-f quat -t quat:xyzw" + binary, bytes_of({0.5, -0.5, 0.5, 0.5})) == done("-0.5,0.5,0.5,0.5\n"));
     CHECK(run("-f quat -t quat:xyzw --delimiter blank --header add" + binary, bytes_of({1, 0, 0, 0})) ==
           done("qx qy qz qw\n0 0 0 1\n"));
@@ -81,8 +81,8 @@ TEST_CASE("doubles in, text out, and the other way round") {
           run("-f dcm -t dcm --format f64" + binary, doubles.out).out);
 }
 
+// Catches positions that are off, and numbers that are parsed and printed on their way.
 TEST_CASE("columns of doubles are selected by index, and the others pass") {
-    // Catches positions that are off, and numbers that are parsed and printed on their way.
     const double quiet = std::numeric_limits<double>::quiet_NaN();
     const double tiny = std::numeric_limits<double>::denorm_min();
     const auto input = bytes_of({tiny, 1, 0, 0, 0, -0.0, quiet, 0, 0, 0, 1, 7});
@@ -98,8 +98,8 @@ TEST_CASE("columns of doubles are selected by index, and the others pass") {
                "\n"));
 }
 
+// Catches bytes that are dropped in silence, and rows before them that are.
 TEST_CASE("bytes at the end that are no whole row are an error at their place") {
-    // Catches bytes that are dropped in silence, and rows before them that are.
     auto input = bytes_of({1, 0, 0, 0, 0, 1, 0, 0, 0.5});
     input += "abc";
     const auto result = run("-f quat -t quat:xyzw --format f64" + binary, input);
@@ -109,8 +109,8 @@ TEST_CASE("bytes at the end that are no whole row are an error at their place") 
     CHECK(missing(run("-f quat -t dcm" + binary, "1 0 0 0\n").err, {"-:1: ", "byte 0 "}) == "");
 }
 
+// Catches policies that binary rows do not know, and raw bytes in messages.
 TEST_CASE("rows of doubles without an attitude are errors with their row and numbers") {
-    // Catches policies that binary rows do not know, and raw bytes in messages.
     const auto input = bytes_of({9, 1, 0, 0, 0, 8, 0, 0, 0, 0, 7, 0, 0, 0, 1});
     const std::string arguments = "-f quat -t quat:xyzw --format f64 --columns 2-5 --width 5" + binary;
     const auto stopped = run(arguments, input);
@@ -129,8 +129,8 @@ TEST_CASE("rows of doubles without an attitude are errors with their row and num
           Result{2, "", "rotconv: -:1: not finite: 'inf,0,0,0'\n"});
 }
 
+// Catches a row length that depends on the row.
 TEST_CASE("diagnostics of doubles have their rows, and columns without the notes") {
-    // Catches a row length that depends on the row.
     const auto input = bytes_of({1, 0, 0, 0, 0, 1, 0, 0});
     const auto rows = run("-f quat -t rotvec --diagnostics rows" + binary, input);
     CHECK(missing(rows.err, {"rotconv: -:2: half-turn"}) == "");
@@ -140,8 +140,8 @@ TEST_CASE("diagnostics of doubles have their rows, and columns without the notes
     CHECK(numbers[9] == 0.0); // the margin at a half-turn
 }
 
+// Catches a format that only the conversion knows.
 TEST_CASE("commands read and write doubles") {
-    // Catches a format that only the conversion knows.
     const auto rates = run("rates -f quat --format f64" + binary, bytes_of({1, 0, 0, 0, 0, 0, 2}));
     CHECK(numbers_of(rates.out) == Numbers{0, 0, 0, 1});
     const auto input = bytes_of({0, 0, 0, 30, 0.5, 0, 0, 30, 1, 0, 0, 30});
@@ -153,8 +153,8 @@ TEST_CASE("commands read and write doubles") {
                   {"\n3 attitudes", "\nmrp\n"}) == "");
 }
 
+// Catches rows that are torn by the border of a block.
 TEST_CASE("doubles do not depend on threads, nor on how they arrive") {
-    // Catches rows that are torn by the border of a block.
     const auto [columns, width] = GENERATE(std::pair(std::string("--columns 3-6 --width 7"), std::size_t{7}),
                                            std::pair(std::string(), std::size_t{4}));
     const std::string arguments = "-f quat -t euler:ZXZ --tolerance inf --on-error nan " + columns + binary;
@@ -180,8 +180,8 @@ TEST_CASE("doubles do not depend on threads, nor on how they arrive") {
     }
 }
 
+// Catches a row with a fault or a diagnostic that is lost, repeated or in another's place.
 TEST_CASE("doubles alone have the numbers, errors and diagnostics of text") {
-    // Catches a row with a fault or a diagnostic that is lost, repeated or in another's place.
     auto numbers = made_numbers(3000, 4);
     for (std::size_t row = 0; row < 3000; ++row) {
         const std::span q(numbers.data() + 4 * row, 4);
@@ -204,8 +204,8 @@ TEST_CASE("doubles alone have the numbers, errors and diagnostics of text") {
     }
 }
 
+// Catches rows that wait for a full block.
 TEST_CASE("a row of doubles is answered before the next one is sent") {
-    // Catches rows that wait for a full block.
     Process process(words_of("-f quat -t quat:xyzw" + binary));
     for (int i = 0; i < 20; ++i) {
         process.write(bytes_of({1, 0, 0, 0, 0, 1}));
@@ -216,8 +216,8 @@ TEST_CASE("a row of doubles is answered before the next one is sent") {
     CHECK(process.finish() == done(""));
 }
 
+// Catches a selection that reads past the row.
 TEST_CASE("options that do not fit rows of doubles are usage errors") {
-    // Catches a selection that reads past the row.
     for (const std::string arguments : {"--columns 2-5", "--columns 2-5 --width 4", "--width 5", "--width 0",
                                         "--columns qw,qx,qy,qz", "--width x", "--input-format f32"}) {
         INFO(arguments);

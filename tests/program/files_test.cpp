@@ -12,8 +12,8 @@
 
 using namespace program;
 
+// Catches a missing truncation, which leaves the old end.
 TEST_CASE("a longer file is replaced and not written over") {
-    // Catches a missing truncation, which leaves the old end.
     const Folder folder;
     const auto out = folder / "out";
     write_file(out, repeated("old\n", 1000));
@@ -21,8 +21,8 @@ TEST_CASE("a longer file is replaced and not written over") {
     CHECK(read_file(out) == "0 0 0 1\n");
 }
 
+// Catches output that is kept until the end.
 TEST_CASE("an output file is written as soon as there are rows") {
-    // Catches output that is kept until the end.
     const Folder folder;
     const auto out = folder / "out";
     Process process(words_of(reorder + "-o " + out.string()));
@@ -34,8 +34,8 @@ TEST_CASE("an output file is written as soon as there are rows") {
     CHECK(process.finish() == done(""));
 }
 
+// Catches a full disk that a network's file system tells of only then.
 TEST_CASE("an error that comes when the output is closed is an error of the run") {
-    // Catches a full disk that a network's file system tells of only then.
     const Surroundings fails{.close_error = ENOSPC};
     for (const char* arguments : {"-f quat -t quat 1 0 0 0", "-f quat -t quat", "survey -f quat", "--help", "list"}) {
         INFO(arguments);
@@ -46,8 +46,8 @@ TEST_CASE("an error that comes when the output is closed is an error of the run"
     }
 }
 
+// Catches a name that is taken for a VALUE: the first thing that everyone types.
 TEST_CASE("FILE is an operand of every command that reads a stream") {
-    // Catches a name that is taken for a VALUE: the first thing that everyone types.
     const Folder folder;
     for (const char* name : {"q.txt", "2024-11-21.csv", "info.txt", "nan.csv", "1e5.txt", "-0.5.txt"}) {
         const auto file = (folder / name).string();
@@ -67,8 +67,8 @@ TEST_CASE("FILE is an operand of every command that reads a stream") {
     CHECK(missing(run("-f quat -t rpy " + file).err, {"rotconv: " + file + ":1: "}) == "");
 }
 
+// Catches a file that is emptied before it is read.
 TEST_CASE("the same file for input and output is refused and kept") {
-    // Catches a file that is emptied before it is read.
     const Folder folder;
     const auto file = folder / "file";
     const auto link = folder / "link";
@@ -87,14 +87,14 @@ TEST_CASE("the same file for input and output is refused and kept") {
     CHECK(read_file(file) == bytes);
 }
 
+// Catches a failed read taken for the end of the input.
 TEST_CASE("a folder on stdin ends the run") {
-    // Catches a failed read taken for the end of the input.
     const Folder folder;
     CHECK(run(reorder, {}, {.input_file = folder / ""}) == stopped("", {"rotconv: -"}));
 }
 
+// Catches a failed write that nobody looked at.
 TEST_CASE("a full disk ends the run with exit 2") {
-    // Catches a failed write that nobody looked at.
     CHECK(run(reorder + "-o /dev/full", "1 0 0 0\n") == stopped(any_output, {"rotconv: ", "/dev/full"}));
     const Surroundings full{.output_file = "/dev/full"};
     CHECK(run(reorder + "1 0 0 0", {}, full).exit_code == 2);
@@ -105,8 +105,8 @@ TEST_CASE("a full disk ends the run with exit 2") {
     CHECK(missing(run(reorder, "1 0 0 0\n", full).err, {"rotconv: "}) == "");
 }
 
+// Catches death by an exception out of a message, which changes the exit code and loses rows.
 TEST_CASE("a stderr that cannot be written does not kill the program") {
-    // Catches death by an exception out of a message, which changes the exit code and loses rows.
     const Surroundings full{.errors_file = "/dev/full"};
     CHECK(run(reorder, "1 0 0 0\n0 0 0 0\n", full) == Result{2, "0 0 0 1\n", {}});
     CHECK(run(reorder + "0 0 0 0", {}, full).exit_code == 2);
@@ -119,8 +119,8 @@ TEST_CASE("a stderr that cannot be written does not kill the program") {
     CHECK(half_turn.out == "1 0 0\n0 0 0\n");
 }
 
+// Catches death by SIGPIPE, and a complaint about a broken pipe.
 TEST_CASE("a reader that leaves ends the run quietly") {
-    // Catches death by SIGPIPE, and a complaint about a broken pipe.
     Process process(words_of("-f quat -t rotvec"));
     const auto rows = repeated("0 1 0 0\n", 10'000);
     process.write(rows);
@@ -134,8 +134,8 @@ TEST_CASE("a reader that leaves ends the run quietly") {
     CHECK(result.err == "");
 }
 
+// Catches help, lists and VALUEs that do not know of closed pipes.
 TEST_CASE("a reader that left before the first row ends the run quietly") {
-    // Catches help, lists and VALUEs that do not know of closed pipes.
     for (const char* arguments :
          {"-f quat -t dcm", "-f quat -t dcm 1 0 0 0", "survey -f quat --condition 0.1", "--help", "list"}) {
         Process process(words_of(arguments));
@@ -147,8 +147,8 @@ TEST_CASE("a reader that left before the first row ends the run quietly") {
     }
 }
 
+// Catches a long run that looks like one that hangs, and a terminal that is left with half a line.
 TEST_CASE("a large file shows its progress on a terminal, whatever the command") {
-    // Catches a long run that looks like one that hangs, and a terminal that is left with half a line.
     const Folder folder;
     const auto file = (folder / "large.csv").string();
     const std::string rows = repeated("0.5 0.5 0.5 0.5\n", 400'000);

@@ -4,8 +4,8 @@
 
 using namespace program;
 
+// Catches lines that are lost where they wait for the row that tells, and those that pile up.
 TEST_CASE("comments and blank rows before the first row keep their order and use no memory") {
-    // Catches lines that are lost where they wait for the row that tells, and those that pile up.
     const std::string many = repeated("# " + std::string(100, 'c') + "\n\n", 20'000);
     CHECK((run(reorder, many + "#a,b,c,d\n1,0,0,0\n") == done(many + "#qx,qy,qz,qw\n0,0,0,1\n")));
     CHECK((run(reorder, many).out == many));
@@ -32,8 +32,8 @@ TEST_CASE("comments and blank rows before the first row keep their order and use
     CHECK(run(reorder, "# note\n" + std::string(5'000'000, '1')) == stopped("# note\n"));
 }
 
+// Catches time that grows with the square of the columns, by the time limit of a process.
 TEST_CASE("headers may be as wide as lines are long") {
-    // Catches time that grows with the square of the columns, by the time limit of a process.
     std::string names = "qw,qx,qy,qz";
     std::string row = "1,0,0,0";
     for (int i = 5; i <= 300'000; ++i) {

@@ -26,8 +26,8 @@ std::string answer(const std::string& arguments, const std::string& input) {
 
 } // namespace
 
+// Catches an answer that cannot be pasted, or that reads other attitudes.
 TEST_CASE("identify ends with options that read the numbers") {
-    // Catches an answer that cannot be pasted, or that reads other attitudes.
     const std::string rows = with_matrix("euler:zxz:deg:passive", angles);
     CHECK(answer("-t dcm", rows) == "-f euler:zxz:deg:passive --columns 1-3");
     const auto pasted = run(answer("-t dcm", rows) + " -t dcm --diagnostics off", rows);
@@ -41,8 +41,8 @@ TEST_CASE("identify ends with options that read the numbers") {
     CHECK(answer("-t quat", run("-f rpy:deg -t quat --append", angles).out) == "-f rpy:deg --columns 1-3");
 }
 
+// Catches columns counted among those selected.
 TEST_CASE("identify answers in the columns of the file") {
-    // Catches columns counted among those selected.
     const auto row = with_matrix("rpy:deg --columns 2-4", "7 10 20 30 x\n8 -50 60 100 y\n9 120 -30 5 z\n");
     CHECK(answer("-t dcm --columns 2-4,6-14", row) == "-f rpy:deg --columns 2-4");
     CHECK(answer("-t dcm --columns 4,2,3,6-14", row) == "-f euler:ZYX:deg --columns 4,3,2");
@@ -57,8 +57,8 @@ TEST_CASE("identify answers in the columns of the file") {
                "1;73.7398;0;0;73.739795291688042;0;0\n2;90;0;90;90;0;90\n"));
 }
 
+// Catches a table without lines, and angles in another unit.
 TEST_CASE("identify has a line for each of the best candidates") {
-    // Catches a table without lines, and angles in another unit.
     std::string rows = with_matrix("rpy:deg", "10 20 30\n-50 60 100\n120 -30 5\n");
     rows = "# a remark\n\n" + rows;
     const auto result = run("identify -t dcm", rows);
@@ -88,8 +88,8 @@ TEST_CASE("identify has a line for each of the best candidates") {
     CHECK(answer("-t dcm --within 0.002", off) == "-f rpy:deg --columns 1-3");
 }
 
+// Catches one of many taken for the answer, and exit 0.
 TEST_CASE("identify calls narrow rows ambiguous and says what they lack") {
-    // Catches one of many taken for the answer, and exit 0.
     const auto of = [](const std::string& rows) { return answer("-t dcm", with_matrix("rpy:deg", rows)); };
     CHECK(of("0 0 30\n0 0 80\n") == "ambiguous: 97 fit; all turn about one axis, (0, 0, 1)");
     CHECK(of("0 0 30\n") == "ambiguous: 97 fit; there is one row");
@@ -102,8 +102,8 @@ TEST_CASE("identify calls narrow rows ambiguous and says what they lack") {
     CHECK(answer("-t dcm", with_matrix("rpy:deg", "10 20 30\n")) == "-f rpy:deg --columns 1-3");
 }
 
+// Catches the least bad candidate taken for the answer.
 TEST_CASE("identify says none where nothing fits") {
-    // Catches the least bad candidate taken for the answer.
     const std::string rows = "1 2 3 1 0 0 0 1 0 0 0 1\n3 2 1 0 -1 0 1 0 0 0 0 1\n";
     const auto result = run("identify -t dcm", rows);
     CHECK(result.exit_code == 1);
@@ -116,8 +116,8 @@ TEST_CASE("identify says none where nothing fits") {
     }
 }
 
+// Catches a name that is ignored.
 TEST_CASE("identify tries one representation alone where it is named") {
-    // Catches a name that is ignored.
     const std::string rows = with_matrix("rpy:deg", "0 0 30\n0 0 80\n");
     CHECK(answer("-t dcm -f rotvec", rows) == "-f rotvec:deg --columns 1-3");
     CHECK(missing(answer("-t dcm -f euler", rows), {"ambiguous: 96 fit"}) == "");
@@ -126,8 +126,8 @@ TEST_CASE("identify tries one representation alone where it is named") {
     CHECK(answer("-t dcm -f gibbs", with_matrix("cayley", angles)) == "-f cayley --columns 1-3");
 }
 
+// Catches a form that is left out.
 TEST_CASE("identify takes one row as VALUEs, and a file") {
-    // Catches a form that is left out.
     CHECK(run("identify -t dcm 0 0 90 0 -1 0 1 0 0 0 0 1").exit_code == 1);
     CHECK(last_line(run("identify -t dcm 0 0 90 0 -1 0 1 0 0 0 0 1").out) == "ambiguous: 97 fit; there is one row");
     CHECK(last_line(run("identify -t rpy:deg 0.5,0.1,0.7,0.5,120,60,-10").out) ==
@@ -143,8 +143,8 @@ TEST_CASE("identify takes one row as VALUEs, and a file") {
     CHECK(last_line(read_file(table)) == "-f rpy:deg --columns 1-3");
 }
 
+// Catches a count of numbers that is taken from bytes.
 TEST_CASE("identify reads doubles") {
-    // Catches a count of numbers that is taken from bytes.
     const auto bytes =
         run("-f quat -t rpy:deg --append --format f64 --diagnostics off --tolerance inf --input-format f64",
             run("-f quat -t quat --tolerance inf --diagnostics off --format f64", quaternions).out);
@@ -156,8 +156,8 @@ TEST_CASE("identify reads doubles") {
     CHECK(run("identify -t rpy:deg --input-format f64", bytes.out) == stopped(any_output, {"f64", "--width"}));
 }
 
+// Catches numbers that no JSON reader takes, and a last line that is none.
 TEST_CASE("identify speaks JSON") {
-    // Catches numbers that no JSON reader takes, and a last line that is none.
     const auto result = run("identify -t dcm --format json", "0 0 90 0 -1 0 1 0 0 0 0 1\n");
     CHECK(result.exit_code == 1);
     CHECK(count_rows(result.out) == 11);
@@ -174,8 +174,8 @@ TEST_CASE("identify speaks JSON") {
     CHECK(missing(axis.out, {R"({"spec": "axis-angle:deg", "columns": "1-4", "angle": )"}) == "");
 }
 
+// Catches an input of its own, and a bad row that drives the right convention out.
 TEST_CASE("identify takes bad rows, headers and comments as a conversion does") {
-    // Catches an input of its own, and a bad row that drives the right convention out.
     auto lines = fields_of(with_matrix("rpy:deg", angles), '\n');
     const std::string bad = "# made\nroll pitch yaw a b c d e f g h i\n" + lines[0] + "\n1 2 x 1 0 0 0 1 0 0 0 1\n" +
                             lines[1] + "\n1 2 3 9 0 0 0 1 0 0 0 1\n1 nan 3 1 0 0 0 1 0 0 0 1\n1 2 3\n" + lines[2] +
@@ -198,8 +198,8 @@ TEST_CASE("identify takes bad rows, headers and comments as a conversion does") 
                   {"ambiguous: ", " fit; there is one row"}) == ""); // any turn fits one row
 }
 
+// Catches rows that are paired wrongly, a key that is taken for a number, and columns that are counted from it.
 TEST_CASE("the known attitudes of identify may stand in another file") {
-    // Catches rows that are paired wrongly, a key that is taken for a number, and columns that are counted from it.
     Folder folder;
     const auto file = [&](const char* name, const std::string& text) {
         write_file(folder / name, text);

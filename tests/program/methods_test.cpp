@@ -4,8 +4,8 @@
 
 using namespace program;
 
+// Catches a method that is mended on the way, and a wrong answer without a word.
 TEST_CASE("a method's failure is shown and named") {
-    // Catches a method that is mended on the way, and a wrong answer without a word.
     const std::string half_turn = " -1 0 0 0 1 0 0 0 -1";
     const auto failed = run("-f dcm -t quat --method baruh --diagnostics rows" + half_turn);
     CHECK(failed.out == "0 nan 1 nan\n");
@@ -21,8 +21,8 @@ TEST_CASE("a method's failure is shown and named") {
     CHECK(missing(summary.err, {"-: method-error: 1 row, first at line 2; "}) == "");
 }
 
+// Catches a message that leaves the user to guess.
 TEST_CASE("a wrong method is answered with the legal ones and where they hold") {
-    // Catches a message that leaves the user to guess.
     CHECK(run("-f dcm -t quat --method sheperd 1 0 0 0 1 0 0 0 1") ==
           Failure{2, "", {"'sheperd'", "did you mean shepperd?", "default", "bar-itzhack", "any proper matrix"}});
     CHECK(run("-f mrp -t 6d --method shepperd 0 0 0") ==
@@ -30,8 +30,8 @@ TEST_CASE("a wrong method is answered with the legal ones and where they hold") 
     CHECK(run("-f mrp -t 6d --method default 0 0 0").exit_code == 0);
 }
 
+// Catches a table that lacks a pair, figures that are compiled in, and lines too long for a terminal.
 TEST_CASE("methods are listed with where they hold and their reference") {
-    // Catches a table that lacks a pair, figures that are compiled in, and lines too long for a terminal.
     const auto listed = run("list methods");
     CHECK(listed.exit_code == 0);
     CHECK(listed.out.starts_with("dcm to quat\n  default           every input that describes an attitude "));
@@ -44,8 +44,8 @@ TEST_CASE("methods are listed with where they hold and their reference") {
     }
 }
 
+// Catches a pair that is not found by its other name or with its modifiers, and a pair that is none.
 TEST_CASE("list methods takes a pair, as a command line names it") {
-    // Catches a pair that is not found by its other name or with its modifiers, and a pair that is none.
     const auto pair = run("list methods dcm quat");
     CHECK(pair.exit_code == 0);
     CHECK(pair.out.starts_with("dcm to quat\n"));
@@ -78,8 +78,8 @@ Words methods_of(const std::string& pair) {
     return names;
 }
 
+// Catches a method that is left out or stands beside another's answer, and a right answer that is called wrong.
 TEST_CASE("each row is written once for every method of the pair") {
-    // Catches a method that is left out or stands beside another's answer, and a right answer that is called wrong.
     const std::string half_turn = "-1 0 0 0 1 0 0 0 -1";
     const Words names = methods_of("dcm quat");
     CHECK(names.size() == 17);
@@ -105,8 +105,8 @@ TEST_CASE("each row is written once for every method of the pair") {
     CHECK(missing(small.out, {"2e-09 0 0 default ", "e-25\n", "0 0 0 acos 2e-09\n"}) == "");
 }
 
+// Catches one that stands twice under two names. Rows with a defect, on which no two agree in all digits.
 TEST_CASE("the answer of each method is the one that it gives alone") {
-    // Catches one that stands twice under two names. Rows with a defect, on which no two agree in all digits.
     const std::string input = "1.1 .2 .3 -.4\n-.6 .5 .1 .9\n.2 -.7 1.3 .8\n";
     const std::string arguments = "-f quat -t rpy:deg --tolerance inf --diagnostics off --method ";
     const Words all = fields_of(run(arguments + "all", input).out, '\n');
@@ -121,8 +121,8 @@ TEST_CASE("the answer of each method is the one that it gives alone") {
     CHECK(run(arguments + "fast", input).out != run(arguments + "default", input).out);
 }
 
+// Catches a header that does not fit the rows, and fields that are lost in every second row.
 TEST_CASE("answers of all methods stand among the other fields, in columns of their own") {
-    // Catches a header that does not fit the rows, and fields that are lost in every second row.
     const std::string input = "id,w,x,y,z,note\n7,1,0,0,0,a\n";
     const std::string arguments = "-f quat -t cayley --method all --columns w,x,y,z ";
     CHECK(run(arguments, input) == done("id,cx,cy,cz,method,angle,note\n7,0,0,0,default,0,a\n7,0,0,0,fast,0,a\n"));
@@ -148,8 +148,8 @@ TEST_CASE("answers of all methods stand among the other fields, in columns of th
           done("0,0,0,default,0,5\n0,0,0,fast,0,5\n"));
 }
 
+// Catches an error that is told once for each method, or rows that are lost.
 TEST_CASE("rows that fail under --method all") {
-    // Catches an error that is told once for each method, or rows that are lost.
     const std::string input = "1 0 0 0\n0 0 0 0\nx 0 0 0\n0 1 0 0\n";
     const std::string arguments = "-f quat -t mrp --diagnostics off --method all --on-error ";
     const auto with_nan = run(arguments + "nan", input);
@@ -170,9 +170,9 @@ TEST_CASE("rows that fail under --method all") {
     CHECK(missing(singular.err, {"half-turn: 1 row, first at line 1; "}) == "");
 }
 
+// Catches a default that is off in the last digit, and a fast that is another word for it. The digits on the right
+// come from 60-digit arithmetic.
 TEST_CASE("numbers are rounded once, but with --method fast") {
-    // Catches a default that is off in the last digit, and a fast that is another word for it. The digits on the right
-    // come from 60-digit arithmetic.
     CHECK(run("-f euler:ZYX:deg -t euler:ZYX:deg 30 40 50") == done("30 40 50\n"));
     CHECK(run("-f rotvec:deg -t rotvec:deg 60 0 0") == done("60 0 0\n"));
     CHECK(run("-f rpy -t rpy 0 1e-17 0") == done("0 1e-17 0\n"));
@@ -183,8 +183,8 @@ TEST_CASE("numbers are rounded once, but with --method fast") {
     CHECK(run("-f mrp -t 6d --method fast 0 0 0") == done("1 0 0 0 1 0\n"));
 }
 
+// Catches a crash, a trap, an endless iteration.
 TEST_CASE("methods outside their domain end well") {
-    // Catches a crash, a trap, an endless iteration.
     for (const std::string target : {"quat", "rotvec", "rpy", "cayley"}) {
         INFO(target);
         const auto result = run("--tolerance inf --on-error nan -f dcm --method all -t " + target,

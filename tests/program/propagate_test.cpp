@@ -18,8 +18,8 @@ double last_yaw(const std::string& rows) { return std::stod(rows.substr(rows.rfi
 
 } // namespace
 
+// Catches a start that is ignored or of another convention.
 TEST_CASE("propagate starts from the initial attitude") {
-    // Catches a start that is ignored or of another convention.
     CHECK(run(Words{"propagate", "-t", "quat", "--initial", "quat: 0 1 0 0"}, "7,0,0,0\n") == done("7,0,1,0,0\n"));
     CHECK(run(Words{"propagate", "-t", "quat", "--initial", "quat:xyzw: 1,0,0,0"}, "7,0,0,0\n") == done("7,0,1,0,0\n"));
     const auto result =
@@ -27,8 +27,8 @@ TEST_CASE("propagate starts from the initial attitude") {
     CHECK(result == done("0,0,0,10\n1,0,0,40\n"));
 }
 
+// Catches a set that is integrated wrongly and a chart that is left in silence.
 TEST_CASE("every set and every integrator carries a spin") {
-    // Catches a set that is integrated wrongly and a chart that is left in silence.
     std::string rows;
     for (int i = 0; i <= 400; ++i) {
         rows += std::to_string(i) + "e-2,0,0,1\n"; // 4 radians, through the half-turn
@@ -54,8 +54,8 @@ TEST_CASE("every set and every integrator carries a spin") {
     CHECK(count_rows(cayley.out) < 316); // 3.14 seconds
 }
 
+// Catches attitudes from rates that say nothing of the motion between them.
 TEST_CASE("a step in which the body may turn by more than half a turn is an error with every set") {
-    // Catches attitudes from rates that say nothing of the motion between them.
     const std::string rows = "0,1,0,0\n4,0,1,0\n8,0,0,1\n";
     for (const std::string more : {"", " --integrator magnus6", " --integrator rk4", " --with dcm", " --with 6d",
                                    " --with 5d", " --with mrp", " --interpolation cubic"}) {
@@ -76,9 +76,9 @@ TEST_CASE("a step in which the body may turn by more than half a turn is an erro
     }
 }
 
+// Catches an attitude that is off in silence. At 2 rad/s for 1 s the classical method turns a quaternion by
+// atan((a - a^3/6)/(1 - a^2/2 + a^4/24)) with a = 1 for each half angle: 1 - 0.99523 = 0.0077 of a radian off.
 TEST_CASE("coarse steps are reported with an estimate of their error") {
-    // Catches an attitude that is off in silence. At 2 rad/s for 1 s the classical method turns a quaternion by
-    // atan((a - a^3/6)/(1 - a^2/2 + a^4/24)) with a = 1 for each half angle: 1 - 0.99523 = 0.0077 of a radian off.
     const std::string rows = "0,0,0,2\n1,0,0,2\n1.01,0,0,2\n";
     const std::string propagate = "propagate -t rotvec --integrator rk4 --tolerance 0.1";
     const double off = 2.0 * std::fabs(1.0 - std::atan2(5.0 / 6.0, 13.0 / 24.0));
@@ -99,8 +99,8 @@ TEST_CASE("coarse steps are reported with an estimate of their error") {
     CHECK(run("propagate -t rotvec --strict", "0,1.5,0,0\n1,0,1.5,0\n").out != "");
 }
 
+// Catches times that are rounded to doubles: 200 ns apart they are the same, or off by half.
 TEST_CASE("time differences are those of the decimals as they are written") {
-    // Catches times that are rounded to doubles: 200 ns apart they are the same, or off by half.
     std::string nanoseconds;
     std::string seconds;
     for (int i = 0; i < 5; ++i) {
@@ -131,8 +131,8 @@ TEST_CASE("time differences are those of the decimals as they are written") {
           "\"1403715524907143160\",0,0,0\n +1403715524907143161,0,0,0.1\n1.403715524907143162e18,0,0,0.2\n");
 }
 
+// Catches a unit that is off by a power, and doubles that have none.
 TEST_CASE("the unit of the times") {
-    // Catches a unit that is off by a power, and doubles that have none.
     for (const auto& [unit, step] : {std::pair{"s", "0.25"}, {"ms", "250"}, {"us", "25e4"}, {"ns", "250000000"}}) {
         INFO(unit);
         const std::string rows = std::string("0 0 0 1\n") + step + " 0 0 1\n";
@@ -143,8 +143,8 @@ TEST_CASE("the unit of the times") {
     CHECK(missing(run("propagate --help").out, {"--time-unit"}) == "");
 }
 
+// Catches nanoseconds that are taken for seconds in silence. The biases are slow rates, each row 5 ms on.
 TEST_CASE("nanoseconds of EuRoC") {
-    // Catches nanoseconds that are taken for seconds in silence. The biases are slow rates, each row 5 ms on.
     std::ifstream file(std::string(ROTCONV_DATA) + "/euroc_v102.csv");
     std::ostringstream table;
     table << file.rdbuf();
@@ -158,8 +158,8 @@ TEST_CASE("nanoseconds of EuRoC") {
     }
 }
 
+// Catches attitudes that nothing bears out.
 TEST_CASE("Euler angles fail at lock by name and row") {
-    // Catches attitudes that nothing bears out.
     std::string rows;
     for (int i = 0; i <= 300; ++i) {
         rows += std::to_string(i) + "e-2 0 1 0\n";
@@ -173,8 +173,8 @@ TEST_CASE("Euler angles fail at lock by name and row") {
     CHECK(run("propagate -t quat --with euler:YXZ", rows).exit_code == 0);
 }
 
+// Catches a step back that is taken, and a row that loses its place.
 TEST_CASE("times must increase") {
-    // Catches a step back that is taken, and a row that loses its place.
     const std::string rows = "0,0,0,1\n1,0,0,1\n1,0,0,1\n0.5,0,0,1\n2,0,0,1\n";
     for (const std::string interpolation : {"linear", "cubic"}) {
         INFO(interpolation);
@@ -187,8 +187,8 @@ TEST_CASE("times must increase") {
     }
 }
 
+// Catches numbers of a bad row that are integrated.
 TEST_CASE("bad rows of propagate") {
-    // Catches numbers of a bad row that are integrated.
     const std::string rows = "0,0,0,1\nx,0,0,1\n1,0,zero,1\n1,0,0\n1,0,0,nan\n2,0,0,1\n";
     for (const std::string interpolation : {"linear", "cubic"}) {
         const std::string propagate = "propagate -t rotvec -p 6 --header no --interpolation " + interpolation;
@@ -201,8 +201,8 @@ TEST_CASE("bad rows of propagate") {
     CHECK(missing(run("propagate -t quat", "0,0,0\n").err, {"3 fields where t wx wy wz has 4"}) == "");
 }
 
+// Catches an answer that waits.
 TEST_CASE("with linear interpolation a row is answered before the next one is sent") {
-    // Catches an answer that waits.
     Process process(words_of("propagate -t rotvec -p 6"));
     process.write("0 0 0 1\n");
     CHECK(process.read_rows(1) == "0 0 0 0\n");
@@ -211,8 +211,8 @@ TEST_CASE("with linear interpolation a row is answered before the next one is se
     CHECK(process.finish() == done(""));
 }
 
+// Catches rows, comments and line numbers that get lost on the way.
 TEST_CASE("with cubic interpolation a row is answered when the next one is there") {
-    // Catches rows, comments and line numbers that get lost on the way.
     Process process(words_of("propagate -t rotvec -p 6 --interpolation cubic --on-error nan"));
     process.write("0 0 0 1\n# one\n");
     process.wait_until_read();
@@ -225,8 +225,8 @@ TEST_CASE("with cubic interpolation a row is answered when the next one is there
     CHECK(process.finish() == went_on("2 0 0 2\n", {"rotconv: -:5: not a number: 'bad'"}));
 }
 
+// Catches a parabola or a line between the rows: w = t^2 gives t^3/3.
 TEST_CASE("a cubic follows a rate that is one exactly") {
-    // Catches a parabola or a line between the rows: w = t^2 gives t^3/3.
     std::string rows;
     for (int i = 0; i <= 200; ++i) {
         const double t = i / 100.0;
@@ -237,8 +237,8 @@ TEST_CASE("a cubic follows a rate that is one exactly") {
     CHECK(linear == Approx(200 * 2.0 / 12.0 * 1e-6).epsilon(1e-6)); // h^3 w''/12 a row
 }
 
+// Catches state that is lost between reads.
 TEST_CASE("propagate in long batches is the same as in pieces") {
-    // Catches state that is lost between reads.
     std::string rows;
     for (int i = 0; i < 1000; ++i) {
         rows += std::to_string(i) + "e-2 0.3 " + std::to_string(i % 7) + " -0.2\n" + (i % 50 == 0 ? "# note\n" : "");
@@ -252,8 +252,8 @@ TEST_CASE("propagate in long batches is the same as in pieces") {
     }
 }
 
+// Catches an option without effect: the defect is the third of the diagnostic columns.
 TEST_CASE("renormalising keeps a matrix on its set") {
-    // Catches an option without effect: the defect is the third of the diagnostic columns.
     std::string rows;
     for (int i = 0; i <= 300; ++i) {
         rows += std::to_string(i) + "e-1 1 -2 0.5\n";
@@ -269,8 +269,8 @@ TEST_CASE("renormalising keeps a matrix on its set") {
     CHECK(missing(run("propagate -t quat --with dcm", rows).err, {"normalized: "}) == "");
 }
 
+// Catches an option without effect.
 TEST_CASE("substeps make the steps shorter") {
-    // Catches an option without effect.
     const std::string rows = "0 0 0 1\n1 0 0 1\n";
     const auto error = [&rows](const std::string& more) {
         return std::fabs(std::stod(words_of(run("propagate -t rotvec --with dcm " + more, rows).out).back()) - 1.0);
@@ -281,8 +281,8 @@ TEST_CASE("substeps make the steps shorter") {
     CHECK(run("propagate -t quat --substeps 1.5", rows).exit_code == 2);
 }
 
+// Catches memory, or time, that grows with a clock that stepped back, or with comments.
 TEST_CASE("rows that are refused do not keep the one before them waiting for ever") {
-    // Catches memory, or time, that grows with a clock that stepped back, or with comments.
     for (const std::string row : {"0 0 0 1e-3\n", "# nothing\n"}) {
         Process process(words_of("propagate -t quat --interpolation cubic --on-error skip --diagnostics off"));
         const long before = process.peak_memory_after("5 0 0 1e-3\n6 0 0 1e-3\n" + repeated(row, 30000));
@@ -294,8 +294,8 @@ TEST_CASE("rows that are refused do not keep the one before them waiting for eve
     }
 }
 
+// Catches an answer that is given early because of a block's border.
 TEST_CASE("cubic answers do not depend on how the rows arrive") {
-    // Catches an answer that is given early because of a block's border.
     const std::string rows = "0 0 0 0.1\n1 0 0 0.2\n" + repeated("0 0 0 9\n", 9000) + // 72 kB that are refused
                              "2 0 0 0.5\n" + repeated("0 0 0 9\n", 2000) + "3 0 0 0.4\n4 0 0 -0.3\n";
     const std::string command = "propagate -t quat --interpolation cubic --on-error skip --diagnostics off";
@@ -304,8 +304,8 @@ TEST_CASE("cubic answers do not depend on how the rows arrive") {
     CHECK(run_in_pieces(command, rows, 5000) == at_once);
 }
 
+// Catches an interpolation of lower order, and a table that is no longer true.
 TEST_CASE("sampled coning is off by what the manual says") {
-    // Catches an interpolation of lower order, and a table that is no longer true.
     const double theta = 10.0 * std::numbers::pi / 180.0;
     const double turn_rate = 2.0 * std::numbers::pi;
     const auto error = [&](const std::string& interpolation, int frequency) {

@@ -13,16 +13,16 @@ constexpr std::size_t mebi = std::size_t{1} << 20U;
 
 } // namespace
 
+// Catches a fixed number of fields.
 TEST_CASE("a row of 10000 columns is converted") {
-    // Catches a fixed number of fields.
     const auto others = repeated("x,", 9'996);
     const auto result = run(reorder + "--columns 9997-10000", others + "1,0,0,0\n");
     CHECK(result.exit_code == 0);
     CHECK((result.out == others + "0,0,0,1\n"));
 }
 
+// Catches a line buffer that is too small.
 TEST_CASE("a field of 1 MiB passes") {
-    // Catches a line buffer that is too small.
     const auto field = repeated("x", mebi);
     const auto result = run(reorder + "--columns 2-5", "a,1,0,0,0\n" + field + ",1,0,0,0\nb,0,1,0,0\n");
     CHECK(result.exit_code == 0);
@@ -30,8 +30,8 @@ TEST_CASE("a field of 1 MiB passes") {
     CHECK((result.out == "a,0,0,0,1\n" + field + ",0,0,0,1\nb,1,0,0,0\n"));
 }
 
+// Catches a limit that is lower than promised.
 TEST_CASE("a line just below 4 MiB passes") {
-    // Catches a limit that is lower than promised.
     const auto field = repeated("x", 4 * mebi - 16);
     const auto result = run(reorder + "--columns 2-5", field + ",1,0,0,0\n0,1,0,0,0\n");
     CHECK(result.exit_code == 0);
@@ -39,8 +39,8 @@ TEST_CASE("a line just below 4 MiB passes") {
     CHECK((result.out == field + ",0,0,0,1\n0,0,0,0,1\n"));
 }
 
+// Catches memory that grows with a line, and rows that are lost when the run ends.
 TEST_CASE("a line over 4 MiB ends the run with its number and the rows before") {
-    // Catches memory that grows with a line, and rows that are lost when the run ends.
     for (const auto& line : {repeated("x", 4 * mebi + 16) + "\n", repeated("x", 9 * mebi)}) {
         const auto result = run(reorder + "--on-error skip", "1,0,0,0\n0,1,0,0\n" + line + "0,0,1,0\n");
         CHECK(result.exit_code == 2);
@@ -50,8 +50,8 @@ TEST_CASE("a line over 4 MiB ends the run with its number and the rows before") 
     }
 }
 
+// Catches a program that waits for the newline.
 TEST_CASE("a line without end is given up before it ends") {
-    // Catches a program that waits for the newline.
     Process process(words_of(reorder));
     process.write("1 0 0 0\n" + repeated("x", 6 * mebi));
     const auto result = process.wait(); // stdin is still open
@@ -60,8 +60,8 @@ TEST_CASE("a line without end is given up before it ends") {
     CHECK(missing(result.err, {"rotconv: -:2: "}) == "");
 }
 
+// Catches text that ends at a NUL.
 TEST_CASE("a NUL byte is a byte like any other") {
-    // Catches text that ends at a NUL.
     CHECK(run(reorder + "--columns 2-5", "a\0b,1,0,0,0,c\0\n\0,0,1,0,0,\0\n"s) ==
           done("a\0b,0,0,0,1,c\0\n\0,1,0,0,0,\0\n"s));
     CHECK(run(reorder, "# \0 note\n1,0,0,0\n"s) == done("# \0 note\n0,0,0,1\n"s));
@@ -72,13 +72,13 @@ TEST_CASE("a NUL byte is a byte like any other") {
     CHECK(result.err.find('\0') == std::string::npos);
 }
 
+// Catches other fields that are decoded.
 TEST_CASE("bytes that are not UTF-8 pass") {
-    // Catches other fields that are decoded.
     CHECK(run(reorder + "--columns 2-5", "\xE9\xFF,1,0,0,0,\x80\n") == done("\xE9\xFF,0,0,0,1,\x80\n"));
 }
 
+// Catches crashes, rows that run together, and raw bytes sent to a terminal.
 TEST_CASE("binary junk gives one row out for every row in") {
-    // Catches crashes, rows that run together, and raw bytes sent to a terminal.
     std::uint32_t state = 12345;
     std::string junk = "1 0 0 0\n";
     for (int i = 0; i < 200'000; ++i) {
@@ -93,9 +93,9 @@ TEST_CASE("binary junk gives one row out for every row in") {
     CHECK(run(reorder, junk).exit_code == 2);
 }
 
+// Catches a field or a line end that is lost around them. The numbers of the second row of each pair have a blank,
+// or quotes, so that its fields are split.
 TEST_CASE("numbers that are scanned where they stand come out as those whose fields are split") {
-    // Catches a field or a line end that is lost around them. The numbers of the second row of each pair have a blank,
-    // or quotes, so that its fields are split.
     struct Case {
         const char* options;
         const char* row;

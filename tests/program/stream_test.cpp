@@ -35,8 +35,8 @@ Rows numbered_rows(std::size_t count) {
 
 } // namespace
 
+// Catches output that waits in a buffer, and a reader that waits for more than a line.
 TEST_CASE("a row is answered before the next one is sent") {
-    // Catches output that waits in a buffer, and a reader that waits for more than a line.
     Process process(words_of(reorder));
     for (int i = 0; i < 100; ++i) {
         process.write("1 0 0 0\n");
@@ -47,8 +47,8 @@ TEST_CASE("a row is answered before the next one is sent") {
     CHECK(process.finish() == done(""));
 }
 
+// Catches half a row that is converted.
 TEST_CASE("a row that comes in pieces is answered when it is whole") {
-    // Catches half a row that is converted.
     Process process(words_of(reorder));
     for (const char* piece : {"0.", "5 -0.5 0", ".5 0.", "5"}) {
         process.write(piece);
@@ -62,8 +62,8 @@ TEST_CASE("a row that comes in pieces is answered when it is whole") {
     CHECK(process.finish() == done(""));
 }
 
+// Catches a first block that is held back, in every format and policy.
 TEST_CASE("header and comments and failed rows are answered at once") {
-    // Catches a first block that is held back, in every format and policy.
     Process process(words_of(reorder + "--on-error nan --columns qw,qx,qy,qz"));
     process.write("# t,qw,qx,qy,qz\n7,1,0,0,0\n"); // whether that is the header, the row after it tells
     CHECK(process.read_rows(2) == "# t,qx,qy,qz,qw\n7,0,0,0,1\n");
@@ -79,8 +79,8 @@ TEST_CASE("header and comments and failed rows are answered at once") {
     CHECK(json.finish() == done(""));
 }
 
+// Catches a file that stays empty until the end.
 TEST_CASE("an output file is written row by row") {
-    // Catches a file that stays empty until the end.
     const Folder folder;
     const auto out = folder / "out";
     Process process(words_of(reorder + "-o " + out.string() + " --on-error skip --diagnostics rows"));
@@ -90,15 +90,15 @@ TEST_CASE("an output file is written row by row") {
     CHECK(read_file(out) == "0 0 0 1\n");
 }
 
+// Catches a program that reads on for nothing.
 TEST_CASE("a row error under stop ends the run while the input is open") {
-    // Catches a program that reads on for nothing.
     Process process(words_of(reorder));
     process.write("1 0 0 0\nbad 0 0 0\n");
     CHECK(process.wait() == stopped("0 0 0 1\n"));
 }
 
+// Catches rows, diagnostics or messages that are kept.
 TEST_CASE("memory does not grow with the stream") {
-    // Catches rows, diagnostics or messages that are kept.
     constexpr std::size_t chunk_rows = 50'000;
     const auto chunk = repeated("0,1,0,0\n1.00013,0.00000,0,0\n", chunk_rows / 2);
     Process process(words_of("-f quat -t rotvec"));
@@ -119,8 +119,8 @@ TEST_CASE("memory does not grow with the stream") {
     CHECK(missing(result.err, {"half-turn", "normalized", "500000"}) == "");
 }
 
+// Catches rows that are kept, beyond those that constant turns are looked for in.
 TEST_CASE("memory does not grow with the stream of a command that remembers rows") {
-    // Catches rows that are kept, beyond those that constant turns are looked for in.
     const auto times = [](const std::string& rest) {
         return [rest](int part) {
             std::string rows;
@@ -156,8 +156,8 @@ TEST_CASE("memory does not grow with the stream of a command that remembers rows
     }
 }
 
+// Catches rows that are lost or change places at the borders of blocks.
 TEST_CASE("many rows come out as many and in order") {
-    // Catches rows that are lost or change places at the borders of blocks.
     const auto rows = numbered_rows(200'000);
     const auto result = run(reorder + "--columns 2-5", rows.input);
     CHECK(result.exit_code == 0);
@@ -166,8 +166,8 @@ TEST_CASE("many rows come out as many and in order") {
     CHECK((result.out == rows.output));
 }
 
+// Catches blocks after the error that overtake it, and blocks before it that are dropped.
 TEST_CASE("rows before an error far down the stream are all written") {
-    // Catches blocks after the error that overtake it, and blocks before it that are dropped.
     const auto rows = numbered_rows(100'000);
     const auto result = run(reorder + "--columns 2-5", rows.input + "bad,1,zero,0,0\n" + rows.input);
     CHECK(result.exit_code == 2);
@@ -176,8 +176,8 @@ TEST_CASE("rows before an error far down the stream are all written") {
     CHECK(count_rows(result.err) == 1);
 }
 
+// Catches lines, line ends, marks and headers that are torn by the border of a read.
 TEST_CASE("every split of the input gives the same bytes") {
-    // Catches lines, line ends, marks and headers that are torn by the border of a read.
     const std::string input =
         "\xEF\xBB\xBF# note\r\n\r\n# t,qw [],qx,qy,qz\r\n\"a,b\",1,0,0,0\r\n#\r\n7,.5,-0.5,0.5,0.5";
     const std::string output = "# note\r\n\r\n# t,qx,qy,qz,qw\r\n\"a,b\",0,0,0,1\r\n#\r\n7,-0.5,0.5,0.5,0.5";
@@ -195,14 +195,14 @@ TEST_CASE("every split of the input gives the same bytes") {
     }
 }
 
+// Catches a state that is lost between reads.
 TEST_CASE("a stream that comes byte by byte gives the same bytes") {
-    // Catches a state that is lost between reads.
     const auto rows = numbered_rows(20);
     CHECK(run_in_pieces(reorder + "--columns 2-5", rows.input, 1) == done(rows.output));
 }
 
+// Catches decimal commas in numbers, in options and in messages.
 TEST_CASE("nothing depends on the locale") {
-    // Catches decimal commas in numbers, in options and in messages.
     const Surroundings german{.environment = {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8", "LC_NUMERIC=de_DE.UTF-8"}};
     INFO("localedef (package locales) makes the German locale when the tests are configured");
     REQUIRE(std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr);

@@ -29,8 +29,8 @@ Words line_of(const std::string& table, const std::string& set) {
 
 } // namespace
 
+// Catches a last line that is no SPEC.
 TEST_CASE("survey names a set of three numbers for a gentle motion") {
-    // Catches a last line that is no SPEC.
     const auto result = run("survey -f euler:ZYX:deg", yawing(0, 1, 60));
     CHECK(result.exit_code == 0);
     CHECK(result.err == "");
@@ -38,8 +38,8 @@ TEST_CASE("survey names a set of three numbers for a gentle motion") {
     CHECK(run("-f quat -t " + last_line(result.out) + " 1 0 0 0").exit_code == 0);
 }
 
+// Catches lines that are counted without comments, and sets that are left out.
 TEST_CASE("survey has a line for each set with what was met and where") {
-    // Catches lines that are counted without comments, and sets that are left out.
     const auto result = run("survey -f euler:ZYX -d", "# yaw pitch roll\n\n" + yawing(90, 1, 720));
     CHECK(result.exit_code == 0);
     CHECK(last_line(result.out) == "quat");
@@ -58,8 +58,8 @@ TEST_CASE("survey has a line for each set with what was met and where") {
     CHECK(line_of(result.out, "5d").back() == "yes");
 }
 
+// Catches a limit that changes nothing.
 TEST_CASE("the condition that serves is an option") {
-    // Catches a limit that changes nothing.
     const std::string rows = yawing(0, 1, 170);
     CHECK(line_of(run("survey -f euler:ZYX:deg", rows).out, "cayley").back() == "yes");
     CHECK(line_of(run("survey -f euler:ZYX:deg --condition 10", rows).out, "cayley").back() == "no");
@@ -70,8 +70,8 @@ TEST_CASE("the condition that serves is an option") {
     CHECK(run("survey -f quat --condition -1", "1 0 0 0\n").exit_code == 2);
 }
 
+// Catches a limit of inf that lets numbers through that are infinite or not determined.
 TEST_CASE("a set of infinite condition serves under no limit") {
-    // Catches a limit of inf that lets numbers through that are infinite or not determined.
     for (const std::string limit : {"inf", "1e308"}) {
         const auto half_turn = run("survey -f quat --condition " + limit, "0 1 0 0\n");
         CHECK(half_turn.exit_code == 0);
@@ -89,8 +89,8 @@ TEST_CASE("a set of infinite condition serves under no limit") {
     }
 }
 
+// Catches numbers that no JSON reader takes, and a last line that is none.
 TEST_CASE("survey speaks JSON") {
-    // Catches numbers that no JSON reader takes, and a last line that is none.
     const auto result = run("survey -f quat --format json", "1 0 0 0\n1 0 0 0\n");
     CHECK(result.exit_code == 0);
     CHECK(result.err == "");
@@ -108,8 +108,8 @@ TEST_CASE("survey speaks JSON") {
           "");
 }
 
+// Catches an input of its own.
 TEST_CASE("survey takes columns, headers and bad rows as a conversion does") {
-    // Catches an input of its own.
     const std::string good = "t,qx,qy,qz,qw\n0,0,0,0,1\n1,0,0,0.6,0.8\n";
     CHECK(last_line(run("survey -f quat:xyzw --columns qx,qy,qz,qw", good).out) == "mrp");
     const std::string bad = good + "2,0,0,zero,1\n3,0,0,0,0\n4,0,0,0.8,0.6\n";
@@ -124,8 +124,8 @@ TEST_CASE("survey takes columns, headers and bad rows as a conversion does") {
     }
 }
 
+// Catches a set that serves no attitude at all.
 TEST_CASE("survey of nothing names no set") {
-    // Catches a set that serves no attitude at all.
     for (const char* input : {"", "# comment\n", "\n"}) {
         CHECK(run("survey -f quat", input) == went_on("none\n", {"there was no row with an attitude"}));
         CHECK(run("survey -f quat --format json", input).out == "{\"rows\": 0, \"smallest\": \"none\"}\n");

@@ -72,8 +72,8 @@ void check_threads(const std::string& arguments, const std::string& rows) {
 
 } // namespace
 
+// Catches rows, messages and counts that depend on who was first.
 TEST_CASE("every policy and place for diagnostics gives the same bytes with any number of threads") {
-    // Catches rows, messages and counts that depend on who was first.
     const auto rows = "label,qw,qx,qy,qz,more\n" + made_rows(12'000, {});
     for (const std::string policy : {"nan", "skip"}) {
         for (const std::string place : {"summary", "rows", "columns", "off"}) {
@@ -83,8 +83,8 @@ TEST_CASE("every policy and place for diagnostics gives the same bytes with any 
     check_threads(to_rotvec + "--columns 2-5 --on-error nan --append --strict -p 7", rows);
 }
 
+// Catches keys, layouts and line ends that only the first block knows.
 TEST_CASE("every format and line end gives the same bytes with any number of threads") {
-    // Catches keys, layouts and line ends that only the first block knows.
     for (const std::string_view line_end : {"\n", "\r\n"}) {
         const auto rows = made_rows(10'000, {.line_end = line_end});
         for (const std::string format : {"csv", "json", "pretty"}) {
@@ -93,8 +93,8 @@ TEST_CASE("every format and line end gives the same bytes with any number of thr
     }
 }
 
+// Catches a second header at the end, or none: the first row may come to any of the threads.
 TEST_CASE("whoever reads what stands before the first row, the bytes are the same, hundreds of times") {
-    // Catches a second header at the end, or none: the first row may come to any of the threads.
     const int times = is_sanitized ? 5 : 15;
     const std::string comments = repeated("# c\n", 75'000);
     const std::string blanks = repeated("\n \t\n", 60'000);
@@ -120,8 +120,8 @@ TEST_CASE("whoever reads what stands before the first row, the bytes are the sam
     }
 }
 
+// Catches room of the row function that threads share.
 TEST_CASE("rates give the same bytes with any number of threads") {
-    // Catches room of the row function that threads share.
     std::string rows;
     std::mt19937_64 engine(202);
     std::normal_distribution<double> normal;
@@ -131,8 +131,8 @@ TEST_CASE("rates give the same bytes with any number of threads") {
     check_threads("rates -f euler:ZYX --diagnostics rows", rows);
 }
 
+// Catches rows that come to them out of order.
 TEST_CASE("commands that remember rows give the same bytes with any number of threads") {
-    // Catches rows that come to them out of order.
     std::string rows;
     for (int i = 0; i < 20'000; ++i) {
         rows += std::to_string(i) + ",0.5," + std::to_string(i % 17) + ",-1\n";
@@ -144,8 +144,8 @@ TEST_CASE("commands that remember rows give the same bytes with any number of th
     CHECK((run_in_pieces(survey, rows, 10'000) == run(survey, rows)));
 }
 
+// Catches blocks after the error that overtake it, blocks before it that are dropped, and a wrong line number.
 TEST_CASE("an error stops the stream after the rows before it with any number of threads") {
-    // Catches blocks after the error that overtake it, blocks before it that are dropped, and a wrong line number.
     const auto good = made_rows(9'000, {.bad = false});
     const auto more = made_rows(30'000, {});
     for (const std::string bad : {"x,1,zero,0,0\n", "x,0,0,0,0\n", "x,1\n"}) {
@@ -157,8 +157,8 @@ TEST_CASE("an error stops the stream after the rows before it with any number of
     check_threads(to_rotvec + "--columns 2-5", good + repeated("z", 5'000'000) + "\n" + more);
 }
 
+// Catches the rest of a line that goes to the wrong block.
 TEST_CASE("long lines give the same bytes with any number of threads") {
-    // Catches the rest of a line that goes to the wrong block.
     std::string rows;
     for (std::size_t i = 0; i < 40; ++i) {
         rows += "1 0 0 0 " + repeated("long", i * 2'000) + "\n" + repeated("0 1 0 0 short\n", 200);
@@ -167,8 +167,8 @@ TEST_CASE("long lines give the same bytes with any number of threads") {
     check_threads("-f quat -t quat:xyzw --columns 1-4", rows);
 }
 
+// Catches an option that does nothing, and threads that are started for a few rows.
 TEST_CASE("large inputs have their threads, small and slow ones have one") {
-    // Catches an option that does nothing, and threads that are started for a few rows.
     Process large(words_of("-f quat -t dcm --threads 3"));
     const auto rows = repeated("0.5 0.5 0.5 0.5\n", 5'000);
     std::size_t most = 0;
@@ -188,8 +188,8 @@ TEST_CASE("large inputs have their threads, small and slow ones have one") {
     CHECK(small.finish().exit_code == 0);
 }
 
+// Catches rows that wait in a thread for more input once there are several.
 TEST_CASE("a row after a burst is answered before the next one is sent") {
-    // Catches rows that wait in a thread for more input once there are several.
     Process process(words_of("-f quat -t quat:xyzw --threads 4"));
     for (int burst = 0; burst < 3; ++burst) {
         const auto rows = repeated("1 0 0 0\n", 50'000);
@@ -205,8 +205,8 @@ TEST_CASE("a row after a burst is answered before the next one is sent") {
     CHECK(process.finish() == done(""));
 }
 
+// Catches a thread that waits for input and is waited for.
 TEST_CASE("an error in a burst ends the run while the input is open") {
-    // Catches a thread that waits for input and is waited for.
     for (const std::string tail : {"", "0 0 1"}) {
         Process process(words_of("-f quat -t quat:xyzw --threads 4"));
         process.write(repeated("1 0 0 0\n", 50'000) + "bad 0 0 0\n" + repeated("1 0 0 0\n", 20'000) + tail);
@@ -217,8 +217,8 @@ TEST_CASE("an error in a burst ends the run while the input is open") {
     }
 }
 
+// Catches threads that wait for ever, a signal and a message.
 TEST_CASE("a reader that leaves ends the threads quietly, with the input open") {
-    // Catches threads that wait for ever, a signal and a message.
     Process process(words_of("-f quat -t rotvec --threads 4"));
     process.write(repeated("0 1 0 0\n", 30'000));
     process.read_rows(10'000);
@@ -229,8 +229,8 @@ TEST_CASE("a reader that leaves ends the threads quietly, with the input open") 
     CHECK(result.err == "");
 }
 
+// Catches a failed write of a thread that nobody looked at.
 TEST_CASE("a full disk ends the threads with exit 2") {
-    // Catches a failed write of a thread that nobody looked at.
     const auto rows = made_rows(10'000, {.bad = false});
     for (const std::string threads : thread_counts) {
         const auto result = run(to_rotvec + "--columns 2-5 --threads " + threads, rows, {.output_file = "/dev/full"});
@@ -240,8 +240,8 @@ TEST_CASE("a full disk ends the threads with exit 2") {
     }
 }
 
+// Catches interrupted and partial writes and reads that are taken for whole ones.
 TEST_CASE("interrupted threads lose nothing") {
-    // Catches interrupted and partial writes and reads that are taken for whole ones.
     const auto rows = made_rows(20'000, {.bad = false});
     const auto expected = run(to_rotvec + "--columns 2-5 --threads 1", rows);
     Process process(words_of(to_rotvec + "--columns 2-5 --threads 4"));
@@ -252,9 +252,9 @@ TEST_CASE("interrupted threads lose nothing") {
     CHECK((process.finish() == expected));
 }
 
+// Catches blocks that pile up where the reader is slow, and short rows that become long ones in each of many
+// blocks.
 TEST_CASE("memory does not grow with the stream, and little with the threads") {
-    // Catches blocks that pile up where the reader is slow, and short rows that become long ones in each of many
-    // blocks.
     const auto [threads, rows] = GENERATE(std::pair("2", std::size_t{300'000}), std::pair("16", std::size_t{100'000}));
     const Folder folder;
     const auto file = folder / "rows";
@@ -270,8 +270,8 @@ TEST_CASE("memory does not grow with the stream, and little with the threads") {
     CHECK(process.finish().exit_code == 0);
 }
 
+// Catches the name of an exception, and a run that seems to have gone well.
 TEST_CASE("memory that runs out is called so") {
-    // Catches the name of an exception, and a run that seems to have gone well.
     if (!is_sanitized) {
         CHECK(run("-f quat -t rpy --threads 1", std::string(4'000'000, '1'), {.memory = 14U << 20U}) ==
               stopped("", {"out of memory"}));

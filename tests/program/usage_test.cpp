@@ -7,9 +7,9 @@
 
 using namespace program;
 
+// Catches a name that writes lines of its own, or moves the cursor of a terminal.
+// Beside control characters: of the direction of text, a soft hyphen, a vowel separator, an annotation, a tag.
 TEST_CASE("whatever comes from outside is shown without its control characters") {
-    // Catches a name that writes lines of its own, or moves the cursor of a terminal.
-    // Beside control characters: of the direction of text, a soft hyphen, a vowel separator, an annotation, a tag.
     const Words hidden{"\x1B",     "\x07",         "\xC2\x9B",     "\xE2\x80\xAE",     "\xD8\x9C",
                        "\xC2\xAD", "\xE1\xA0\x8E", "\xEF\xBF\xB9", "\xF3\xA0\x80\x81", "\xFF"};
     std::string evil = "a\x1B]0;x\x07\nrotconv: b:1: fake";
@@ -62,8 +62,8 @@ TEST_CASE("whatever comes from outside is shown without its control characters")
     CHECK(missing(run("-f quat -t rpy m\xC3\xA4rz.csv").err, {"'m\xC3\xA4rz.csv'"}) == "");
 }
 
+// Catches a name that is not of the kernels chosen, and a choice that does not look at the processor.
 TEST_CASE("the version names the kernels that the processor can run") {
-    // Catches a name that is not of the kernels chosen, and a choice that does not look at the processor.
     std::ifstream processor("/proc/cpuinfo");
     const std::string flags(std::istreambuf_iterator<char>(processor), {});
     const bool has_fma = flags.find(" avx2 ") != std::string::npos && flags.find(" fma ") != std::string::npos;
@@ -72,9 +72,9 @@ TEST_CASE("the version names the kernels that the processor can run") {
     CHECK(version == done(last_line(version.out) + "\n"));
 }
 
+// Catches a help that is an error message, that breaks in the middle of words or that has to be read from end to
+// end, and an option that is explained nowhere.
 TEST_CASE("every command has a help that fits on a screen or two, and names what all share once") {
-    // Catches a help that is an error message, that breaks in the middle of words or that has to be read from end to
-    // end, and an option that is explained nowhere.
     for (const std::string command :
          {"", "list", "rates", "propagate", "survey", "compare", "compose", "rotate", "identify", "sample"}) {
         INFO(command);
@@ -98,8 +98,8 @@ TEST_CASE("every command has a help that fits on a screen or two, and names what
     CHECK(shared.find("What comments begin with") == std::string::npos);
 }
 
+// Catches a program that reads stdin, which is still open.
 TEST_CASE("with VALUEs the end of stdin is not waited for") {
-    // Catches a program that reads stdin, which is still open.
     Process process(words_of("-f quat -t quat 1 0 0 0"));
     CHECK(process.wait() == done("1 0 0 0\n"));
 }

@@ -76,8 +76,8 @@ const Rational unit = Rational(1) / boost::multiprecision::pow(boost::multipreci
 
 } // namespace
 
+// Catches a difference of doubles, in which these are 0 or off.
 TEST_CASE("times of many digits lose nothing in their distance") {
-    // Catches a difference of doubles, in which these are 0 or off.
     CHECK(apart("1403715524907143169", "1403715524907143168", -9) == 1e-9);
     CHECK(apart("9999999999999999999", "9999999999999999998", -9) == 1e-9);
     CHECK(apart("18446744073709551618", "1") == 0x1p64); // 20 digits: 2^64 + 1 is not 1
@@ -88,8 +88,8 @@ TEST_CASE("times of many digits lose nothing in their distance") {
     CHECK(distance(key("99999999999999999999"), key("-99999999999999999999")).text() == "199999999999999999998");
 }
 
+// Catches an order of doubles or of texts.
 TEST_CASE("keys compare by value, whatever their length and form") {
-    // Catches an order of doubles or of texts.
     CHECK(key("1.50") == key("+15e-1"));
     CHECK(key("-0.0e5") == key("0"));
     CHECK(key("9") < key("10"));
@@ -100,8 +100,8 @@ TEST_CASE("keys compare by value, whatever their length and form") {
     CHECK(key("15e-999999999999999999999") == Key());
 }
 
+// Catches digits that are cut off, a tie that goes up, and one that is taken for a tie although digits follow.
 TEST_CASE("keys are held to 1e-18, of equals to the even unit") {
-    // Catches digits that are cut off, a tie that goes up, and one that is taken for a tie although digits follow.
     CHECK(key("0.0000000000000000005") == Key());
     CHECK(key("0.0000000000000000015").units == 2);
     CHECK(key("-0.00000000000000000050000000000000000000001").units == -1);
@@ -111,8 +111,8 @@ TEST_CASE("keys are held to 1e-18, of equals to the even unit") {
     CHECK(key("99999999999999999999.9999999999999999994") < key("99999999999999999999.9999999999999999996"));
 }
 
+// Catches a digit in the wrong place, a distance with the wrong sign, and a result that is rounded twice.
 TEST_CASE("keys, distances and fractions are those of rational arithmetic") {
-    // Catches a digit in the wrong place, a distance with the wrong sign, and a result that is rounded twice.
     std::mt19937_64 random(20261122);
     for (int i = 0; i < 4000; ++i) {
         const Sample a = sample(random, i % 3 == 0 ? 40 : i % 3 == 1 ? 18 : 9);
@@ -140,8 +140,8 @@ TEST_CASE("keys, distances and fractions are those of rational arithmetic") {
     CHECK(ratio(read_distance("86400000.001"), read_distance("259200000.003")) == 1.0 / 3.0);
 }
 
+// Catches a point in the wrong place, and zeros at the end.
 TEST_CASE("distances are written with all digits and no more") {
-    // Catches a point in the wrong place, and zeros at the end.
     for (const char* text :
          {"0", "7", "1200", "12.5", "0.000005584", "1403636579763555584.25", "0.000000000000000001"}) {
         CHECK(read_distance(text).text() == text);
@@ -150,8 +150,8 @@ TEST_CASE("distances are written with all digits and no more") {
     CHECK(read_distance("1e300") > distance(key("99999999999999999999"), key("-99999999999999999999")));
 }
 
+// Catches a number that has a double and no key, or the other way round.
 TEST_CASE("keys are the numbers that are read as such") {
-    // Catches a number that has a double and no key, or the other way round.
     std::mt19937_64 random(7);
     const std::string letters = "0019.eE+- \tx";
     int numbers = 0;
@@ -209,6 +209,7 @@ TEST_CASE("times of ISO 8601 count days one by one") {
     CHECK(read_key("1970-01-01T00:00:00").value == Key());
 }
 
+// Catches a fraction of a second that is lost, and a number that is taken for a date.
 TEST_CASE("times of ISO 8601 are exact, and numbers are themselves") {
     const auto check = [](const std::string& text, const std::string& seconds) {
         INFO(text);
