@@ -1,7 +1,6 @@
 // Conventions that differ by constant turns as well are found again, and no wrong one is.
 
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>

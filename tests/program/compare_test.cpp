@@ -1,6 +1,5 @@
 #include <cmath>
 #include <fstream>
-#include <optional>
 #include <random>
 
 #include <sys/stat.h>

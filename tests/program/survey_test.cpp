@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <catch.hpp>
 
 #include "process.hpp"
