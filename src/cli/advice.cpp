@@ -103,7 +103,7 @@ public:
         if (at > first_ || (has_header && rows_[at].fields.size() == width_)) {
             return {};
         }
-        const std::string of_header = first_ > at + 1 ? "" : header_advice();
+        std::string of_header = first_ > at + 1 ? "" : header_advice();
         offer_options(rows_[at].line.text);
         if (found_.empty() && of_header.find(": ") != std::string::npos) {
             return of_header;

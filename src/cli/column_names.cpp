@@ -106,7 +106,7 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& spelling, con
     }
     for (const std::string& name : names) {
         for (auto at = name.find(spelling.front()); at != std::string::npos; at = name.find(spelling.front(), at + 1)) {
-            const auto places = mapped(spelling, [&](const std::string& each) {
+            auto places = mapped(spelling, [&](const std::string& each) {
                 const auto found = place_of.find(std::string(name).replace(at, spelling.front().size(), each));
                 return found == place_of.end() ? names.size() : found->second;
             });
