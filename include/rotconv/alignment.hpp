@@ -10,10 +10,14 @@
 
 namespace rotconv {
 
-/// known = left attitude right.
-struct ConstantTurns {
-    Rotation left;
-    Rotation right;
+/// Constant rotations on the sides of attitudes, for example those that make them known ones.
+struct ConstantRotations {
+    Rotation left{};
+    Rotation right{};
+
+    /// left attitude right.
+    Rotation operator()(const Rotation& attitude) const noexcept { return left * attitude * right; }
+    [[nodiscard]] bool are_identity() const noexcept { return left.is_identity() && right.is_identity(); }
 };
 
 /// The mean of turns: the one from which the sum of the squared sines of the half angles is least, the eigenvector of
@@ -62,13 +66,13 @@ public:
 
     /// Nothing if the pairs do not determine the turns: there are no pairs; other turns leave as little; or, on both
     /// sides, the attitudes differ only by rotations about one axis, except for what is left.
-    [[nodiscard]] std::optional<ConstantTurns> turns() const;
+    [[nodiscard]] std::optional<ConstantRotations> turns() const;
     /// The same; if the pairs do not determine the turns, some of those that leave the least.
-    [[nodiscard]] ConstantTurns some_turns() const { return find().turns; }
+    [[nodiscard]] ConstantRotations some_turns() const { return find().turns; }
 
 private:
     struct Found {
-        ConstantTurns turns;
+        ConstantRotations turns;
         bool determined = false;
     };
     [[nodiscard]] Found find() const;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,12 +12,15 @@ namespace rotconv {
 
 /// A rotation of 106 bits by which all attitudes are multiplied.
 struct FixedRotation {
-    FixedRotation(const Rotation& rounded, const std::array<double, 4>& more = {}) noexcept
+    FixedRotation(const Rotation& rounded = {}, const std::array<double, 4>& more = {}) noexcept
         : rotation(rounded), rest(more) {}
     /// The attitude of one row of numbers.
     /// @pre read_attitude() finds a rotation in the row
     [[nodiscard]] static FixedRotation of_numbers(const Spec& spec, std::span<const double> numbers);
 
+    [[nodiscard]] bool is_identity() const noexcept {
+        return rotation.is_identity() && rest[1] == 0.0 && rest[2] == 0.0 && rest[3] == 0.0;
+    }
     [[nodiscard]] FixedRotation inverse() const noexcept {
         return {rotation.inverse(), {rest[0], -rest[1], -rest[2], -rest[3]}};
     }
@@ -34,8 +36,8 @@ struct ConversionSettings {
     double tolerance = default_tolerance; ///< largest defect that is accepted, from 0 to infinity; see Reading::defect
     double lock_margin = euler::default_lock_margin; ///< radians, from 0; see euler::from_rotation()
     bool sensitivity = false;                        ///< report margin, condition and exact defect of each row
-    std::optional<FixedRotation> left{};             ///< R becomes left R: other reference axes
-    std::optional<FixedRotation> right{};            ///< R becomes R right: other body axes
+    FixedRotation left{};                            ///< R becomes left R: other reference axes
+    FixedRotation right{};                           ///< R becomes R right: other body axes
     bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
     bool decimal = false;                            ///< the numbers were read from text: see last_place()
 };

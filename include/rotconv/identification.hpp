@@ -22,10 +22,9 @@ struct Candidate {
     std::size_t rows = 0; ///< number of rows on which it was tried; it is dropped at the first that it misses by far
     double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
     std::size_t angle_row = 0;         ///< the first row with that angle
-    std::optional<Rotation> left{};    ///< known = left unknown right, if this turn was found
-    std::optional<Rotation> right{};   ///< see `left`
-    std::string_view reference_axes{}; ///< the name of the left turn, such as "ned:enu", if it has one
-    std::string_view body_axes{};      ///< the name of the right turn's inverse, if it has one
+    ConstantRotations constant{};      ///< known = left unknown right
+    std::string_view reference_axes{}; ///< the name of the left one, such as "ned:enu", if it has one
+    std::string_view body_axes{};      ///< the name of the right one's inverse, if it has one
 
     /// Whether the SPEC has no signs, and its columns are in order.
     [[nodiscard]] bool is_plain() const noexcept;
@@ -97,7 +96,7 @@ public:
     /// The count of rows so far, without those with an error.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
     [[nodiscard]] bool fits(const Candidate& candidate) const noexcept {
-        const std::size_t looked_at = candidate.left || candidate.right ? kept_rows_.size() : rows_;
+        const std::size_t looked_at = candidate.constant.are_identity() ? rows_ : kept_rows_.size();
         return rows_ > 0 && candidate.rows >= looked_at && candidate.angle <= settings_.within;
     }
     /// The candidates that were tried on the most rows first; among these, in order of their angles.

@@ -76,6 +76,8 @@ public:
     /// |(x, y, z)| with full relative accuracy at any size: 0 only if the vector part is exactly 0.
     [[nodiscard]] double vector_length() const noexcept;
 
+    [[nodiscard]] bool is_identity() const noexcept { return q_[1] == 0.0 && q_[2] == 0.0 && q_[3] == 0.0; }
+
     /// 1 or -1: the factor that makes the sign canonical, which means that w > 0, or that w = 0 and the first nonzero
     /// of x, y, z is positive.
     [[nodiscard]] double sign() const noexcept {

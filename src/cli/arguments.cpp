@@ -149,9 +149,9 @@ GivenNumbers numbers_of(const Option& option, bool degrees) {
     return read;
 }
 
-std::optional<FixedRotation> attitude_of(const Option& option, bool degrees, double tolerance) {
+FixedRotation attitude_of(const Option& option, bool degrees, double tolerance) {
     if (!option.given()) {
-        return std::nullopt;
+        return {};
     }
     const GivenNumbers read = numbers_of(option, degrees);
     std::array<double, 4> q{};

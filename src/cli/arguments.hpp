@@ -82,8 +82,8 @@ struct GivenNumbers {
     std::vector<double> numbers{};
 };
 [[nodiscard]] GivenNumbers numbers_of(const Option& option, bool degrees);
-/// The attitude of these numbers; nothing if the option is not given.
-[[nodiscard]] std::optional<FixedRotation> attitude_of(const Option& option, bool degrees, double tolerance);
+/// The attitude of these numbers; the identity if the option is not given.
+[[nodiscard]] FixedRotation attitude_of(const Option& option, bool degrees, double tolerance);
 
 /// The change of axes that an option names; none if it is not given.
 [[nodiscard]] AxesChange axes_of(const Option& option);

@@ -175,8 +175,8 @@ private:
                                }
                                ComparisonSettings rotated = comparison.settings();
                                *found = found_rotations(*best, rotated.reading);
-                               rotated.reading.left.reset();
-                               rotated.reading.right.reset();
+                               rotated.reading.left = {};
+                               rotated.reading.right = {};
                                for (const FoundRotation& each : *found) { // as the options have it
                                    (each.side == "left" ? rotated.reading.left : rotated.reading.right) = each.rotation;
                                }

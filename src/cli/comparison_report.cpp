@@ -153,8 +153,8 @@ private:
         if (!(remainder < 0.01 * all) || all < rounding) {
             return std::nullopt;
         }
-        const ConstantTurns found =
-            is_left ? ConstantTurns{pairs_.left().mean(), {}} : ConstantTurns{{}, pairs_.right().mean()};
+        const ConstantRotations found{is_left ? pairs_.left().mean() : Rotation(),
+                                      is_left ? Rotation() : pairs_.right().mean()};
         return std::pair(found_rotations(found, check_.comparing.reading), remainder);
     }
 
@@ -314,10 +314,10 @@ private:
 
 } // namespace
 
-FoundRotations found_rotations(const ConstantTurns& found, const ConversionSettings& given) {
+FoundRotations found_rotations(const ConstantRotations& found, const ConversionSettings& given) {
     FoundRotations rotations;
     const auto add = [&](std::string_view side, const Rotation& rotation, const FixedRotation& all) {
-        if (all.rotation.vector_length() > 0.0) {
+        if (!all.rotation.is_identity()) {
             const Eigen::Quaterniond q = quaternion::from_rotation(all.rotation);
             const std::array numbers{q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0}; // no -0
             rotations.push_back({side, fmt::format("quat: {}", fmt::join(numbers, " ")),
@@ -325,9 +325,8 @@ FoundRotations found_rotations(const ConstantTurns& found, const ConversionSetti
                                  axis_angle::from_rotation(rotation).angle});
         }
     };
-    const FixedRotation none{Rotation{}};
-    add("left", found.left, FixedRotation(found.left) * given.left.value_or(none));
-    add("right", found.right, given.right.value_or(none) * FixedRotation(found.right));
+    add("left", found.left, found.left * given.left);
+    add("right", found.right, given.right * found.right);
     return rotations;
 }
 

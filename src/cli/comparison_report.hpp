@@ -29,7 +29,7 @@ struct FoundRotation {
 using FoundRotations = std::vector<FoundRotation>;
 
 /// @param found rotations of attitudes that were rotated as `given`
-[[nodiscard]] FoundRotations found_rotations(const ConstantTurns& found, const ConversionSettings& given);
+[[nodiscard]] FoundRotations found_rotations(const ConstantRotations& found, const ConversionSettings& given);
 
 /// An angle that `percent` in 100 pairs must not exceed.
 struct CheckLimit {

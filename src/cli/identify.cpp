@@ -45,9 +45,9 @@ std::string no_such_count(std::size_t all, const operations::IdentificationRows&
 /// A constant rotation as an option: by axes that have names, by others such as xyz:yx-z, or as a quaternion.
 /// @param axes its name, if it has one
 /// @param change the rotation as a change of axes
-std::string option_of(const std::optional<Rotation>& rotation, std::string_view axes, const Rotation& change,
-                      std::string_view side, std::string_view axes_option) {
-    if (!rotation) {
+std::string option_of(const Rotation& rotation, std::string_view axes, const Rotation& change, std::string_view side,
+                      std::string_view axes_option) {
+    if (rotation.is_identity()) {
         return {};
     }
     std::string named(axes);
@@ -60,15 +60,15 @@ std::string option_of(const std::optional<Rotation>& rotation, std::string_view 
             }
         }
     }
-    const Eigen::Quaterniond q = quaternion::from_rotation(*rotation);
+    const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
     return named.empty() ? fmt::format(" {} 'quat: {} {} {} {}'", side, q.w(), q.x(), q.y(), q.z())
                          : fmt::format(" {} {}", axes_option, named);
 }
 
 std::string options_of(const Candidate& candidate) {
-    const auto& [left, right] = std::tie(candidate.left, candidate.right);
-    return option_of(left, candidate.reference_axes, left.value_or(Rotation()), "--left", "--reference-axes") +
-           option_of(right, candidate.body_axes, right.value_or(Rotation()).inverse(), "--right", "--body-axes");
+    const auto& [left, right] = candidate.constant;
+    return option_of(left, candidate.reference_axes, left, "--left", "--reference-axes") +
+           option_of(right, candidate.body_axes, right.inverse(), "--right", "--body-axes");
 }
 
 std::string in_brackets(const Eigen::Vector3d& v) {

@@ -36,9 +36,7 @@ struct PropagateOptions final : RowOptions {
             "interpolation", interpolation, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
         propagation.renormalise = renormalise.given();
         propagation.substeps = count_of(substeps, 1'000'000, 1, propagation.substeps);
-        if (const auto first = attitude_of(initial)) {
-            propagation.initial = first->rotation;
-        }
+        propagation.initial = attitude_of(initial).rotation;
         auto numbers = operations::propagation_numbers();
         numbers.has_unit = time_unit.given();
         const auto propagated_as = [&rows](const Spec& spec) {

@@ -154,7 +154,9 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
 
 void RowOptions::check_attitudes() const {
     for (const Option* option : all()) {
-        static_cast<void>(option->argument == "ATTITUDE" ? attitude_of(*option) : std::nullopt);
+        if (option->argument == "ATTITUDE") {
+            static_cast<void>(attitude_of(*option));
+        }
     }
 }
 
@@ -178,12 +180,11 @@ ConversionSettings RowOptions::attitude_settings() const {
     all.left = attitude_of(left);
     all.right = attitude_of(right);
     require_same_hand(reference_axes, body_axes);
-    const FixedRotation none{Rotation{}};
     if (reference_axes.given()) { // L M R N' S
-        all.left = all.left.value_or(none) * axes_of(reference_axes).turn();
+        all.left = all.left * axes_of(reference_axes).turn();
     }
     if (body_axes.given()) {
-        all.right = axes_of(body_axes).turn().inverse() * all.right.value_or(none);
+        all.right = axes_of(body_axes).turn().inverse() * all.right;
     }
     return all;
 }

@@ -86,8 +86,8 @@ struct RowOptions : CommandOptions {
     [[nodiscard]] double angle_of(const Option& option, double default_value) const {
         return cli::angle_of(option, degrees.given(), default_value);
     }
-    /// Nothing if the option is not given.
-    [[nodiscard]] std::optional<FixedRotation> attitude_of(const Option& option) const {
+    /// The identity if the option is not given.
+    [[nodiscard]] FixedRotation attitude_of(const Option& option) const {
         return cli::attitude_of(option, degrees.given(), most_defect());
     }
     [[nodiscard]] double most_defect() const;

@@ -209,7 +209,7 @@ void Alignment::add(const Rotation& attitude, const Rotation& known) noexcept {
     products += g * g.transpose();
 }
 
-std::optional<ConstantTurns> Alignment::turns() const {
+std::optional<ConstantRotations> Alignment::turns() const {
     const Found found = find();
     return found.determined ? std::optional(found.turns) : std::nullopt;
 }
@@ -230,7 +230,8 @@ Alignment::Found Alignment::find() const {
     const Vector4d values = Eigensystem<4>(mean_.squared_sines()).values;
     const bool determined = values[1] - values[0] > 64.0 * eps * mean_.count_;
     const Rotation mean = mean_.mean();
-    return {side_ == AlignedSide::body ? ConstantTurns{{}, mean} : ConstantTurns{mean, {}}, determined};
+    return {side_ == AlignedSide::body ? ConstantRotations{.right = mean} : ConstantRotations{.left = mean},
+            determined};
 }
 
 Alignment::Found Alignment::find_yaw() const noexcept {

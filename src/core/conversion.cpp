@@ -47,10 +47,6 @@ double openness(const InputBatch& input, const Spec& from, const Spec& to, std::
     return condition * attitude_error(from, numbers, 0.5 * last_place(numbers, enough));
 }
 
-std::optional<FixedRotation> inverse_of(const std::optional<FixedRotation>& turn) noexcept {
-    return turn ? std::optional(turn->inverse()) : std::nullopt;
-}
-
 /// Whether the result is the given numbers, but for their order, signs, unit and quarter turns (from ZXZ to ZYZ): then
 /// a singularity leaves nothing open.
 bool passes_numbers(const Spec& from, const Spec& to) noexcept {
@@ -102,21 +98,20 @@ FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept
             {q[2][0].lo, q[2][1].lo, q[2][2].lo, q[2][3].lo}};
 }
 
-Turns turns_of(const std::optional<FixedRotation>& left, const std::optional<FixedRotation>& right) noexcept {
-    const FixedRotation none{Rotation{}};
-    return {left.has_value(), right.has_value(), exact(left.value_or(none)), exact(right.value_or(none))};
+Turns turns_of(const FixedRotation& left, const FixedRotation& right) noexcept {
+    return {!left.is_identity(), !right.is_identity(), exact(left), exact(right)};
 }
 
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)),
       looks_at_digits_(settings.decimal && out_codec_->well_conditioned != nullptr &&
-                       (settings.left || settings.right || !passes_numbers(from, to))) {}
+                       !(settings.left.is_identity() && settings.right.is_identity() && passes_numbers(from, to))) {}
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
     reports.clear();
     // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
-    const Turns turns = to_.passive ? turns_of(inverse_of(settings_.right), inverse_of(settings_.left))
+    const Turns turns = to_.passive ? turns_of(settings_.right.inverse(), settings_.left.inverse())
                                     : turns_of(settings_.left, settings_.right);
     const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;

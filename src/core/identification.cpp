@@ -238,12 +238,10 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
     angles_.resize(trials_.size() * count);
     for (const std::size_t trial : living_) {
         const auto own = attitudes_of(trials_[trial], numbers.subspan(first * width, count * width), width, found_);
-        const auto& [left, right] = std::pair(trials_[trial].candidate.left, trials_[trial].candidate.right);
+        const ConstantRotations& constant = trials_[trial].candidate.constant;
         for (std::size_t i = 0; i < count; ++i) {
-            Rotation turned = left ? *left * own[i] : own[i];
-            turned = right ? turned * *right : turned;
             angles_[trial * count + i] =
-                is_attitude(own[i]) ? angle_between(turned, rotation_at(known_, first + i)) : infinity;
+                is_attitude(own[i]) ? angle_between(constant(own[i]), rotation_at(known_, first + i)) : infinity;
         }
     }
     for (std::size_t row = 0; row < count; ++row) {

@@ -23,11 +23,11 @@ constexpr double rounding = 1e-7;
 
 using Attitudes = std::vector<Rotation>;
 
-ConstantTurns constant_turns(AlignedSide side, const Attitudes& unknown, const Attitudes& known,
-                             const ConstantTurns& before = {}) {
+ConstantRotations constant_turns(AlignedSide side, const Attitudes& unknown, const Attitudes& known,
+                                 const ConstantRotations& before = {}) {
     Alignment alignment(side);
     for (std::size_t i = 0; i < known.size(); ++i) {
-        alignment.add(before.left * unknown[i] * before.right, known[i]);
+        alignment.add(before(unknown[i]), known[i]);
     }
     return alignment.some_turns();
 }
@@ -38,10 +38,10 @@ struct LargestAngle {
 };
 
 /// What is left of the angles between them.
-LargestAngle largest_angle(const ConstantTurns& turns, const Attitudes& unknown, const Attitudes& known) noexcept {
+LargestAngle largest_angle(const ConstantRotations& turns, const Attitudes& unknown, const Attitudes& known) noexcept {
     LargestAngle largest;
     for (std::size_t i = 0; i < known.size(); ++i) {
-        const double angle = angle_between(turns.left * unknown[i] * turns.right, known[i]);
+        const double angle = angle_between(turns(unknown[i]), known[i]);
         if (angle > largest.angle) {
             largest = {angle, i};
         }
@@ -51,8 +51,8 @@ LargestAngle largest_angle(const ConstantTurns& turns, const Attitudes& unknown,
 
 /// The turns of the axes' names that are nearest, where they are near: that of the first side, and that of the other as
 /// it fits the first.
-ConstantTurns with_named_axes(const ConstantTurns& turns, AlignedSide first, const Attitudes& unknown,
-                              const Attitudes& known) {
+ConstantRotations with_named_axes(const ConstantRotations& turns, AlignedSide first, const Attitudes& unknown,
+                                  const Attitudes& known) {
     const auto named = [](const Rotation& rotation) {
         const Dcm rounded = dcm::from_rotation(rotation).array().round();
         const Reading reading = dcm::to_rotation(rounded, 0.0);
@@ -77,7 +77,7 @@ struct NamedAxes {
 
     std::string_view reference;
     std::string_view body;
-    ConstantTurns turns;
+    ConstantRotations turns;
 };
 
 const std::vector<NamedAxes>& named_axes() {
@@ -207,8 +207,9 @@ Verdict Identification::verdict() const {
         verdict.turned = turned();
         verdict.fitting = verdict.turned.size();
     }
-    const bool has_both =
-        verdict.fitting == 1 && !verdict.turned.empty() && verdict.turned[0].left && verdict.turned[0].right;
+    const bool has_both = verdict.fitting == 1 && !verdict.turned.empty() &&
+                          !verdict.turned[0].constant.left.is_identity() &&
+                          !verdict.turned[0].constant.right.is_identity();
     if (verdict.fitting > 1 || (has_both && !determines_both())) {
         verdict.ambiguity = ambiguity(verdict);
     } else if (verdict.fitting == 1) {
@@ -238,7 +239,7 @@ bool Identification::may_fit(const Trial& trial, const RowsForTurns& rows) const
 std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSide side,
                                                    const RowsForTurns& rows) const {
     const auto own_few = attitudes_or_none(trial, rows.numbers_few);
-    const ConstantTurns rough = constant_turns(side, own_few, rows.known_few);
+    const ConstantRotations rough = constant_turns(side, own_few, rows.known_few);
     if (largest_angle(rough, own_few, rows.known_few).angle > 2.0 * settings_.within + rounding) {
         return std::nullopt;
     }
@@ -247,14 +248,14 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSi
         return std::nullopt;
     }
     const auto own_some = RowsForTurns::of(rows.some, own);
-    ConstantTurns turns = constant_turns(side, own_some, rows.known_some);
+    ConstantRotations turns = constant_turns(side, own_some, rows.known_some);
     LargestAngle largest = largest_angle(turns, own, kept_known_);
-    const ConstantTurns exact = turns;
+    const ConstantRotations exact = turns;
     for (const AlignedSide first : {AlignedSide::reference, AlignedSide::body}) {
         if (side == first) { // the other side would be turned too
             continue;
         }
-        const ConstantTurns named = with_named_axes(exact, first, own_some, rows.known_some);
+        const ConstantRotations named = with_named_axes(exact, first, own_some, rows.known_some);
         const LargestAngle largest_of_named = largest_angle(named, own, kept_known_);
         if (largest_of_named.angle <= settings_.within) {
             turns = named;
@@ -274,8 +275,7 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSi
     candidate.rows = kept_rows_.size();
     candidate.angle = largest.angle;
     candidate.angle_row = kept_rows_[largest.row];
-    candidate.left = side == AlignedSide::body ? std::nullopt : std::optional(turns.left);
-    candidate.right = side == AlignedSide::reference ? std::nullopt : std::optional(turns.right);
+    candidate.constant = turns;
     return candidate;
 }
 
@@ -327,15 +327,12 @@ std::vector<Candidate> Identification::turned() const {
 
 Attitudes Identification::meaning_of(const Candidate& candidate) const {
     Attitudes attitudes = generic_attitudes(candidate);
-    for (Rotation& attitude : attitudes) {
-        attitude = candidate.left.value_or(Rotation()) * attitude * candidate.right.value_or(Rotation());
-    }
+    std::ranges::transform(attitudes, attitudes.begin(), candidate.constant);
     return attitudes;
 }
 
 Candidate Identification::as_written(const Candidate& candidate) const {
-    const bool has_turns = candidate.left || candidate.right;
-    if (candidate.is_plain() && !has_turns) {
+    if (candidate.is_plain() && candidate.constant.are_identity()) {
         return candidate;
     }
     const Attitudes meaning = meaning_of(candidate);
@@ -362,15 +359,14 @@ Candidate Identification::as_written(const Candidate& candidate) const {
         for (const NamedAxes& axes : named_axes()) {
             if (largest_angle(axes.turns, own, meaning).angle <= rounding) {
                 Candidate made = with(name);
-                made.left = axes.reference.empty() ? std::nullopt : std::optional(axes.turns.left);
-                made.right = axes.body.empty() ? std::nullopt : std::optional(axes.turns.right);
+                made.constant = axes.turns;
                 made.reference_axes = axes.reference;
                 made.body_axes = axes.body;
                 return made;
             }
         }
     }
-    if (!has_turns) {
+    if (candidate.constant.are_identity()) {
         return candidate;
     }
     // The fewest turns, first those of axes; of equals a plain name.
@@ -378,15 +374,17 @@ Candidate Identification::as_written(const Candidate& candidate) const {
     std::pair<bool, int> least{true, 3};
     plain.push_back({candidate, generic_attitudes(candidate)});
     for (const auto& [name, own] : plain) {
-        const ConstantTurns exact = constant_turns(AlignedSide::both, own, meaning);
-        const ConstantTurns named = with_named_axes(exact, AlignedSide::reference, own, meaning);
+        const ConstantRotations exact = constant_turns(AlignedSide::both, own, meaning);
+        const ConstantRotations named = with_named_axes(exact, AlignedSide::reference, own, meaning);
         const bool is_named =
             is_of_axes(named.left) && is_of_axes(named.right) && largest_angle(named, own, meaning).angle <= rounding;
-        const ConstantTurns& turns = is_named ? named : exact;
+        const ConstantRotations& turns = is_named ? named : exact;
         Candidate made = with(name);
-        made.left = angle_of(turns.left) <= rounding ? std::nullopt : std::optional(turns.left);
-        made.right = angle_of(turns.right) <= rounding ? std::nullopt : std::optional(turns.right);
-        const std::pair rank(!is_named, (made.left ? 1 : 0) + (made.right ? 1 : 0));
+        const auto& [left, right] = turns;
+        made.constant = {angle_of(left) <= rounding ? Rotation() : left,
+                         angle_of(right) <= rounding ? Rotation() : right};
+        const std::pair rank(!is_named,
+                             (made.constant.left.is_identity() ? 0 : 1) + (made.constant.right.is_identity() ? 0 : 1));
         if (rank < least && largest_angle(turns, own, meaning).angle <= rounding) {
             least = rank;
             best = made;

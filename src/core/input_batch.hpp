@@ -17,8 +17,7 @@
 namespace rotconv {
 
 /// Constant turns, as kernels take them.
-[[nodiscard]] Turns turns_of(const std::optional<FixedRotation>& left,
-                             const std::optional<FixedRotation>& right) noexcept;
+[[nodiscard]] Turns turns_of(const FixedRotation& left, const FixedRotation& right) noexcept;
 
 /// A batch of rows of a SPEC and the attitudes that they describe, once a kernel has read them.
 class InputBatch {

@@ -67,9 +67,9 @@ void put_in_range(const Spec& to, double* angles) noexcept {
 } // namespace
 
 MethodConversion::MethodConversion(const Conversion& own)
-    : own_(own), turned_(own.settings().left || own.settings().right
-                             ? std::optional(Conversion(own.from(), Spec{}, change_of(own.settings())))
-                             : std::nullopt) {}
+    : own_(own), turned_(own.settings().left.is_identity() && own.settings().right.is_identity()
+                             ? std::nullopt
+                             : std::optional(Conversion(own.from(), Spec{}, change_of(own.settings())))) {}
 
 MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
     if (!method.serves(from().name, to().name)) {

@@ -23,8 +23,8 @@ class RelativeComparison {
 public:
     RelativeComparison(std::size_t delta, ComparisonSettings settings)
         : delta_(delta), rotations_([&] {
-              settings.reading.left.reset(); // they have turned the attitudes
-              settings.reading.right.reset();
+              settings.reading.left = {}; // they have turned the attitudes
+              settings.reading.right = {};
               settings.reading.tolerance = any_defect;
               settings.attitudes = false;
               return pair_function_of(Comparison({}, {}, settings));

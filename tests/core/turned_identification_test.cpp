@@ -114,20 +114,18 @@ double error_of(const Candidate& found, const Case& each, const Quaternion& own)
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         ordered.push_back(numbers[found.columns.at(i)]);
     }
-    const auto turn = [](const std::optional<Rotation>& rotation) {
-        return rotation ? oracle::attitude(*rotation) : identity;
-    };
-    const Quaternion answer = turn(found.left) * oracle::attitude(found.spec, ordered) * turn(found.right);
+    const auto& [left, right] = found.constant;
+    const Quaternion answer = oracle::attitude(left) * oracle::attitude(found.spec, ordered) * oracle::attitude(right);
     const Quaternion truth = each.left * oracle::attitude(each.unknown, numbers) * each.right;
     return oracle::error_in_eps(answer, truth) * oracle::eps;
 }
 
 std::string text_of(const Candidate& answer) {
-    const auto turn = [](std::string_view axes, bool is_there, std::string_view side) {
-        return std::string(!axes.empty() ? axes : is_there ? side : "-");
+    const auto constant = [](std::string_view axes, const Rotation& rotation, std::string_view side) {
+        return std::string(!axes.empty() ? axes : rotation.is_identity() ? "-" : side);
     };
-    return answer.spec.text() + ' ' + turn(answer.reference_axes, answer.left.has_value(), "L") + ' ' +
-           turn(answer.body_axes, answer.right.has_value(), "R");
+    return answer.spec.text() + ' ' + constant(answer.reference_axes, answer.constant.left, "L") + ' ' +
+           constant(answer.body_axes, answer.constant.right, "R");
 }
 
 void check(const Case& each, int seed, std::size_t count, double noise, double within, double allowed) {

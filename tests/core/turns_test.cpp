@@ -20,7 +20,7 @@ std::vector<double> converted(const Spec& from, const Spec& to, const Conversion
     return accuracy::converted(from, to, row, settings).numbers;
 }
 
-ConversionSettings turned(std::optional<Rotation> left, std::optional<Rotation> right) {
+ConversionSettings turned(const Rotation& left, const Rotation& right) {
     return {.tolerance = 1e300, .lock_margin = 0.0, .left = left, .right = right};
 }
 

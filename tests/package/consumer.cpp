@@ -25,7 +25,7 @@ static_assert(
         UnusualNumbers, PartReport, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison,
         Composition, VectorRotation, Candidate, Verdict, IdentificationSettings, Identification, IntegratorEntry,
         Stepper, PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey,
-        Survey, AxesChange, AxesError, ConstantTurns, MeanTurn, Alignment, SampleSettings, Sampler>);
+        Survey, AxesChange, AxesError, ConstantRotations, MeanTurn, Alignment, SampleSettings, Sampler>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
