@@ -6,7 +6,6 @@
 
 /// The version of rotconv; the build reads it here. Macros, so that users can ask for it with #if.
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage)
 #define ROTCONV_VERSION_MAJOR 1
 #define ROTCONV_VERSION_MINOR 0
 #define ROTCONV_VERSION_PATCH 0
@@ -18,4 +17,3 @@
 
 #define ROTCONV_DETAIL_TEXT(number) ROTCONV_DETAIL_QUOTE(number)
 #define ROTCONV_DETAIL_QUOTE(number) #number
-// NOLINTEND(cppcoreguidelines-macro-usage)

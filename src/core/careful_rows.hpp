@@ -9,8 +9,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 inline const Kernel& kernel_of(RepresentationId name) noexcept {
 #define ROTCONV_LINE(id) &kernels::id,
     static constexpr const Kernel* table[] = {ROTCONV_REPRESENTATIONS(ROTCONV_LINE)};
@@ -159,8 +157,6 @@ inline DiagnosticSet write_carefully(const Spec& spec, double lock_margin, const
 inline void set_rounded(const Careful (&q)[4], std::size_t row, AttitudeBatch<double>& attitudes) noexcept {
     attitudes.set(row, {q[0].rounded(), q[1].rounded(), q[2].rounded(), q[3].rounded()});
 }
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -87,8 +87,8 @@ FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double
 }
 
 FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept {
-    const ExactQuaternion factors[] = {exact(a), exact(b)}; // NOLINT(*-avoid-c-arrays): as multiply() takes them
-    DoubleDouble q[3][4];                                   // NOLINT(*-avoid-c-arrays)
+    const ExactQuaternion factors[] = {exact(a), exact(b)};
+    DoubleDouble q[3][4];
     for (std::size_t k = 0; k < 4; ++k) {
         q[0][k] = {factors[0].hi[k], factors[0].lo[k]};
         q[1][k] = {factors[1].hi[k], factors[1].lo[k]};

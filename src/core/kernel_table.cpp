@@ -19,8 +19,6 @@ const KernelTable& kernel_table() noexcept {
 #endif
 }
 
-// NOLINTBEGIN(*-avoid-c-arrays)
-
 Reading read_row(const Spec& spec, const double* numbers) noexcept {
     double q[4];
     double defect = 0.0;
@@ -36,8 +34,6 @@ DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numb
     const auto& q = *reinterpret_cast<const double(*)[4]>(rotation.components().data());
     return kernel_table().write_one(spec, lock_margin, q, numbers);
 }
-
-// NOLINTEND(*-avoid-c-arrays)
 
 void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
             AttitudeBatch<double>& relative, double* angles) noexcept {

@@ -10,8 +10,6 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 // Functions of a batch.
 
 template <class T> void turn(const Turns& by, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
@@ -373,8 +371,6 @@ DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[
     }
     return kernel_of(spec.name).one.write(spec, lock_margin, q, numbers);
 }
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace
 } // namespace ROTCONV_TARGET

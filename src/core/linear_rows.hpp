@@ -8,8 +8,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 // Rows whose small numbers are so small that whatever comes of them is linear in them, and the rest does not depend on
 // them: with these numbers scaled by a power of two, all small numbers of the attitude and of the result are. So such
 // rows are plain, once scaled. A small number is then in [2^-150, 2^-136), any other 0 or of size 2^-10 to 2^10, and
@@ -86,8 +84,6 @@ inline bool unscale(double scale, double (&q)[4], double* results, std::size_t c
     }
     return all && may_be_small == has_small;
 }
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -216,7 +216,6 @@ void polar(const double* m, double* q) noexcept {
 /// Davenport 1968 (the matrix K), products after Dekker 1971: the largest column of K + I and two power steps, the
 /// second with exact products. Without more steps a defect d leaves an error of the order of d^3.
 void compensated(const double* m, double* q) noexcept {
-    // NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay)
     double own[9];
     double near[4];
     std::copy_n(m, 9, own);
@@ -224,7 +223,6 @@ void compensated(const double* m, double* q) noexcept {
     k.take_pivot_column(near);
     k.take_power_step(near);
     DoubleDouble exact[4] = {near[0], near[1], near[2], near[3]};
-    // NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
     Davenport<DoubleDouble>(own).take_power_step(exact);
     Quaternion{q} = Eigen::Vector4d(exact[0].hi, exact[1].hi, exact[2].hi, exact[3].hi).normalized();
 }

@@ -8,8 +8,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 /// Davenport's symmetric 4x4 matrix K of a 3x3 matrix M (1968), plus the identity. The unit quaternion q that maximises
 /// trace(R(q)' M) is its eigenvector to the largest eigenvalue, and R(q) the polar factor of M where det M > 0. For a
 /// rotation K + I = 4 q q'. The entries of M, nine numbers row by row, are doubles or have as many digits as T.
@@ -77,8 +75,6 @@ template <class T> struct Davenport {
 
     T ww, xx, yy, zz, wx, wy, wz, xy, xz, yz;
 };
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

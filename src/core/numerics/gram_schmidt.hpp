@@ -5,8 +5,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 /// With the digits that nearly parallel vectors have.
 template <class T> ROTCONV_INLINE void cross(const T (&a)[3], const T (&b)[3], T (&product)[3]) noexcept {
     product[0] = a[1] * b[2] - a[2] * b[1];
@@ -48,8 +46,6 @@ template <class T> ROTCONV_INLINE void gram_schmidt(const T (&first)[3], const T
     clean(k.yz, 5, 7);
     k.take_pivot_column(q);
 }
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -10,8 +10,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 template <class T> ROTCONV_INLINE T squared_norm(const T (&q)[4]) noexcept {
     return sloppy_sum(sloppy_sum(square(q[0]), square(q[1])), sloppy_sum(square(q[2]), square(q[3])));
 }
@@ -103,8 +101,6 @@ template <std::size_t N> ROTCONV_INLINE void divide_entries(double (&numbers)[N]
         number = __builtin_fabs(number) == divisor ? one : number * inverse;
     }
 }
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -11,8 +11,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 template <class T> struct SineCosine { T sine, cosine; };
 
 /// Numbers below 16, times 2^124.
@@ -91,8 +89,6 @@ struct ArcTangentTable {
     }
     DoubleDouble values[65];
 };
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

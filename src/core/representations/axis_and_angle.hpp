@@ -6,8 +6,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 /// A vector along the axis and its length. Both are times a power of two that brings the largest component to a size of
 /// 1/2 to 1, but for the zero vector and for a Careful one. The length counts in every number: it is precise.
 template <class T> struct AxisVector {
@@ -185,8 +183,6 @@ template <class Formula> struct AxisAndAngle {
                                    .one = {.size = size, .read = read_one, .write = write_one<double>},
                                    .careful = {.read = read_carefully, .write = write_one<Careful>}};
 };
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -101,12 +101,11 @@ template <class Numbers> Eigen::Map<const Numbers> plain(const Spec& /*spec*/, c
     return Eigen::Map<const Numbers>(numbers);
 }
 
-// NOLINTBEGIN(readability-non-const-parameter): the map writes through it
 template <class Numbers, auto rate, auto value_of = plain<Numbers>>
+// NOLINTNEXTLINE(readability-non-const-parameter): the map writes through it
 void rate_of(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
     Eigen::Map<Numbers>{rates} = rate(value_of(spec, numbers), w, frame);
 }
-// NOLINTEND(readability-non-const-parameter)
 
 template <class Numbers, auto angular_velocity, auto value_of = plain<Numbers>> Eigen::Vector3d
 angular_velocity_of(const Spec& spec, const double* numbers, const double* rates, Frame frame) noexcept {

@@ -9,8 +9,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 /// Kernels that read two columns, by Gram-Schmidt, of a class Formula as of kernel.hpp with the functions
 ///     directions(const T (&numbers)[size], T (&first)[3], T (&second)[3])   vectors along the columns
 ///     columns(const double (&numbers)[size], double (&columns)[6])          the columns themselves
@@ -117,8 +115,6 @@ template <class Formula> struct ColumnsKernel {
         .one = {.size = Formula::size, .read = read_one, .write = write_row<Formula, double>},
         .careful = {.read = read_carefully, .write = write_row<Formula, Careful>}};
 };
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -137,7 +137,6 @@ double defect_of_matrix(const double* matrix) noexcept {
 namespace dcm {
 
 Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
-    // NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay)
     const double* const m = matrix.data(); // column by column
     const double numbers[9] = {alone(m[0]), alone(m[3]), alone(m[6]), alone(m[1]), alone(m[4]),
                                alone(m[7]), alone(m[2]), alone(m[5]), alone(m[8])};
@@ -150,7 +149,6 @@ Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
     }
     return within(read_row({.name = RepresentationId::dcm}, numbers), tolerance,
                   [&] { return defect_of_matrix(numbers); });
-    // NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
 }
 
 double defect(const Dcm& matrix) noexcept { return defect_of_matrix(RowMajor(matrix).data()); }

@@ -14,8 +14,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 /// The axes i, j, k of a sequence read as turns about fixed axes, the first turn about i. Intrinsic turns are the same
 /// turns about fixed axes in reverse order. For a proper sequence k is the axis that does not occur.
 struct FixedAxes {
@@ -203,8 +201,6 @@ struct AngleRanges {
     double middle_factor;      ///< from the angle of its vector to the middle angle
     DoubleDouble upper, lower; ///< limits of that
 };
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -13,8 +13,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays): nothing inline of the standard library goes into sources of several targets
-
 // Numbers are in the representation's own order, quaternions w, x, y, z and not yet inverted: of a Spec's conventions
 // the sequence and the unit are left to kernels.
 
@@ -199,8 +197,6 @@ template <class T> ROTCONV_INLINE DiagnosticSet half_turn_of(const T (&q)[4]) no
     constexpr double limit = 0.5 * half_turn_margin;
     return {DiagnosticKind::half_turn, w * w <= limit * limit * ((x * x + y * y) + z * z)};
 }
-
-// NOLINTEND(*-avoid-c-arrays)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

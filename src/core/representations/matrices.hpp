@@ -29,8 +29,6 @@ ROTCONV_INLINE double distance_from_one(double square_excess, double unit = 1.0)
 
 inline namespace ROTCONV_TARGET {
 
-// NOLINTBEGIN(*-avoid-c-arrays, *-array-to-pointer-decay): as in davenport.hpp
-
 /// The square of how far rows 1 and 2 are from orthonormal and row 3 from their cross product. With d its root, the
 /// defect is below 3 d where that is small, and the determinant positive; nan where a number is not finite.
 ROTCONV_INLINE double squared_distance(const double (&m)[9]) noexcept {
@@ -51,8 +49,6 @@ ROTCONV_INLINE double read_clean(const double (&m)[9], double (&q)[4]) noexcept 
     k.take_power_step(q);
     return squared_distance(m);
 }
-
-// NOLINTEND(*-avoid-c-arrays, *-array-to-pointer-decay)
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv
