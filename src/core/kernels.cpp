@@ -353,7 +353,7 @@ ROTCONV_NOINLINE Error read_one_carefully(const Spec& spec, const double* number
 Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
     const Kernel& kernel = kernel_of(spec.name);
     const auto is_plain = [](const double& number) { return is_plain_number(alone(number)); };
-    if (!(kernel.reading_is_exact || all(numbers, kernel.one.size, is_plain))) [[unlikely]] {
+    if (!(kernel.reading_is_exact || all(numbers, kernel.size, is_plain))) [[unlikely]] {
         return read_one_carefully(spec, numbers, q, defect);
     }
     return kernel.one.read(spec, numbers, q, defect);

@@ -84,15 +84,10 @@ ROTCONV_INLINE void write_results(std::size_t rows, const ResultOf& result_of, d
     }
 }
 
-/// Kernels of axis and angle, of a class Formula with `size`, how many numbers there are, and the functions
+/// Kernels that read an axis and an angle, of a class Formula whose numbers begin with a vector along the axis, with
 ///     error_of(const double* numbers, AngleUnit unit)
 ///     half_angle(const AxisVector<T>& v, const double* numbers)
-///     numbers_of(const T (&q)[4], const Precise<T>& length, const Precise<T>& angle, Precise<T> (&numbers)[size])
-///     diagnostics_of(const T (&q)[4])
-/// where q and length are those of AxisHalfAngle. The numbers begin with a vector along the axis.
-template <class Formula> struct AxisAndAngle {
-    static constexpr std::size_t size = Formula::size;
-
+template <class Formula, std::size_t size> struct ReadByAxis {
     template <class T>
     static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
         Columns<double, size> columns;
@@ -137,6 +132,18 @@ template <class Formula> struct AxisAndAngle {
         const AxisVector<Careful> v(numbers);
         quaternion_of(v, sine_cosine(Formula::half_angle(v, numbers), spec.unit), q);
     }
+};
+
+/// Those that write, of a class Formula with
+///     numbers_of(const T (&q)[4], const Precise<T>& length, const Precise<T>& angle, Precise<T> (&numbers)[size])
+/// where q and length are those of AxisHalfAngle.
+template <class Formula, std::size_t count> struct WrittenByAxis {
+    static constexpr std::size_t size = count;
+    static constexpr bool needs_angle = true; ///< otherwise it is 0
+
+    template <class T> ROTCONV_INLINE static DiagnosticSet diagnostics_of(const T (&q)[4]) noexcept {
+        return half_turn_of(q);
+    }
 
     template <class T> static void write(const Spec& spec, double /*lock_margin*/, const AttitudeBatch<T>& attitudes,
                                          std::size_t rows, double* numbers, double* rest,
@@ -153,11 +160,17 @@ template <class Formula> struct AxisAndAngle {
             length.set(i, part.length);
             sides.set(i, rounded_to<T>(part.length));
         }
-        angles_of(parts[0], sides, rows, spec.unit, half);
+        if constexpr (Formula::needs_angle) {
+            angles_of(parts[0], sides, rows, spec.unit, half);
+        }
         const auto result_of = [&](std::size_t i, DoubleDouble(&result)[size]) {
             T q[4];
+            DoubleDouble angle;
             parts.get(i, q);
-            Formula::numbers_of(q, length[i], scaled(half[i], 2.0), result);
+            if constexpr (Formula::needs_angle) {
+                angle = scaled(half[i], 2.0);
+            }
+            Formula::numbers_of(q, length[i], angle, result);
         };
         write_results<size>(rows, result_of, numbers, rest);
         for (std::size_t i = 0; i < rows; ++i) {
@@ -168,20 +181,17 @@ template <class Formula> struct AxisAndAngle {
     }
     template <class T>
     static DiagnosticSet write_one(const Spec& spec, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
-        const AxisHalfAngle<T> part({alone(q[0]), alone(q[1]), alone(q[2]), alone(q[3])});
-        const Precise<T> half = angle_of(part.q[0], rounded_to<T>(part.length), spec.unit);
-        Precise<T> result[size];
-        Formula::numbers_of(part.q, part.length, scaled(half, 2.0), result);
-        for (std::size_t k = 0; k < size; ++k) {
-            numbers[k] = rounded_to<T>(result[k]);
+        const auto component = [&](std::size_t k) { return Formula::needs_angle ? alone(q[k]) : q[k]; };
+        const AxisHalfAngle<T> part({component(0), component(1), component(2), component(3)});
+        Precise<T> angle = 0.0;
+        if constexpr (Formula::needs_angle) {
+            angle = scaled(angle_of(part.q[0], rounded_to<T>(part.length), spec.unit), 2.0);
         }
+        Precise<T> result[size];
+        Formula::numbers_of(part.q, part.length, angle, result);
+        put(result, numbers);
         return Formula::diagnostics_of(part.q);
     }
-
-    static constexpr Kernel kernel{.fast = {.read = read<double>, .write = write<double>},
-                                   .exact = {.read = read<DoubleDouble>, .write = write<DoubleDouble>},
-                                   .one = {.size = size, .read = read_one, .write = write_one<double>},
-                                   .careful = {.read = read_carefully, .write = write_one<Careful>}};
 };
 
 } // namespace ROTCONV_TARGET

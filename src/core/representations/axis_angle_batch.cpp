@@ -4,9 +4,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct AxisAngle {
-    static constexpr std::size_t size = 4;
-
+struct AxisAngle : ReadByAxis<AxisAngle, 4>, WrittenByAxis<AxisAngle, 4> {
     /// Whether the numbers are finite and have an axis, or need none: the turn is 0, or in degrees whole turns.
     ROTCONV_INLINE static Error error_of(const double* v, AngleUnit unit) noexcept {
         if (!all_finite(v, 4)) {
@@ -44,7 +42,7 @@ struct AxisAngle {
 
 } // namespace
 
-constinit const Kernel kernels::axis_angle = AxisAndAngle<AxisAngle>::kernel;
+constinit const Kernel kernels::axis_angle = kernel_of_formula<AxisAngle>;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

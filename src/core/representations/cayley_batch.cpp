@@ -4,9 +4,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct Cayley {
-    static constexpr std::size_t size = 3;
-
+struct Cayley : ReadByFormula<Cayley>, WrittenByFormula<Cayley, 3> {
     /// (1, c).
     template <class T> ROTCONV_INLINE static void quaternion_of(const double* c, T (&q)[4]) noexcept {
         q[0] = 1.0;
@@ -23,8 +21,10 @@ struct Cayley {
         divide(c, q[0]);
     }
     /// Infinite with the sign of each component that is not 0, where a quotient is; else 0.
-    template <class T> ROTCONV_INLINE static DiagnosticSet complete(const T (&q)[4], double* c) noexcept {
-        if (all_finite(c, 3)) [[likely]] {
+    template <class T, class Number> ROTCONV_INLINE static DiagnosticSet complete(const T (&q)[4], Number* c) noexcept {
+        double rounded[3];
+        take(c, rounded);
+        if (all_finite(rounded, 3)) [[likely]] {
             return {};
         }
         const double sign = canonical_sign(q);

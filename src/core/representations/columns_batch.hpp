@@ -9,11 +9,10 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-/// Kernels that read two columns, by Gram-Schmidt, of a class Formula as of kernel.hpp with the functions
+/// Kernels that read two columns, by Gram-Schmidt, of a class Formula with
 ///     directions(const T (&numbers)[size], T (&first)[3], T (&second)[3])   vectors along the columns
 ///     columns(const double (&numbers)[size], double (&columns)[6])          the columns themselves
-template <class Formula> struct ColumnsKernel {
-    static constexpr std::size_t size = Formula::size;
+template <class Formula, std::size_t size> struct ReadByColumns {
 
     template <class T> ROTCONV_INLINE static void quaternion_of(const double (&numbers)[size], T (&q)[4]) noexcept {
         T first[3];
@@ -98,9 +97,7 @@ template <class Formula> struct ColumnsKernel {
         }
         DoubleDouble exact[4];
         const Error error = read_unclean(own, exact, defect);
-        for (std::size_t k = 0; k < 4; ++k) {
-            q[k] = exact[k].hi;
-        }
+        take(exact, q);
         return error;
     }
     static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
@@ -108,12 +105,6 @@ template <class Formula> struct ColumnsKernel {
         take(numbers, own);
         quaternion_of(own, q);
     }
-
-    static constexpr Kernel kernel{
-        .fast = {.read = read<double>, .write = write_rows<Formula, double>},
-        .exact = {.read = read<DoubleDouble>, .write = write_rows<Formula, DoubleDouble>},
-        .one = {.size = Formula::size, .read = read_one, .write = write_row<Formula, double>},
-        .careful = {.read = read_carefully, .write = write_row<Formula, Careful>}};
 };
 
 } // namespace ROTCONV_TARGET

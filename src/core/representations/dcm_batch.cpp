@@ -155,9 +155,7 @@ Error read_unclean_matrix(const double (&m)[9], double square, double (&q)[4], d
     return Error::none;
 }
 
-struct Matrix {
-    static constexpr std::size_t size = 9;
-
+struct Matrix : WrittenByFormula<Matrix, 9> {
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[9]) noexcept {
         scaled_matrix_of(q, numbers);
         divide_entries(numbers, squared_norm(q));
@@ -178,9 +176,7 @@ struct Matrix {
         if (is_far(square) && error == Error::none) [[unlikely]] {
             Careful exact[4];
             refine(numbers, q, exact);
-            for (std::size_t k = 0; k < 4; ++k) {
-                q[k] = exact[k].rounded();
-            }
+            take(exact, q);
         }
         return error;
     }
@@ -248,11 +244,7 @@ struct Matrix {
 
 } // namespace
 
-constinit const Kernel kernels::dcm{
-    .fast = {.read = Matrix::read<double>, .write = write_rows<Matrix, double>},
-    .exact = {.read = Matrix::read<DoubleDouble>, .write = write_rows<Matrix, DoubleDouble>},
-    .one = {.size = 9, .read = Matrix::read_one, .write = write_row<Matrix, double>},
-    .careful = {.read = Matrix::read_carefully, .write = write_row<Matrix, Careful>}};
+constinit const Kernel kernels::dcm = kernel_of_formula<Matrix>;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -17,6 +17,8 @@ template <class Batch> ROTCONV_INLINE auto columns_along(const FixedAxes& axes, 
 }
 
 struct Angles {
+    static constexpr std::size_t size = 3;
+
     /// The sines and cosines of the halves of the angles, in the order of the turns about fixed axes.
     template <class T> struct Halves {
         ROTCONV_INLINE Halves(const Spec& spec, const FixedAxes& axes, const double* numbers,
@@ -328,20 +330,20 @@ struct Angles {
     }
 };
 
-constexpr Kernel kernel_of_angles{.fast = {.read = Angles::read<double>, .write = Angles::write<double>},
-                                  .exact = {.read = Angles::read<DoubleDouble>, .write = Angles::write<DoubleDouble>},
-                                  .one = {.size = 3, .read = Angles::read_one, .write = Angles::write_one<double>},
-                                  .careful = {.read = Angles::read_carefully, .write = Angles::write_one<Careful>},
-                                  // elsewhere they gain nothing
-                                  .read_first = ROTCONV_HAS_FMA != 0 ? Angles::read_first : nullptr,
-                                  .write_first = ROTCONV_HAS_FMA != 0 ? Angles::write_first : nullptr,
-                                  // the sines of three halves are multiplied, which are 2^-7 of degrees
-                                  .least_plain_number = 0x1p-300};
+constexpr Kernel kernel_of_angles() noexcept {
+    Kernel kernel = kernel_of_formula<Angles>;
+    if (ROTCONV_HAS_FMA != 0) { // elsewhere they gain nothing
+        kernel.read_first = Angles::read_first;
+        kernel.write_first = Angles::write_first;
+    }
+    kernel.least_plain_number = 0x1p-300; // the sines of three halves are multiplied, which are 2^-7 of degrees
+    return kernel;
+}
 
 } // namespace
 
-constinit const Kernel kernels::euler = kernel_of_angles;
-constinit const Kernel kernels::rpy = kernel_of_angles;
+constinit const Kernel kernels::euler = kernel_of_angles();
+constinit const Kernel kernels::rpy = kernel_of_angles();
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

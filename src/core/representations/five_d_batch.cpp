@@ -4,9 +4,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct FiveNumbers {
-    static constexpr std::size_t size = 5;
-
+struct FiveNumbers : ReadByColumns<FiveNumbers, 5>, WrittenByFormula<FiveNumbers, 5> {
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[5]) noexcept {
         // sqrt 2 - 1 and sqrt 2 + 1 to 106 bits and more
         constexpr DoubleDouble less{0x1.a827999fcef32p-2, 0x1.08b2fb1366ea9p-56};
@@ -48,7 +46,7 @@ struct FiveNumbers {
 
 } // namespace
 
-constinit const Kernel kernels::five_d = ColumnsKernel<FiveNumbers>::kernel;
+constinit const Kernel kernels::five_d = kernel_of_formula<FiveNumbers>;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

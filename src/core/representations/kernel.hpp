@@ -30,7 +30,6 @@ template <class T> struct BatchKernel {
 
 /// One plain row in double.
 struct RowKernel {
-    std::size_t size; ///< how many numbers there are
     Error (*read)(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept;
     DiagnosticSet (*write)(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept;
 };
@@ -61,6 +60,7 @@ template <class T>
 }
 
 struct Kernel {
+    std::size_t size; ///< how many numbers there are
     BatchKernel<double> fast;
     BatchKernel<DoubleDouble> exact;
     RowKernel one;
@@ -87,106 +87,97 @@ ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 } // namespace kernels
 #undef ROTCONV_LINE
 
-/// The first N of some numbers.
+/// The first N of some numbers, in as many digits as To has.
 template <class From, class To, std::size_t N> ROTCONV_INLINE void take(const From* numbers, To (&taken)[N]) noexcept {
     for (std::size_t k = 0; k < N; ++k) {
-        taken[k] = numbers[k];
+        taken[k] = rounded_to<To>(numbers[k]);
+    }
+}
+/// And puts them there.
+template <class From, class To, std::size_t N> ROTCONV_INLINE void put(const From (&numbers)[N], To* there) noexcept {
+    for (std::size_t k = 0; k < N; ++k) {
+        there[k] = rounded_to<To>(numbers[k]);
     }
 }
 
-// What kernels are made of where a row is written by one formula over a scalar, a class with `size`, how many numbers
-// there are, and the functions
-//     numbers_of(const T (&q)[4], T (&numbers)[size])
-//     complete(const T (&q)[4], double* numbers)      the row's diagnostics; it may replace rounded numbers. Optional.
+/// The kernels of a representation, a class with `size`, how many numbers there are, and the functions read() and
+/// write() of BatchKernel, read_one() and write_one() of RowKernel, and read_carefully() and write_one() of
+/// CarefulKernel, over a scalar where there are several.
+template <class Formula>
+constexpr Kernel kernel_of_formula{.size = Formula::size,
+                                   .fast = {.read = Formula::read, .write = Formula::write},
+                                   .exact = {.read = Formula::read, .write = Formula::write},
+                                   .one = {.read = Formula::read_one, .write = Formula::write_one},
+                                   .careful = {.read = Formula::read_carefully, .write = Formula::write_one}};
 
-template <class Formula, class T> inline constexpr bool has_complete = requires(const T (&q)[4], double* numbers) {
-    Formula::complete(q, numbers);
-};
+/// Those that write, of a class Formula with
+///     numbers_of(const T (&q)[4], T (&numbers)[size])
+template <class Formula, std::size_t count> struct WrittenByFormula {
+    static constexpr std::size_t size = count;
 
-template <class Formula, class T>
-void write_rows(const Spec& /*spec*/, double /*lock_margin*/, const AttitudeBatch<T>& attitudes, std::size_t rows,
-                double* numbers, double* /*rest*/, [[maybe_unused]] DiagnosticSet* diagnostics) noexcept {
-    Columns<double, Formula::size> columns;
-    for (std::size_t i = 0; i < rows; ++i) {
-        T q[4];
-        T result[Formula::size];
-        attitudes.get(i, q);
-        Formula::numbers_of(q, result);
-        for (std::size_t k = 0; k < Formula::size; ++k) {
-            columns[k].set(i, to_double(result[k]));
-        }
+    /// The row's diagnostics; it may replace numbers, which may be rounded.
+    template <class T, class Number>
+    ROTCONV_INLINE static DiagnosticSet complete(const T (&/*q*/)[4], Number* /*numbers*/) noexcept {
+        return {};
     }
-    to_rows(columns, rows, numbers);
-    if constexpr (has_complete<Formula, T>) {
+
+    template <class T> static void write(const Spec& /*spec*/, double /*lock_margin*/,
+                                         const AttitudeBatch<T>& attitudes, std::size_t rows, double* numbers,
+                                         double* /*rest*/, DiagnosticSet* diagnostics) noexcept {
+        Columns<double, size> columns;
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            T result[size];
+            attitudes.get(i, q);
+            Formula::numbers_of(q, result);
+            for (std::size_t k = 0; k < size; ++k) {
+                columns[k].set(i, to_double(result[k]));
+            }
+        }
+        to_rows(columns, rows, numbers);
         for (std::size_t i = 0; i < rows; ++i) {
             T q[4];
             attitudes.get(i, q);
-            diagnostics[i] = Formula::complete(q, numbers + Formula::size * i);
+            diagnostics[i] = Formula::complete(q, numbers + size * i);
         }
     }
-}
+    template <class T>
+    static DiagnosticSet write_one(const Spec& /*spec*/, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
+        T result[size];
+        Formula::numbers_of(q, result);
+        const DiagnosticSet found = Formula::complete(q, result);
+        put(result, numbers);
+        return found;
+    }
+};
 
-template <class Formula, class T>
-DiagnosticSet write_row(const Spec& /*spec*/, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
-    T result[Formula::size];
-    Formula::numbers_of(q, result);
-    DiagnosticSet found;
-    if constexpr (has_complete<Formula, T>) {
-        double rounded[Formula::size];
-        for (std::size_t k = 0; k < Formula::size; ++k) {
-            rounded[k] = to_double(result[k]);
+/// Those that read, and find no defect, of a class Formula with
+///     quaternion_of(const double* numbers, T (&q)[4])   of any length
+///     size_of(const double* numbers)                    that length or the largest component, about
+template <class Formula> struct ReadByFormula {
+    template <class T>
+    static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
+        for (std::size_t i = 0; i < rows; ++i) {
+            T q[4];
+            attitudes.error[i] = read_one(spec, numbers + Formula::size * i, q, attitudes.defect[i]);
+            attitudes.set(i, q);
         }
-        found = Formula::complete(q, rounded);
-        for (std::size_t k = 0; k < Formula::size && !found.empty(); ++k) {
-            result[k] = rounded[k];
+    }
+    template <class T> ROTCONV_INLINE static Error read_one(const Spec& /*spec*/, const double* numbers, T (&q)[4],
+                                                            double& defect) noexcept {
+        Formula::quaternion_of(numbers, q);
+        const double size = Formula::size_of(numbers);
+        const double scale = size < 0x1p1000 ? unit_scale(size) : unit_scale(size * 0x1p-100) * 0x1p-100;
+        for (T& component : q) {
+            component = scaled(component, scale);
         }
+        defect = 0.0;
+        return all_finite(numbers, Formula::size) ? Error::none : Error::not_finite;
     }
-    for (std::size_t k = 0; k < Formula::size; ++k) {
-        numbers[k] = result[k];
+    static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
+        Formula::quaternion_of(numbers, q);
     }
-    return found;
-}
-
-// And where a row is read by one formula, which finds no defect, of functions
-//     quaternion_of(const double* numbers, T (&q)[4])   of any length
-//     size_of(const double* numbers)                    that length or the largest component, about
-
-template <class Formula, class T> ROTCONV_INLINE Error read_in(const double* numbers, T (&q)[4]) noexcept {
-    Formula::quaternion_of(numbers, q);
-    const double size = Formula::size_of(numbers);
-    const double scale = size < 0x1p1000 ? unit_scale(size) : unit_scale(size * 0x1p-100) * 0x1p-100;
-    for (T& component : q) {
-        component = scaled(component, scale);
-    }
-    return all_finite(numbers, Formula::size) ? Error::none : Error::not_finite;
-}
-
-template <class Formula, class T>
-void read_rows(const Spec& /*spec*/, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        T q[4];
-        attitudes.error[i] = read_in<Formula>(numbers + Formula::size * i, q);
-        attitudes.defect[i] = 0.0;
-        attitudes.set(i, q);
-    }
-}
-
-template <class Formula>
-Error read_row(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
-    defect = 0.0;
-    return read_in<Formula>(numbers, q);
-}
-
-template <class Formula> void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
-    Formula::quaternion_of(numbers, q);
-}
-
-/// The kernels of a representation that is read and written in these ways.
-template <class Formula> constexpr Kernel kernel_of_formula{
-    .fast = {.read = read_rows<Formula, double>, .write = write_rows<Formula, double>},
-    .exact = {.read = read_rows<Formula, DoubleDouble>, .write = write_rows<Formula, DoubleDouble>},
-    .one = {.size = Formula::size, .read = read_row<Formula>, .write = write_row<Formula, double>},
-    .careful = {.read = read_carefully<Formula>, .write = write_row<Formula, Careful>}};
+};
 
 /// The diagnostic half_turn if pi - theta <= half_turn_margin, otherwise none.
 template <class T> ROTCONV_INLINE DiagnosticSet half_turn_of(const T (&q)[4]) noexcept {

@@ -4,9 +4,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct FourNumbers {
-    static constexpr std::size_t size = 4;
-
+struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[4]) noexcept {
         take(q, numbers);
         divide(numbers, root(squared_norm(q)));
@@ -64,7 +62,7 @@ struct FourNumbers {
     template <class T> static void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes,
                                          std::size_t rows, double* numbers, double* rest,
                                          DiagnosticSet* diagnostics) noexcept {
-        write_rows<FourNumbers>(spec, lock_margin, attitudes, rows, numbers, rest, diagnostics);
+        WrittenByFormula::write(spec, lock_margin, attitudes, rows, numbers, rest, diagnostics);
         for (std::size_t i = 0; i < rows && attitudes.are_quaternions; ++i) {
             if (keeps_bits(attitudes, i)) {
                 T q[4];
@@ -83,12 +81,11 @@ struct FourNumbers {
 
 } // namespace
 
-constinit const Kernel kernels::quat{
-    .fast = {.read = FourNumbers::read<double>, .write = FourNumbers::write<double>},
-    .exact = {.read = FourNumbers::read<DoubleDouble>, .write = FourNumbers::write<DoubleDouble>},
-    .one = {.size = 4, .read = FourNumbers::read_one, .write = write_row<FourNumbers, double>},
-    .careful = {.read = FourNumbers::read_carefully, .write = write_row<FourNumbers, Careful>},
-    .reading_is_exact = true};
+constinit const Kernel kernels::quat = []() noexcept {
+    Kernel kernel = kernel_of_formula<FourNumbers>;
+    kernel.reading_is_exact = true;
+    return kernel;
+}();
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

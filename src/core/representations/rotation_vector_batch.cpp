@@ -4,9 +4,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct RotationVector {
-    static constexpr std::size_t size = 3;
-
+struct RotationVector : ReadByAxis<RotationVector, 3>, WrittenByAxis<RotationVector, 3> {
     ROTCONV_INLINE static Error error_of(const double* numbers, AngleUnit /*unit*/) noexcept {
         return all_finite(numbers, 3) ? Error::none : Error::not_finite;
     }
@@ -23,9 +21,6 @@ struct RotationVector {
             numbers[k] = ratio * q[k + 1];
         }
     }
-    template <class T> ROTCONV_INLINE static DiagnosticSet diagnostics_of(const T (&q)[4]) noexcept {
-        return half_turn_of(q);
-    }
 
     // One row in double, with what the roundings of the length and of the ratio have left out.
 
@@ -33,7 +28,7 @@ struct RotationVector {
         const double v[3] = {alone(numbers[0]), alone(numbers[1]), alone(numbers[2])};
         const DoubleDouble length = length_of(v[0], v[1], v[2]);
         if (!(length.hi >= 0x1p-100 && length.hi < 0x1p12)) [[unlikely]] {
-            return AxisAndAngle<RotationVector>::read_one(spec, numbers, q, defect);
+            return ReadByAxis::read_one(spec, numbers, q, defect);
         }
         defect = 0.0;
         const SineCosine<double> half = spec.unit == AngleUnit::degrees
@@ -52,11 +47,12 @@ struct RotationVector {
         return Error::none;
     }
 
+    using WrittenByAxis::write_one;
     static DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[4],
                                    double* numbers) noexcept {
         const DoubleDouble length = length_of(alone(q[1]), alone(q[2]), alone(q[3]));
         if (!(length.hi >= 0x1p-100)) [[unlikely]] {
-            return AxisAndAngle<RotationVector>::write_one(spec, lock_margin, q, numbers);
+            return WrittenByAxis::write_one(spec, lock_margin, q, numbers);
         }
         const double w = __builtin_fabs(alone(q[0]));
         const DoubleDouble half = acute_angle(w, length.hi);
@@ -80,11 +76,7 @@ struct RotationVector {
 
 } // namespace
 
-constinit const Kernel kernels::rotvec = []() noexcept {
-    Kernel kernel = AxisAndAngle<RotationVector>::kernel;
-    kernel.one = {.size = 3, .read = RotationVector::read_one, .write = RotationVector::write_one};
-    return kernel;
-}();
+constinit const Kernel kernels::rotvec = kernel_of_formula<RotationVector>;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

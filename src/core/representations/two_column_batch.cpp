@@ -4,9 +4,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 namespace {
 
-struct FirstTwoColumns {
-    static constexpr std::size_t size = 6;
-
+struct FirstTwoColumns : ReadByColumns<FirstTwoColumns, 6>, WrittenByFormula<FirstTwoColumns, 6> {
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[6]) noexcept {
         T m[9];
         scaled_matrix_of(q, m);
@@ -26,7 +24,7 @@ struct FirstTwoColumns {
 
 } // namespace
 
-constinit const Kernel kernels::two_column = ColumnsKernel<FirstTwoColumns>::kernel;
+constinit const Kernel kernels::two_column = kernel_of_formula<FirstTwoColumns>;
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv
