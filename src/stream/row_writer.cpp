@@ -17,17 +17,16 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Appends the kinds of the row's diagnostics, joined by '+'.
-void append_notes(Buffer& to, const ConvertedRow& row) {
+/// The kinds of the row's diagnostics, joined by '+'.
+std::string notes_of(const ConvertedRow& row) {
     if (row.failed) {
-        append(to, "error");
-        return;
+        return "error";
     }
-    const std::size_t begin = to.size();
-    for_each_diagnostic(*row.report, row.number, std::vector<Spec>(), [&](const Diagnostic& diagnostic) {
-        append(to, to.size() > begin ? "+" : "");
-        append(to, name_of(diagnostic.kind));
+    std::string notes;
+    for_each_diagnostic(*row.report, row.number, {}, [&](const Diagnostic& diagnostic) {
+        notes.append(notes.empty() ? "" : "+").append(name_of(diagnostic.kind));
     });
+    return notes;
 }
 
 /// Margin, condition and defect.
@@ -104,11 +103,11 @@ double half_a_unit(int decimals) {
 
 constexpr std::size_t most_around = 3; // a delimiter and a line end
 
-/// Writes the numbers of one of several results, with its text before the number of that place. Numbers that repeat the
-/// previous result, which stands before them in memory, are copied from its text.
+/// Writes the numbers of a result with its text before the number of that place. Numbers that repeat the previous
+/// result, which stands before them in memory, are copied from its text.
 /// @param texts those of the previous result's numbers; set to those of this result
-char* write_result_with(char* at, std::span<const double> numbers, bool is_first, std::string_view* texts,
-                        std::string_view text, std::size_t place, char delimiter, Digits digits) {
+char* write_with_text(char* at, std::span<const double> numbers, bool is_first, std::string_view* texts,
+                      std::string_view text, std::size_t place, char delimiter, Digits digits) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i == place) {
             at = std::ranges::copy(text, at).out;
@@ -213,27 +212,24 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
     const char delimiter = layout_->delimiter.text();
     const Digits digits = options_->digits;
     const RowOperation& operation = *options_->operation;
+    const TextColumn* const text = operation.text ? &*operation.text : nullptr;
     const std::size_t width = operation.names.size();
-    if (!operation.text) {
-        const std::size_t room = room_for(width, digits);
-        for (const Row& row : rows) {
-            const auto result = results.subspan(row.index * width, width);
-            write_around(to, *layout_, row.line, row.numbers, room,
-                         [&](char* at) { return write_numbers(at, result, delimiter, digits); });
-        }
-        return;
-    }
-    const auto& [name, place, texts] = *operation.text;
-    const std::size_t room = room_for(width, digits) + std::ranges::max(texts, {}, &std::string::size).size() + 2;
     const std::size_t count = operation.results_of_row;
+    const std::size_t room =
+        room_for(width, digits) +
+        (text != nullptr ? std::ranges::max(text->texts, {}, &std::string::size).size() + most_around : 0);
     std::vector<std::string_view> last(width);
     for (const Row& row : rows) {
-        to.reserve(to.size() + count * (room + row.line.text.size() + most_around)); // `last` stays valid
+        if (text != nullptr) {
+            to.reserve(to.size() + count * (room + row.line.text.size() + most_around)); // `last` stays valid
+        }
         for (std::size_t i = 0; i < count; ++i) {
             const auto result = results.subspan((row.index * count + i) * width, width);
-            write_around(to, *layout_, row.line, row.numbers, room, [&, place = place](char* at) {
-                return write_result_with(at, result, i == 0, last.data(),
-                                         operation.text_of((row.number - 1) * count + i), place, delimiter, digits);
+            write_around(to, *layout_, row.line, row.numbers, room, [&](char* at) {
+                return text == nullptr ? write_numbers(at, result, delimiter, digits)
+                                       : write_with_text(at, result, i == 0, last.data(),
+                                                         operation.text_of((row.number - 1) * count + i), text->place,
+                                                         delimiter, digits);
             });
         }
     }
@@ -251,49 +247,47 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
     }
 }
 
-void RowWriter::write_result(Buffer& to, const ConvertedRow& row) const {
-    const char delimiter = layout_->delimiter.text();
-    if (open_ends_.empty()) {
-        const std::size_t before = row.text.empty() ? 0 : options_->operation->text->place;
-        append_numbers(to, row.result.first(before), delimiter, options_->digits);
-        if (before > 0) {
-            to.push_back(delimiter);
-        }
-        if (!row.text.empty()) {
-            append(to, row.text);
-            to.push_back(delimiter);
-        }
-        append_numbers(to, row.result.subspan(before), delimiter, options_->digits);
-    } else {
-        for (std::size_t i = 0; i < row.result.size(); ++i) {
-            if (i > 0) {
-                to.push_back(delimiter);
-            }
-            if (is_after_text(i)) {
-                append(to, row.text);
-                to.push_back(delimiter);
-            }
-            write_number(to, row.result[i], i);
-        }
+template <class WriteNumbers, class WriteText>
+void RowWriter::for_each_column(const ConvertedRow& row, std::size_t first, const WriteNumbers& numbers,
+                                const WriteText& text) const {
+    std::span<const double> rest = row.result.subspan(first);
+    if (const auto& column = options_->operation->text) {
+        numbers(rest.first(column->place - first), first);
+        text(row.text);
+        rest = rest.subspan(column->place - first);
     }
-    if (!options_->diagnostic_columns) {
-        return;
-    }
-    for (const double figure : figures_of(row)) {
-        to.push_back(delimiter);
-        append_number(to, figure, options_->digits);
-    }
-    to.push_back(delimiter);
-    const std::size_t start = to.size();
-    append_notes(to, row);
-    if (to.size() == start && layout_->delimiter.is_blanks()) {
-        to.push_back('-');
+    numbers(rest, row.result.size() - rest.size());
+    if (options_->diagnostic_columns) {
+        numbers(figures_of(row), row.result.size());
+        text(notes_of(row));
     }
 }
 
 void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
-    write_fields(to, *layout_, row.line.text, row.fields, layout_->delimiter.text(), [&] {
-        write_result(to, row);
+    const char delimiter = layout_->delimiter.text();
+    write_fields(to, *layout_, row.line.text, row.fields, delimiter, [&] {
+        bool begins = true;
+        const auto begin = [&] {
+            if (!std::exchange(begins, false)) {
+                to.push_back(delimiter);
+            }
+        };
+        const auto numbers = [&](std::span<const double> values, std::size_t first) {
+            if (open_ends_.empty() && !values.empty()) {
+                begin();
+                append_numbers(to, values, delimiter, options_->digits);
+                return;
+            }
+            for (const double value : values) {
+                begin();
+                write_number(to, value, first++);
+            }
+        };
+        const auto text = [&](std::string_view words) {
+            begin();
+            append(to, words.empty() && layout_->delimiter.is_blanks() ? "-" : words);
+        };
+        for_each_column(row, 0, numbers, text);
         append(to, row.partner);
     });
     append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
@@ -343,24 +337,17 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
         append(to, "]");
         first += spec.size();
     }
-    for (std::size_t i = first; i < row.result.size(); ++i) {
-        if (is_after_text(i)) {
+    const auto numbers_with_keys = [&](std::span<const double> values, std::size_t column) {
+        for (const double value : values) {
             key();
-            append_json_string(to, row.text);
+            number(value, column++);
         }
+    };
+    const auto text_with_key = [&](std::string_view text) {
         key();
-        number(row.result[i], i);
-    }
-    if (options_->diagnostic_columns) {
-        for (const double figure : figures_of(row)) {
-            key();
-            number(figure, row.result.size()); // a figure has no open end
-        }
-        key();
-        to.push_back('"');
-        append_notes(to, row);
-        to.push_back('"');
-    }
+        append_json_string(to, text);
+    };
+    for_each_column(row, first, numbers_with_keys, text_with_key);
     append(to, "}\n");
 }
 

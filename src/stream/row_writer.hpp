@@ -52,13 +52,12 @@ private:
     void write_json(Buffer& to, const ConvertedRow& row) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
     void write_f64(Buffer& to, const ConvertedRow& row) const;
-    /// Writes the result and, if asked for, the four diagnostic columns.
-    void write_result(Buffer& to, const ConvertedRow& row) const;
+    /// Calls numbers(values, first_column) and text(words) for the columns of the result from number `first` on, and,
+    /// if asked for, for the four diagnostic columns.
+    template <class WriteNumbers, class WriteText> void for_each_column(const ConvertedRow& row, std::size_t first,
+                                                                        const WriteNumbers& numbers,
+                                                                        const WriteText& text) const;
     void write_number(Buffer& to, double value, std::size_t column) const;
-    /// Whether the result's text stands before this number.
-    [[nodiscard]] bool is_after_text(std::size_t number) const noexcept {
-        return options_->operation->text && options_->operation->text->place == number;
-    }
 
     const Options* options_;
     const Layout* layout_;
