@@ -35,7 +35,7 @@ struct Row : stream::HeaderLine {
 
 /// Whether the text has rows, and all are read and answered by the operation; without one, their numbers are read.
 bool reads(std::string_view text, stream::InputOptions input, const stream::RowOperation* operation = nullptr) {
-    const operations::RowsAtOnce nothing([](const auto&...) {}, {"nothing"});
+    const operations::RowsAtOnce nothing([](const auto&...) {}, {}, {"nothing"});
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
     }

@@ -289,8 +289,7 @@ struct IdentifyOptions final : RowOptions {
         rows.count = asked.name ? representation(*asked.name).size : given_count(selected.list, rows);
         const auto subject = std::make_shared<messages::Subject>();
         const auto report = std::make_shared<IdentificationReport>(asked, subject);
-        RowsCommand made = rows_command(operations::identification_numbers(rows),
-                                        operations::identify(rows, report->identification()), *subject);
+        RowsCommand made = rows_command(operations::identify(rows, report->identification()), *subject);
         made.subject = subject;
         if (rows.count == 0) {
             made.options.input.take_count = [report](std::size_t fields) { return report->take_count(fields); };

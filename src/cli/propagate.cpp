@@ -37,15 +37,12 @@ struct PropagateOptions final : RowOptions {
         propagation.renormalise = renormalise.given();
         propagation.substeps = count_of(substeps, 1'000'000, 1, propagation.substeps);
         propagation.initial = attitude_of(initial).rotation;
-        auto numbers = operations::propagation_numbers();
-        numbers.has_unit = time_unit.given();
         const auto propagated_as = [&rows](const Spec& spec) {
             rows.to = spec;
             return operations::propagate(rows);
         };
-        return rows_command(
-            numbers, operations::several(mapped(specs_of(to), propagated_as)),
-            {"t wx wy wz", numbers.names.size(), propagation.representation.name, rows.conversion.tolerance, true});
+        return rows_command(operations::several(mapped(specs_of(to), propagated_as)),
+                            {"t wx wy wz", 4, propagation.representation.name, rows.conversion.tolerance, true});
     }
 
 private:

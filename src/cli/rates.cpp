@@ -26,22 +26,17 @@ struct RatesOptions final : RowOptions {
         const auto axes = one_of<Frame>("frame", frame, {{"body", Frame::body}, {"reference", Frame::reference}});
         const ConversionSettings reading = settings();
         const auto name = representation(spec.name).text;
-        const auto made = [&](const std::string& subject, const stream::RowNumbers& numbers,
-                              operations::Operation operation) {
-            return rows_command(numbers, std::move(operation),
-                                {subject, numbers.names.size(), spec.name, reading.tolerance});
+        const auto made = [&](const std::string& subject, const operations::Operation& operation) {
+            return rows_command(operation, {subject, operation->input.names.size(), spec.name, reading.tolerance});
         };
         if (differences.given()) {
-            auto numbers = operations::difference_numbers(spec);
-            numbers.has_unit = time_unit.given();
-            return made(fmt::format("t with {}", name), numbers,
-                        operations::differences({.spec = spec,
-                                                 .time_power = time_power_of(time_unit),
-                                                 .degrees = degrees.given(),
-                                                 .frame = axes,
-                                                 .tolerance = reading.tolerance,
-                                                 .sensitivity = reading.sensitivity,
-                                                 .decimal = reading.decimal}));
+            return made(fmt::format("t with {}", name), operations::differences({.spec = spec,
+                                                                                 .time_power = time_power_of(time_unit),
+                                                                                 .degrees = degrees.given(),
+                                                                                 .frame = axes,
+                                                                                 .tolerance = reading.tolerance,
+                                                                                 .sensitivity = reading.sensitivity,
+                                                                                 .decimal = reading.decimal}));
         }
         require_rates(from, spec);
         const RateSettings rates{.inverse = inverse.given(),
@@ -51,7 +46,7 @@ struct RatesOptions final : RowOptions {
                                  .sensitivity = reading.sensitivity,
                                  .decimal = reading.decimal};
         return made(fmt::format("{} with {}", name, inverse.given() ? "its rates" : "wx wy wz"),
-                    operations::rates_numbers(spec, rates), operations::rates(spec, rates));
+                    operations::rates(spec, rates));
     }
 
     Option frame{"--frame", "FRAME", "Axes of the angular velocity: body (default) or reference"};

@@ -14,9 +14,8 @@ struct RotateOptions final : RowOptions {
     [[nodiscard]] Command command() const override {
         const Spec read = spec_of(from);
         const ConversionSettings reading = settings();
-        const stream::RowNumbers numbers = operations::rotation_numbers(read);
-        return rows_command(numbers, operations::rotate(VectorRotation(read, reading)),
-                            {fmt::format("{} with a vector", representation(read.name).text), numbers.names.size(),
+        return rows_command(operations::rotate(VectorRotation(read, reading)),
+                            {fmt::format("{} with a vector", representation(read.name).text), read.size() + 3,
                              read.name, reading.tolerance});
     }
 };

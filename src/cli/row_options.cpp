@@ -81,6 +81,7 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
                               stream::RowNumbers numbers, const messages::Subject& subject, bool refuses) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
+    in.numbers.has_unit = time_option.given();
     in.header = one_of<HeaderMode>(
         "mode of", options.header,
         {{"auto", HeaderMode::automatic}, {"yes", HeaderMode::yes}, {"no", HeaderMode::no}, {"add", HeaderMode::add}});
@@ -237,10 +238,10 @@ SelectedColumns RowOptions::columns_of_file() const {
     return selected;
 }
 
-RowsCommand RowOptions::rows_command(const stream::RowNumbers& numbers, operations::Operation operation,
-                                     messages::Subject subject) const {
+RowsCommand RowOptions::rows_command(operations::Operation operation, messages::Subject subject) const {
     using stream::Format;
     const SelectedColumns selected = columns_of_file();
+    const stream::RowNumbers& numbers = operation->input;
     RowsCommand command;
     command.has_values = !values.empty();
     command.diagnostics = shown_diagnostics_of(diagnostics);
@@ -283,7 +284,7 @@ RowsCommand RowOptions::pairs_command(const Spec& first, const Spec& second, ope
     const double most = most_defect();
     const operations::PairedRows rows = paired_rows();
     RowsCommand command =
-        rows_command(operations::pair_numbers(first, second, rows), std::move(operation),
+        rows_command(std::move(operation),
                      rows.paired ? messages::subject_of(first, most) : messages::subject_of_two(first, second, most));
     if (rows.paired) {
         pair(command, operations::attitude_numbers(second, rows.by_key), messages::subject_of(second, most));
@@ -309,7 +310,6 @@ void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers, messages
         pairs.within = stream::read_distance(key_within.text());
     }
     in.key_power = time_power_of(time_unit);
-    in.numbers.has_unit = time_unit.given();
     if (key_offset.given()) {
         const stream::ReadKey offset = stream::read_key(key_offset.text());
         constexpr stream::KeyDistance limit{stream::Uint128{1} << 123U}; // about 1e19; it is added to keys below 1e20

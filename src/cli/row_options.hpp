@@ -107,10 +107,8 @@ struct RowOptions : CommandOptions {
     /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
     /// @throw Usage if an option about keys is given without a key
     [[nodiscard]] SelectedColumns columns_of_file() const;
-    /// The command of an operation that takes those numbers of a row.
     /// @throw Usage
-    [[nodiscard]] RowsCommand rows_command(const stream::RowNumbers& numbers, operations::Operation operation,
-                                           messages::Subject subject) const;
+    [[nodiscard]] RowsCommand rows_command(operations::Operation operation, messages::Subject subject) const;
     /// That of an operation of pairs of attitudes, where the second follows in the row or comes from the REFERENCE.
     /// @throw Usage
     [[nodiscard]] RowsCommand pairs_command(const Spec& first, const Spec& second,

@@ -57,14 +57,13 @@ struct SampleOptions final : RowOptions {
         const bool has_header =
             one_of<bool>(fmt::format("mode of {}", header.name()), header, {{"no", false}, {"add", true}});
         const bool has_kinds = kinds_column.given();
-        const stream::RowNumbers numbers{.names = {"index"}};
         RowsCommand made =
-            rows_command(numbers, operations::sample(spec, samples, has_kinds), messages::subject_of(spec, any_defect));
+            rows_command(operations::sample(spec, samples, has_kinds), messages::subject_of(spec, any_defect));
         const stream::Format written = made.options.format;
         if (has_kinds && written != stream::Format::json && written != stream::Format::csv) {
             throw Usage("{} can be combined with {} csv and json only", kinds_column.name(), format.name());
         }
-        made.options.input = {.numbers = numbers,
+        made.options.input = {.numbers = made.options.input.numbers,
                               .delimiter = stream::Delimiter::character(','),
                               .width = 1,
                               .header = has_header ? stream::HeaderMode::add : stream::HeaderMode::no};

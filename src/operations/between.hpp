@@ -28,6 +28,9 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
 [[nodiscard]] std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
                                                    std::vector<double>& room);
 
+/// The numbers of a row of the stream: of both attitudes, or of the first if the second comes from a reference.
+[[nodiscard]] stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows);
+
 /// A function of rows of two attitudes.
 struct PairFunction {
     RowFunction run;

@@ -101,7 +101,8 @@ Operation compare(const Comparison& comparison, const ComparisonRows& rows) {
     }
     std::vector<std::string> names{"angle"};
     names.resize(width);
-    auto made = std::make_shared<RowsAtOnce>(std::move(function), std::move(names));
+    auto made = std::make_shared<RowsAtOnce>(std::move(function), pair_numbers(comparison.from(), reference, rows),
+                                             std::move(names));
     made->unit = rows.unit;
     made->in_order = rows.delta > 0;
     return made;

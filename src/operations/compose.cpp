@@ -19,7 +19,7 @@ Operation compose(const Composition& composition, const PairedRows& rows, bool c
     return std::make_shared<RowsAtOnce>(of_pairs({function_of(composition), to.size()}, {between, to.size()},
                                                  rows.columns(first, composition.second()), composition.second(),
                                                  composition.settings()),
-                                        to, continuous);
+                                        pair_numbers(first, composition.second(), rows), to, continuous);
 }
 
 } // namespace rotconv::operations

@@ -40,7 +40,8 @@ stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key) {
 }
 
 Operation convert(const Conversion& conversion, bool continuous) {
-    return std::make_shared<RowsAtOnce>(function_of(conversion), conversion.to(), continuous);
+    return std::make_shared<RowsAtOnce>(function_of(conversion), attitude_numbers(conversion.from()), conversion.to(),
+                                        continuous);
 }
 
 } // namespace rotconv::operations

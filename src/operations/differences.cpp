@@ -33,6 +33,7 @@ class Differences final : public stream::RowOperation {
 public:
     explicit Differences(const DifferenceSettings& settings)
         : clock_(settings.time_power), size_(settings.spec.size()), composition_(composition_of(settings)) {
+        input = {.names = joined({"t"}, names_of(settings.spec)), .attitude = settings.spec, .kept = 1};
         names = velocity_names(settings.degrees);
         in_order = true;
     }
@@ -174,10 +175,6 @@ private:
 };
 
 } // namespace
-
-stream::RowNumbers difference_numbers(const Spec& spec) {
-    return {.names = joined({"t"}, names_of(spec)), .attitude = spec, .kept = 1};
-}
 
 Operation differences(const DifferenceSettings& settings) { return std::make_shared<Differences>(settings); }
 

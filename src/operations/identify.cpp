@@ -6,7 +6,9 @@
 
 namespace rotconv::operations {
 
-stream::RowNumbers identification_numbers(const IdentificationRows& rows) {
+namespace {
+
+stream::RowNumbers numbers_of(const IdentificationRows& rows) {
     stream::RowNumbers numbers;
     if (rows.by_key) {
         numbers.names.emplace_back("key");
@@ -22,6 +24,8 @@ stream::RowNumbers identification_numbers(const IdentificationRows& rows) {
     return numbers;
 }
 
+} // namespace
+
 Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification) {
     const auto function = [identification = std::move(identification), size = rows.known.size(), by_key = rows.by_key,
                            room = std::vector<double>()](const auto& numbers, auto /*out*/, auto& reports,
@@ -29,7 +33,7 @@ Operation identify(const IdentificationRows& rows, std::shared_ptr<Identificatio
         const stream::PairColumns columns{identification->count(), size, by_key};
         identification->add(without_keys(numbers.numbers, columns, room), numbers.lines, reports);
     };
-    auto made = std::make_shared<RowsAtOnce>(function, std::vector<std::string>{"angle"});
+    auto made = std::make_shared<RowsAtOnce>(function, numbers_of(rows), std::vector<std::string>{"angle"});
     made->in_order = true;
     return made;
 }

@@ -9,7 +9,8 @@ Operation method(const MethodConversion& conversion, bool all, bool continuous) 
                                                                             auto /*rest*/) mutable {
         conversion.run(rows.numbers, out, angles, reports, all);
     };
-    auto made = std::make_shared<RowsAtOnce>(function, conversion.to(), continuous);
+    auto made =
+        std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), continuous);
     if (all) {
         const auto methods = conversion.names();
         made->results_of_row = methods.size();

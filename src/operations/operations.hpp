@@ -27,7 +27,7 @@
 #include "../stream/row_operation.hpp"
 #include "angle_statistics.hpp"
 
-/// The operations on rows of numbers, each in a source of its name, with the numbers that each takes of a row.
+/// The operations on rows of numbers, each in a source of its name.
 namespace rotconv::operations {
 
 using Operation = std::shared_ptr<stream::RowOperation>;
@@ -84,11 +84,15 @@ private:
 /// An operation that answers all rows at once, by a function; its copies have copies of it.
 class RowsAtOnce final : public AttitudeOperation {
 public:
-    RowsAtOnce(RowFunction function, std::vector<std::string> columns) : function_(std::move(function)) {
+    RowsAtOnce(RowFunction function, stream::RowNumbers numbers, std::vector<std::string> columns)
+        : function_(std::move(function)) {
+        input = std::move(numbers);
         names = std::move(columns);
     }
-    RowsAtOnce(RowFunction function, const Spec& to, bool continuous)
-        : AttitudeOperation(to, continuous), function_(std::move(function)) {}
+    RowsAtOnce(RowFunction function, stream::RowNumbers numbers, const Spec& to, bool continuous)
+        : AttitudeOperation(to, continuous), function_(std::move(function)) {
+        input = std::move(numbers);
+    }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<RowsAtOnce>(*this); }
 
     std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
@@ -114,12 +118,10 @@ private:
 [[nodiscard]] Operation method(const MethodConversion& conversion, bool all, bool continuous);
 
 /// The vectors that are rotated by the attitudes of their rows, see VectorRotation.
-[[nodiscard]] stream::RowNumbers rotation_numbers(const Spec& spec);
 [[nodiscard]] Operation rotate(const VectorRotation& rotation);
 
 /// The kinematic equation of a representation. The result's columns have the names of the numbers with `_rate`, or are
 /// those of an angular velocity. RateSettings::sensitivity: a report of every row.
-[[nodiscard]] stream::RowNumbers rates_numbers(const Spec& spec, const RateSettings& settings);
 [[nodiscard]] Operation rates(const Spec& spec, const RateSettings& settings);
 
 struct DifferenceSettings {
@@ -133,7 +135,6 @@ struct DifferenceSettings {
 };
 /// The angular velocity since the previous row, from rows of a time and an attitude: the rotation vector from the
 /// earlier attitude to the later one over the time between them. The first row has the second row's velocity, or nan.
-[[nodiscard]] stream::RowNumbers difference_numbers(const Spec& spec);
 [[nodiscard]] Operation differences(const DifferenceSettings& settings);
 
 struct PropagationRows {
@@ -146,7 +147,6 @@ struct PropagationRows {
     bool stop_at_error = true; ///< the first error ends the propagation
 };
 /// The attitudes of a propagation, from rows t, wx, wy, wz.
-[[nodiscard]] stream::RowNumbers propagation_numbers();
 [[nodiscard]] Operation propagate(const PropagationRows& rows);
 
 /// The rows of a sampler, from rows of an index from 0 on; perhaps with a column of their kinds.
@@ -169,8 +169,6 @@ struct PairedRows {
         return {first.size(), second.size(), by_key, interpolates};
     }
 };
-/// The numbers of a row of the stream: of both attitudes, or of the first if the second comes from a reference.
-[[nodiscard]] stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows);
 
 /// The products of pairs of attitudes.
 [[nodiscard]] Operation compose(const Composition& composition, const PairedRows& rows, bool continuous);
@@ -256,7 +254,6 @@ struct IdentificationRows {
     bool by_key = false;
 };
 /// Adds rows, each of unknown numbers and then the known attitude, to an identification. The results are not used.
-[[nodiscard]] stream::RowNumbers identification_numbers(const IdentificationRows& rows);
 [[nodiscard]] Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification);
 
 } // namespace rotconv::operations

@@ -25,6 +25,7 @@ public:
           velocity_unit_(rows.degrees ? radians_per_degree : 1.0), settings_(rows.conversion),
           stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
           conversion_(conversion_to(rows.to, rows.conversion)) {
+        input = {.names = {"t", "wx", "wy", "wz"}, .kept = 1};
         in_order = true;
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Propagate>(*this); }
@@ -128,8 +129,6 @@ private:
 };
 
 } // namespace
-
-stream::RowNumbers propagation_numbers() { return {.names = {"t", "wx", "wy", "wz"}, .kept = 1}; }
 
 Operation propagate(const PropagationRows& rows) { return std::make_shared<Propagate>(rows); }
 

@@ -2,14 +2,12 @@
 
 namespace rotconv::operations {
 
-stream::RowNumbers rates_numbers(const Spec& spec, const RateSettings& settings) {
-    return {.names = joined(names_of(spec), settings.inverse ? names_of(spec, "_rate") : velocity_names(false)),
-            .attitude = spec};
-}
-
 Operation rates(const Spec& spec, const RateSettings& settings) {
-    return std::make_shared<RowsAtOnce>(function_of(Rates(spec, settings)),
-                                        settings.inverse ? velocity_names(settings.degrees) : names_of(spec, "_rate"));
+    const auto of_numbers = names_of(spec, "_rate");
+    const auto& taken = settings.inverse ? of_numbers : velocity_names(false);
+    const auto& made = settings.inverse ? velocity_names(settings.degrees) : of_numbers;
+    const stream::RowNumbers numbers{.names = joined(names_of(spec), taken), .attitude = spec};
+    return std::make_shared<RowsAtOnce>(function_of(Rates(spec, settings)), numbers, made);
 }
 
 } // namespace rotconv::operations

@@ -2,12 +2,10 @@
 
 namespace rotconv::operations {
 
-stream::RowNumbers rotation_numbers(const Spec& spec) {
-    return {.names = joined(names_of(spec), {"x", "y", "z"}), .attitude = spec};
-}
-
 Operation rotate(const VectorRotation& rotation) {
-    auto made = std::make_shared<RowsAtOnce>(function_of(rotation), std::vector<std::string>{"x", "y", "z"});
+    const std::vector<std::string> vector{"x", "y", "z"};
+    const stream::RowNumbers numbers{.names = joined(names_of(rotation.from()), vector), .attitude = rotation.from()};
+    auto made = std::make_shared<RowsAtOnce>(function_of(rotation), numbers, vector);
     made->keeps_names = true;
     return made;
 }

@@ -11,7 +11,7 @@ Operation sample(const Spec& spec, const SampleSettings& settings, bool with_kin
         reports.clear();
         sampler.run(rows.numbers, out);
     };
-    auto made = std::make_shared<RowsAtOnce>(function, spec, false);
+    auto made = std::make_shared<RowsAtOnce>(function, stream::RowNumbers{.names = {"index"}}, spec, false);
     if (with_kinds) {
         made->text = stream::TextColumn{.name = "kind"};
         std::ranges::transform(settings.kinds, std::back_inserter(made->text->texts),

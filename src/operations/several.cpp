@@ -17,6 +17,7 @@ void copy_columns(std::span<const double> from, std::size_t from_first, std::siz
 class Several final : public stream::RowOperation {
 public:
     explicit Several(std::vector<Operation> parts) {
+        input = parts.front()->input;
         for (Operation& each : parts) {
             for (const Spec& to : each->attitudes) {
                 add_attitude(*this, to);

@@ -85,6 +85,7 @@ public:
         return text ? std::string_view(text->texts[index % text->texts.size()]) : std::string_view();
     }
 
+    RowNumbers input{};
     std::vector<std::string> names{}; ///< the columns of the result
     bool keeps_names = false;         ///< the result has the names of the last selected columns, if the input has names
     std::vector<Spec> attitudes{};    ///< the attitudes that the result is, one after the other, if it is any

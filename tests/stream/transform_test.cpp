@@ -20,8 +20,8 @@ namespace {
 Options options_of(const char* from, const char* to, double tolerance = 1e-3) {
     const Spec spec = std::get<Spec>(parse_spec(from));
     const Conversion conversion(spec, std::get<Spec>(parse_spec(to)), {.tolerance = tolerance});
-    return {.input = {.numbers = operations::attitude_numbers(spec)},
-            .operation = operations::convert(conversion, false)};
+    const auto operation = operations::convert(conversion, false);
+    return {.input = {.numbers = operation->input}, .operation = operation};
 }
 
 /// A stream with comments, blank rows, errors and diagnostics in it.
@@ -123,9 +123,8 @@ TEST_CASE("a stream whose rows wait for the next one becomes the same, cut at an
     }
     text += "2000,0,0,1\n";
     const auto all = [&](std::size_t most_lines) {
-        return transformed({.input = {.numbers = operations::propagation_numbers()},
-                            .operation = operations::propagate(propagation), // which remembers rows
-                            .on_error = OnError::nan},
+        const auto operation = operations::propagate(propagation); // which remembers rows
+        return transformed({.input = {.numbers = operation->input}, .operation = operation, .on_error = OnError::nan},
                            layout_of({}, 1), text, most_lines);
     };
     const std::string by_row = all(1);
