@@ -54,14 +54,10 @@ public:
             place = pair;
         }
         rotations_.run(out, out_width);
-        for (RowReport& report : rotations_.reports) {
+        for (const RowReport& report : rotations_.reports) {
             RowReport& of_attitudes = report_of(report.row, reports);
-            report.diagnostics |= of_attitudes.diagnostics;
-            report.defect = of_attitudes.defect;
-            report.reference_defect = of_attitudes.reference_defect;
-            report.unusual = of_attitudes.unusual;
-            report.reference_unusual = of_attitudes.reference_unusual;
-            of_attitudes = report;
+            of_attitudes.diagnostics |= report.diagnostics;
+            of_attitudes.deviation = report.deviation;
         }
     }
 

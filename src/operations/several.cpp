@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "between.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
@@ -70,31 +71,22 @@ private:
         std::vector<RowReport> reports{};
     };
 
-    /// Merges the reports of a part into those of the parts before; both are in the order of rows.
+    /// Merges the reports of a part into those of the parts before.
     void merge(const std::vector<RowReport>& more, std::size_t part, std::vector<RowReport>& reports) const {
-        std::vector<RowReport> merged;
-        auto other = reports.begin();
         for (const RowReport& report : more) {
-            while (other != reports.end() && other->row < report.row) {
-                merged.push_back(*other++);
-            }
-            RowReport& both = merged.emplace_back(report);
-            if (other != reports.end() && other->row == report.row) {
-                const RowReport& before = *other++;
-                both = before.error != Error::none ? before : report;
-                both.parts = before.parts;
-                both.diagnostics |= before.diagnostics;
-                both.diagnostics |= report.diagnostics;
-                both.sensitivity = {std::min(before.sensitivity.margin, report.sensitivity.margin),
-                                    std::max(before.sensitivity.condition, report.sensitivity.condition)};
-                both.deviation = std::max(before.deviation, report.deviation);
-                both.openness = std::max(before.openness, report.openness);
-            }
+            RowReport& merged = report_of(report.row, reports);
+            RowReport both = merged.error != Error::none ? merged : report;
+            both.parts = std::move(merged.parts);
             both.parts.resize(parts_.size());
             both.parts[part] = {report.diagnostics, report.sensitivity, report.openness};
+            both.diagnostics |= merged.diagnostics;
+            both.diagnostics |= report.diagnostics;
+            both.sensitivity = {std::min(merged.sensitivity.margin, report.sensitivity.margin),
+                                std::max(merged.sensitivity.condition, report.sensitivity.condition)};
+            both.deviation = std::max(merged.deviation, report.deviation);
+            both.openness = std::max(merged.openness, report.openness);
+            merged = std::move(both);
         }
-        merged.insert(merged.end(), other, reports.end());
-        reports = std::move(merged);
     }
 
     std::vector<Part> parts_;
