@@ -8,7 +8,7 @@
 namespace rotconv::operations {
 
 void PairFold::add(const stream::AnsweredRows& rows) {
-    const std::size_t count = rows.rows.lines.size();
+    const std::size_t count = rows.lines.size();
     const std::size_t width = rows.results.size() / count;
     for (std::size_t i = 0; i < count; ++i) {
         const double* const pair = rows.results.data() + i * width;
@@ -23,7 +23,7 @@ void PairFold::add(const stream::AnsweredRows& rows) {
             left_.add(reference * inverse);
             right_.add(inverse * reference);
         }
-        const std::size_t line = rows.rows.lines[i];
+        const std::size_t line = rows.lines[i];
         for (PairLimit& limit : limits_) {
             if (angle > limit.angle) {
                 limit.first_beyond = limit.beyond++ == 0 ? line : std::min(limit.first_beyond, line);
@@ -36,21 +36,21 @@ void PairFold::add(const stream::AnsweredRows& rows) {
 }
 
 void PairFold::keep(const stream::AnsweredRows& rows, std::size_t row) {
-    const auto row_of = [row, count = rows.rows.lines.size()](std::span<const double> numbers) {
+    const auto row_of = [row, count = rows.lines.size()](std::span<const double> numbers) {
         return numbers.subspan(row * (numbers.size() / count), numbers.size() / count);
     };
-    const auto numbers = row_of(rows.rows.numbers);
+    const auto numbers = row_of(rows.numbers);
     const auto result = row_of(rows.results);
     WorstPair pair{.angle = result[0],
-                   .line = rows.rows.lines[row],
-                   .reference_line = rows.rows.reference_lines.empty() ? 0 : rows.rows.reference_lines[row]};
+                   .line = rows.lines[row],
+                   .reference_line = rows.reference_lines.empty() ? 0 : rows.reference_lines[row]};
     const bool is_between = columns_.interpolates && result.size() > 1;
     append(pair.attitudes[0], numbers.subspan(columns_.first(), columns_.first_size));
     append(pair.attitudes[1], is_between ? result.last(4) : numbers.subspan(columns_.second(), columns_.second_size));
     for (const std::size_t side : {0U, 1U}) {
         if (columns_.by_key) {
             const double key = numbers[side == 0 ? 0 : columns_.second_key()];
-            pair.keys.at(side) = rows.rows.kept.empty() ? fmt::format("{}", key) : rows.rows.kept[2 * row + side];
+            pair.keys.at(side) = rows.kept.empty() ? fmt::format("{}", key) : rows.kept[2 * row + side];
         }
     }
     worst_.insert(std::move(pair));
@@ -60,8 +60,8 @@ void PairFold::keep(const stream::AnsweredRows& rows, std::size_t row) {
 }
 
 void AlignmentFold::add(const stream::AnsweredRows& rows) {
-    const std::size_t width = rows.results.size() / rows.rows.lines.size();
-    for (auto pairs = rows.results; !pairs.empty(); pairs = pairs.subspan(width)) {
+    const std::size_t width = rows.results.size() / rows.lines.size();
+    for (std::span<const double> pairs = rows.results; !pairs.empty(); pairs = pairs.subspan(width)) {
         if (!std::isnan(pairs[0])) {
             alignment.add(rotation_at(pairs.data() + 1), rotation_at(pairs.data() + 5));
         }

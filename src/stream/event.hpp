@@ -99,28 +99,11 @@ struct Unpaired {
     }
 };
 
-/// Grows without setting its new elements, which are then read into.
-using Numbers = fmt::basic_memory_buffer<double, 64>;
-
-/// Rows that were answered together, for a fold.
-struct AnsweredBatch {
-    Numbers numbers;
-    std::vector<std::size_t> lines;
-    std::vector<std::size_t> reference_lines;
-    std::vector<std::string_view> kept; ///< views into the block's text
-    std::vector<double> results;
-    std::vector<RowReport> reports;
-
-    [[nodiscard]] AnsweredRows rows() const noexcept {
-        return {{numbers, lines, kept, reference_lines}, results, reports};
-    }
-};
-
 /// The output of a block of rows: bytes to write, rows to add to a fold, and events to report after both, each in the
 /// order of the rows.
 struct Output {
     Buffer bytes;
-    std::vector<AnsweredBatch> batches;
+    std::vector<AnsweredRows> batches;
     std::vector<Event> events;
     std::size_t rows = 0;     ///< data rows of the stream
     std::size_t answered = 0; ///< data rows that have a result

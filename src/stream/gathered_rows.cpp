@@ -181,7 +181,7 @@ void GatheredRows::split_doubles(Row& row) {
     }
 }
 
-void GatheredRows::move_to(AnsweredBatch& batch) {
+void GatheredRows::move_to(AnsweredRows& batch) {
     batch.numbers = std::move(parts_.numbers);
     batch.lines = std::move(lines_);
     batch.reference_lines = std::move(reference_lines_);

@@ -53,7 +53,7 @@ public:
         return std::span(parts_.fields).subspan(row.first_field, row.field_count);
     }
     /// Hands over the numbers, lines and kept texts of the rows with numbers.
-    void move_to(AnsweredBatch& batch);
+    void move_to(AnsweredRows& batch);
 
     /// @pre rows are paired, for Side::reference
     [[nodiscard]] const RowReader& reader(Side side) const noexcept { return readers_[index_of(side)]; }

@@ -11,6 +11,8 @@
 
 #include <rotconv/conversion.hpp>
 
+#include "fmt.hpp"
+
 namespace rotconv::stream {
 
 /// The numbers that an operation takes of a row.
@@ -105,11 +107,18 @@ protected:
     RowOperation& operator=(RowOperation&&) = default;
 };
 
-/// Rows with their results, of the operation's names.size() numbers each, nan if the row's report has an error.
+/// Grows without setting its new elements, which are then read into.
+using Numbers = fmt::basic_memory_buffer<double, 64>;
+
+/// Rows that were answered together, see NumberRows, and their results, of the operation's names.size() numbers each,
+/// nan if the row's report has an error.
 struct AnsweredRows {
-    NumberRows rows;
-    std::span<const double> results;
-    std::span<const RowReport> reports;
+    Numbers numbers;
+    std::vector<std::size_t> lines;
+    std::vector<std::size_t> reference_lines;
+    std::vector<std::string_view> kept; ///< views into the block's text
+    std::vector<double> results;
+    std::vector<RowReport> reports;
 };
 
 /// Collects something from all rows of a run. The caller owns it, and reads it after the run.

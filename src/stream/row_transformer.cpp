@@ -147,7 +147,7 @@ void RowTransformer::write(Output& output) {
 
 void RowTransformer::give_away(std::size_t answered, Output& output) {
     if (options_->fold && answered > 0) { // operations with a fold answer all rows at once
-        AnsweredBatch& batch = output.batches.emplace_back();
+        AnsweredRows& batch = output.batches.emplace_back();
         gathered_.move_to(batch);
         batch.results = std::exchange(results_, {});
         batch.reports = std::exchange(reports_, {});

@@ -244,8 +244,8 @@ private:
             }
             return false;
         }
-        for (const AnsweredBatch& batch : output.batches) {
-            options_->fold->add(batch.rows());
+        for (const AnsweredRows& batch : output.batches) {
+            options_->fold->add(batch);
         }
         std::ranges::for_each(output.events, *report_);
         ending_.rows += output.rows;

@@ -109,14 +109,14 @@ struct Text final : Sink {
 struct Results final : Fold {
     explicit Results(std::shared_ptr<Fold> to) : next(std::move(to)) {}
     void add(const AnsweredRows& rows) override {
-        const std::size_t width = rows.results.size() / rows.rows.lines.size();
+        const std::size_t width = rows.results.size() / rows.lines.size();
         auto report = rows.reports.begin();
-        for (std::size_t row = 0; row < rows.rows.lines.size(); ++row) {
+        for (std::size_t row = 0; row < rows.lines.size(); ++row) {
             const bool is_reported = report != rows.reports.end() && report->row == row;
             if (is_reported && (report++)->error != Error::none) {
                 continue;
             }
-            const auto result = rows.results.subspan(row * width, width);
+            const auto result = std::span(rows.results).subspan(row * width, width);
             bytes.append(reinterpret_cast<const char*>(result.data()),
                          result.size_bytes()); // NOLINT(*-reinterpret-cast)
             if (!std::isnan(result[0])) {
