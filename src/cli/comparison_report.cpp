@@ -80,11 +80,7 @@ private:
     };
 
     [[nodiscard]] bool has_pairs() const { return pairs_.pairs() > 0; }
-    [[nodiscard]] std::string number(double value) const {
-        stream::Buffer text;
-        stream::append_number(text, value, check_.digits);
-        return fmt::to_string(text);
-    }
+    [[nodiscard]] std::string number(double value) const { return stream::number_text(value, check_.digits); }
     /// The angle in the unit of the report.
     [[nodiscard]] double in_unit(double radians) const { return check_.unit.per_radian * radians; }
     /// The angle with its unit.

@@ -298,6 +298,12 @@ void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter,
 
 void append_number(Buffer& to, double value, Digits digits) { append_numbers(to, {&value, 1}, ' ', digits); }
 
+std::string number_text(double value, Digits digits) {
+    Buffer text;
+    append_number(text, value, digits);
+    return fmt::to_string(text);
+}
+
 void append_bytes(Buffer& to, std::span<const double> numbers) {
     const auto bytes = std::as_bytes(numbers);
     append(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}); // NOLINT(*-reinterpret-cast)

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "fmt.hpp"
@@ -38,6 +39,7 @@ struct Digits {
 };
 
 void append_number(Buffer& to, double value, Digits digits);
+[[nodiscard]] std::string number_text(double value, Digits digits = {});
 
 /// The same of each, with the delimiter between them.
 void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits);

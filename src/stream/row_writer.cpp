@@ -176,15 +176,10 @@ void write_added_header(Buffer& to, const Options& options, const Layout& layout
 
 RowWriter::RoundedEnd RowWriter::rounded(const OpenEnd& range) const {
     const Digits digits = options_->digits;
-    const auto text_of = [&](double number) {
-        Buffer text;
-        append_number(text, number, digits);
-        return fmt::to_string(text);
-    };
     const int whole_digits = std::abs(range.end) < 10.0 ? 1 : 3; // of radians or degrees
     const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
     const double half_a_digit = whole_digits + decimals > 1 ? half_a_unit(decimals) : -1.0; // one does not show the end
-    return {range, half_a_digit, text_of(range.end), text_of(range.other)};
+    return {range, half_a_digit, number_text(range.end, digits), number_text(range.other, digits)};
 }
 
 RowWriter::RowWriter(const Options& options, const Layout& layout)
@@ -406,9 +401,7 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);
         for (std::size_t i = 0; i < figures.size(); ++i) {
-            fmt::format_to(out, "  {:<9}  ", diagnostic_names[i]);
-            append_number(to, figures[i], options_->digits);
-            to.push_back('\n');
+            fmt::format_to(out, "  {:<9}  {}\n", diagnostic_names[i], number_text(figures[i], options_->digits));
         }
     }
     if (row.failed) {
