@@ -51,7 +51,7 @@ void Between::operator()(const stream::NumberRows& pairs, std::span<double> out,
     const std::size_t count = rows.size() / width;
     numbers_.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        append(numbers_, rows.subspan(i * width + columns_.second(), 2 * columns_.second_size));
+        append(numbers_, rows.subspan(i * width + columns_.first_size, 2 * columns_.second_size));
     }
     neighbours_.resize(8 * count);
     reading_.run(numbers_, neighbours_, neighbour_reports_);
@@ -63,11 +63,11 @@ void Between::operator()(const stream::NumberRows& pairs, std::span<double> out,
         const double fraction = row[columns_.fraction()];
         SomeRows& some = fraction > 0.0 ? between_ : at_; // at 0 the reference has the row's key
         some.rows.push_back(i);
-        append(some.numbers, row.subspan(columns_.first(), columns_.first_size));
+        append(some.numbers, row.first(columns_.first_size));
         if (fraction > 0.0) {
             append(some.numbers, attitude_between(i, fraction, reports));
         } else {
-            append(some.numbers, row.subspan(columns_.second(), columns_.second_size));
+            append(some.numbers, row.subspan(columns_.first_size, columns_.second_size));
         }
     }
     const std::size_t size = at_.function.outputs;
@@ -118,28 +118,10 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
 
 } // namespace
 
-std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
-                                     std::vector<double>& room) {
-    if (!columns.by_key) {
-        return rows;
-    }
-    room.clear();
-    for (; !rows.empty(); rows = rows.subspan(columns.width())) {
-        append(room, rows.subspan(columns.first(), columns.first_size));
-        append(room, rows.subspan(columns.second(), columns.second_size));
-    }
-    return room;
-}
-
 RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& second,
                      const ConversionSettings& settings) {
-    if (columns.interpolates) {
-        return Between(std::move(at), std::move(between), columns, second, settings);
-    }
-    return [run = std::move(at.run), columns, room = std::vector<double>()](const stream::NumberRows& rows, auto out,
-                                                                            auto& reports, auto rest) mutable {
-        run({without_keys(rows.numbers, columns, room), rows.lines}, out, reports, rest);
-    };
+    return columns.interpolates ? Between(std::move(at), std::move(between), columns, second, settings)
+                                : std::move(at.run);
 }
 
 RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {

@@ -24,10 +24,6 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
 /// The report on the row among reports in the order of the rows; an empty one is added if there is none.
 [[nodiscard]] RowReport& report_of(std::size_t row, std::vector<RowReport>& reports);
 
-/// The numbers of both attitudes of each row, one after the other; without keys, for which they are copied to `room`.
-[[nodiscard]] std::span<const double> without_keys(std::span<const double> rows, const stream::PairColumns& columns,
-                                                   std::vector<double>& room);
-
 /// The numbers of a row of the stream: of both attitudes, or of the first if the second comes from a reference.
 [[nodiscard]] stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows);
 
@@ -37,8 +33,8 @@ struct PairFunction {
     std::size_t outputs = 0; ///< numbers of each row of `out`, and of `rest`
 };
 
-/// The function of rows as they are read: with keys, if they are paired by key, and with both neighbours, if the
-/// reference is interpolated. A row between neighbours that are a half-turn apart has the error past_half_turn.
+/// The function of rows as they are read: with both neighbours, if the reference is interpolated. A row between
+/// neighbours that are a half-turn apart has the error past_half_turn.
 /// @param at takes the second attitude as it is read, and `between` as a quaternion
 /// @param settings how neighbours are read
 [[nodiscard]] RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns,

@@ -92,7 +92,7 @@ private:
     };
 
     [[nodiscard]] std::span<const double> numbers_of(const NumberRows& rows, std::size_t row) const {
-        return rows.numbers.subspan(row * (size_ + 1) + 1, size_);
+        return rows.numbers.subspan(row * size_, size_);
     }
 
     /// Compares the row of each step with the row before it, and the first row with itself.
@@ -125,8 +125,7 @@ private:
             if (refused.error != Error::none) {
                 return true;
             }
-            step.seconds = clock.seconds_to(rows.numbers[step.row * (size_ + 1)],
-                                            rows.kept.empty() ? nullptr : &rows.kept[step.row]);
+            step.seconds = clock.seconds_to(rows.kept[step.row], rows.keys.empty() ? nullptr : &rows.keys[step.row]);
             if (std::isnan(step.seconds)) {
                 refused.error = Error::not_finite;
             } else if (!is_first && !(step.seconds > 0.0)) {

@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "../stream/fmt.hpp"
-#include "between.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {
@@ -27,11 +26,9 @@ stream::RowNumbers numbers_of(const IdentificationRows& rows) {
 } // namespace
 
 Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification) {
-    const auto function = [identification = std::move(identification), size = rows.known.size(), by_key = rows.by_key,
-                           room = std::vector<double>()](const auto& numbers, auto /*out*/, auto& reports,
-                                                         auto /*rest*/) mutable {
-        const stream::PairColumns columns{identification->count(), size, by_key};
-        identification->add(without_keys(numbers.numbers, columns, room), numbers.lines, reports);
+    const auto function = [identification = std::move(identification)](const auto& numbers, auto /*out*/, auto& reports,
+                                                                       auto /*rest*/) {
+        identification->add(numbers.numbers, numbers.lines, reports);
     };
     auto made = std::make_shared<RowsAtOnce>(function, numbers_of(rows), std::vector<std::string>{"angle"});
     made->in_order = true;

@@ -166,7 +166,7 @@ struct PairedRows {
     bool interpolates = false; ///< it is interpolated in the reference, see stream::Pairing
 
     [[nodiscard]] stream::PairColumns columns(const Spec& first, const Spec& second) const noexcept {
-        return {first.size(), second.size(), by_key, interpolates};
+        return {first.size(), second.size(), interpolates};
     }
 };
 

@@ -45,12 +45,11 @@ void PairFold::keep(const stream::AnsweredRows& rows, std::size_t row) {
                    .line = rows.lines[row],
                    .reference_line = rows.reference_lines.empty() ? 0 : rows.reference_lines[row]};
     const bool is_between = columns_.interpolates && result.size() > 1;
-    append(pair.attitudes[0], numbers.subspan(columns_.first(), columns_.first_size));
-    append(pair.attitudes[1], is_between ? result.last(4) : numbers.subspan(columns_.second(), columns_.second_size));
+    append(pair.attitudes[0], numbers.first(columns_.first_size));
+    append(pair.attitudes[1], is_between ? result.last(4) : numbers.subspan(columns_.first_size, columns_.second_size));
     for (const std::size_t side : {0U, 1U}) {
-        if (columns_.by_key) {
-            const double key = numbers[side == 0 ? 0 : columns_.second_key()];
-            pair.keys.at(side) = rows.kept.empty() ? fmt::format("{}", key) : rows.kept[2 * row + side];
+        if (const std::size_t at = 2 * row + side; rows.kept.size() > 0) {
+            pair.keys.at(side) = rows.keys.empty() ? fmt::format("{}", rows.kept[at]) : rows.keys[at];
         }
     }
     worst_.insert(std::move(pair));

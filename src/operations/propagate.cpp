@@ -10,7 +10,9 @@ namespace {
 
 using stream::NumberRows;
 
-constexpr std::size_t time_and_velocity = 4;
+Eigen::Vector3d velocity_of(const NumberRows& rows, std::size_t row) noexcept {
+    return Eigen::Map<const Eigen::Vector3d>(rows.numbers.data() + 3 * row);
+}
 
 /// A conversion from the unit quaternion, which is never refused.
 Conversion conversion_to(const Spec& to, ConversionSettings settings) {
@@ -36,12 +38,11 @@ public:
         quaternions_.clear();
         reports.clear();
         while (pushed_.size() < rows.lines.size()) {
-            const auto row = rows.numbers.subspan(pushed_.size() * time_and_velocity, time_and_velocity);
-            const double interval = clock_.seconds_to(row[0], rows.kept.empty() ? nullptr : &rows.kept[pushed_.size()]);
-            const PushResult pushed =
-                propagator_.push(interval, velocity_unit_ * Eigen::Vector3d(row[1], row[2], row[3]));
+            const std::size_t row = pushed_.size();
+            const double interval = clock_.seconds_to(rows.kept[row], rows.keys.empty() ? nullptr : &rows.keys[row]);
+            const PushResult pushed = propagator_.push(interval, velocity_unit_ * velocity_of(rows, row));
             if (pushed.refused == Error::none) {
-                clock_.accept(interval, rows.lines[pushed_.size()]);
+                clock_.accept(interval, rows.lines[row]);
                 first_step = clock_.first_step();
             }
             pushed_.push_back(pushed.refused);
@@ -103,8 +104,7 @@ private:
             }
         }
         for (RowReport& report : reports) {
-            const double* const w = rows.numbers.data() + report.row * time_and_velocity + 1;
-            report.unusual.angle = velocity_unit_ == 1.0 ? Eigen::Vector3d(w[0], w[1], w[2]).norm() : 0.0;
+            report.unusual.angle = velocity_unit_ == 1.0 ? velocity_of(rows, report.row).norm() : 0.0;
             report.diagnostics |=
                 {DiagnosticKind::large_angle, report.error == Error::none && report.unusual.angle > reported_velocity};
         }

@@ -91,6 +91,7 @@ const char* GatheredRows::drop_from(std::size_t index) {
 void GatheredRows::read(Row& row) {
     const std::size_t first_number = parts_.numbers.size();
     const std::size_t first_kept = parts_.kept.size();
+    const std::size_t first_key = parts_.keys.size();
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
     const bool is_pair = row.partner.number > 0; // a single row is scanned by gather()
@@ -108,6 +109,7 @@ void GatheredRows::read(Row& row) {
     }
     parts_.numbers.resize(first_number);
     parts_.kept.resize(first_kept);
+    parts_.keys.resize(first_key);
     row.error = errors_.size();
     errors_.push_back(std::move(parts_.error));
 }
@@ -120,13 +122,13 @@ bool GatheredRows::read_partner(const Row& row) {
         return true;
     }
     const std::size_t kept = parts_.kept.size();
-    const std::size_t key = parts_.numbers.size();
+    const std::size_t keys = parts_.keys.size();
     if (!read(row.later)) {
         return false;
     }
-    std::copy(parts_.numbers.begin() + key + 1, parts_.numbers.end(), parts_.numbers.begin() + key); // without the key
-    parts_.numbers[parts_.numbers.size() - 1] = row.fraction;
-    parts_.kept.resize(kept);
+    parts_.numbers.push_back(row.fraction);
+    parts_.kept.resize(kept); // without the later key
+    parts_.keys.resize(keys);
     return true;
 }
 
@@ -186,6 +188,7 @@ void GatheredRows::move_to(AnsweredRows& batch) {
     batch.lines = std::move(lines_);
     batch.reference_lines = std::move(reference_lines_);
     batch.kept = std::move(parts_.kept);
+    batch.keys = std::move(parts_.keys);
 }
 
 } // namespace rotconv::stream

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const RowError& error_of(const Row& row) const { return errors_[row.error]; }
     /// The numbers of the rows that have them.
     [[nodiscard]] NumberRows numbers() const noexcept {
-        return {parts_.numbers, lines_, parts_.kept, reference_lines_};
+        return {parts_.numbers, lines_, parts_.kept, parts_.keys, reference_lines_};
     }
     /// The numbers of a row, followed by its partner's.
     [[nodiscard]] std::span<const double> numbers_of(const Row& row) const noexcept;
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] std::span<const std::string_view> fields_of(const Row& row) const noexcept {
         return std::span(parts_.fields).subspan(row.first_field, row.field_count);
     }
-    /// Hands over the numbers, lines and kept texts of the rows with numbers.
+    /// Hands over the numbers, lines and texts of the rows with numbers.
     void move_to(AnsweredRows& batch);
 
     /// @pre rows are paired, for Side::reference

@@ -26,28 +26,23 @@ struct RowNumbers {
 
 /// Rows that have their numbers, in the order of the stream.
 struct NumberRows {
-    std::span<const double> numbers;    ///< the numbers of all rows, row by row
-    std::span<const std::size_t> lines; ///< the rows' lines
-    /// The texts of the kept numbers, row by row; empty if rows are doubles.
-    std::span<const std::string_view> kept{};
+    std::span<const double> numbers;                ///< row by row, without the kept ones
+    std::span<const std::size_t> lines;             ///< the rows' lines
+    std::span<const double> kept{};                 ///< the kept numbers, row by row
+    std::span<const std::string_view> keys{};       ///< their texts; empty if rows are doubles
     std::span<const std::size_t> reference_lines{}; ///< the partners' lines; empty without a reference
     bool are_last = true;                           ///< no row may wait for later rows
 };
 
-/// Where the numbers of two attitudes stand in a row for an operation. If rows are paired by key, each attitude has its
-/// key before it. If the reference is interpolated, the second attitude is the earlier of the row's two neighbours; the
-/// later one follows without a key, and then the row's place between them, a fraction. It is 0 if the reference has the
-/// row's key: both neighbours are then that row.
+/// Where the numbers of two attitudes stand in a row for an operation. If the reference is interpolated, the second
+/// attitude is the earlier of the row's two neighbours; the later one follows, and then the row's place between them, a
+/// fraction. It is 0 if the reference has the row's key: both neighbours are then that row.
 struct PairColumns {
     std::size_t first_size = 0;
     std::size_t second_size = 0;
-    bool by_key = false;
     bool interpolates = false;
 
-    [[nodiscard]] constexpr std::size_t first() const noexcept { return by_key ? 1 : 0; }
-    [[nodiscard]] constexpr std::size_t second_key() const noexcept { return first() + first_size; }
-    [[nodiscard]] constexpr std::size_t second() const noexcept { return second_key() + first(); }
-    [[nodiscard]] constexpr std::size_t later() const noexcept { return second() + second_size; }
+    [[nodiscard]] constexpr std::size_t later() const noexcept { return first_size + second_size; }
     [[nodiscard]] constexpr std::size_t fraction() const noexcept { return later() + second_size; }
     [[nodiscard]] constexpr std::size_t width() const noexcept { return interpolates ? fraction() + 1 : later(); }
 };
@@ -116,7 +111,8 @@ struct AnsweredRows {
     Numbers numbers;
     std::vector<std::size_t> lines;
     std::vector<std::size_t> reference_lines;
-    std::vector<std::string_view> kept; ///< views into the block's text
+    Numbers kept;
+    std::vector<std::string_view> keys; ///< views into the block's text
     std::vector<double> results;
     std::vector<RowReport> reports;
 };

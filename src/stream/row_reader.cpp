@@ -85,7 +85,8 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     }
     for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
         const char* const stop = std::find(begin, at, delimiter.text());
-        to.kept.emplace_back(begin, stop);
+        to.keys.emplace_back(begin, stop);
+        to.keep(first, 1);
         begin = stop + 1;
     }
     return ScannedRow{line, {begin, at}};
@@ -94,6 +95,7 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
 bool RowReader::read(std::string_view row, RowParts& to) const {
     if (options_->width > 0) {
         read_doubles(row, to.numbers);
+        to.keep(to.numbers.size() - layout_->count, options_->numbers.kept);
         return true;
     }
     const std::size_t first_field = to.fields.size();
@@ -141,8 +143,9 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
         return false;
     }
     for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
-        to.kept.push_back(layout_->delimiter.text_of(to.fields[first_field + position(i)]));
+        to.keys.push_back(layout_->delimiter.text_of(to.fields[first_field + position(i)]));
     }
+    to.keep(first_number, options_->numbers.kept);
     return true;
 }
 
@@ -212,9 +215,9 @@ std::string RowReader::selected_text(std::string_view row) const {
     }
     static_cast<void>(layout_->delimiter.split(row, parts.fields));
     for (const std::size_t at : layout_->positions) {
-        parts.kept.push_back(parts.fields[at]);
+        parts.keys.push_back(parts.fields[at]);
     }
-    return fmt::format("{}", fmt::join(parts.kept, delimiter));
+    return fmt::format("{}", fmt::join(parts.keys, delimiter));
 }
 
 } // namespace rotconv::stream

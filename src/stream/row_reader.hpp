@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -18,13 +19,21 @@ namespace rotconv::stream {
 struct RowParts {
     std::vector<std::string_view> fields; ///< of the rows whose fields were looked for
     Numbers numbers;
-    std::vector<std::string_view> kept; ///< texts of the numbers that are kept
+    Numbers kept;                       ///< the numbers that are kept
+    std::vector<std::string_view> keys; ///< their texts
     RowError error;                     ///< of the row that failed last, without its line
 
     void clear() noexcept {
         fields.clear();
         numbers.clear();
         kept.clear();
+        keys.clear();
+    }
+    /// Takes `count` numbers, from that index on, to the kept ones.
+    void keep(std::size_t first, std::size_t count) {
+        double* const begin = numbers.begin() + first;
+        kept.append(begin, begin + count);
+        numbers.resize(static_cast<std::size_t>(std::copy(begin + count, numbers.end(), begin) - numbers.begin()));
     }
 };
 

@@ -583,17 +583,24 @@ ByDigits by_digits(const std::vector<std::string>& words, const Program& program
 /// What the command makes of the numbers of one row alone.
 fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Program& program, bool diagnostic_columns) {
     return [operation = std::shared_ptr<RowOperation>(program.operation().copy()),
-            kept = program.options().input.numbers.kept, columns = diagnostic_columns,
+            kept = program.options().input.numbers.kept, by_key = program.is_by_key(), columns = diagnostic_columns,
             digits = by_digits(words, program)](const std::vector<double>& numbers,
                                                 const std::vector<std::string>& texts) {
         fuzz::Answer answer{.numbers = std::vector<double>(operation->names.size()), .notes = {}};
-        std::vector<std::string_view> kept_texts(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(kept));
-        if (kept > 0 && digits.other > kept) { // and that of the reference
-            kept_texts.push_back(texts[digits.other - 1]);
+        std::vector<double> others;
+        std::vector<double> kept_numbers;
+        std::vector<std::string_view> kept_texts;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (i < kept || (by_key && i + 1 == digits.other)) { // the key of the reference
+                kept_numbers.push_back(numbers[i]);
+                kept_texts.emplace_back(texts[i]);
+            } else {
+                others.push_back(numbers[i]);
+            }
         }
         const std::size_t line = 1;
         std::vector<RowReport> reports;
-        operation->run({numbers, {&line, 1}, kept_texts}, answer.numbers, reports);
+        operation->run({others, {&line, 1}, kept_numbers, kept_texts}, answer.numbers, reports);
         if (operation->is_continuous) {
             operation->make_continuous(answer.numbers, reports);
         }
