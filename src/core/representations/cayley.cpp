@@ -39,8 +39,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr auto own_presets = std::to_array<PresetMeaning>(
-    {{"spice", passive}, {"bunge", passive}, {"stuelpnagel", passive}, {"colmap", passive}});
+constexpr auto own_presets = presets_that_mean(passive, "spice", "bunge", "stuelpnagel", "colmap");
 
 double turn_per_error(const double* c) noexcept { return 2.0 / std::sqrt(1.0 + std::inner_product(c, c + 3, c, 0.0)); }
 

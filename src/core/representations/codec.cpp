@@ -11,6 +11,15 @@ const Codec& codec_of(RepresentationId name) noexcept {
     return *table[static_cast<std::size_t>(name)];
 }
 
+Reading read_within(const Spec& spec, const double* numbers, double tolerance) noexcept {
+    const Reading reading = read_row(spec, numbers);
+    if (!reading || reading.defect() <= tolerance) {
+        return reading;
+    }
+    const double defect = codec_of(spec.name).exact_defect(numbers);
+    return defect <= tolerance ? Reading(*reading, defect) : Reading(Error::defect, defect);
+}
+
 void to_own_order(const Spec& spec, const double* written, std::size_t rows, double* own, std::size_t width) noexcept {
     const auto order = spec.order();
     const std::size_t size = spec.size();

@@ -94,6 +94,10 @@ inline void to_own_order(const Spec& spec, const double* written, std::size_t ro
 /// And back; -0 becomes 0.
 void to_written_order(const Spec& spec, const double* own, std::size_t rows, double* written) noexcept;
 
+/// read_row() of a representation with Codec::exact_defect, or the error `defect` where its defect, in full, is above
+/// the tolerance.
+[[nodiscard]] Reading read_within(const Spec& spec, const double* numbers, double tolerance) noexcept;
+
 // Codec functions from those for one row, which take what `value_of` makes of the numbers: by default one Eigen matrix
 // of fixed size, which knows neither unit nor sequence.
 
@@ -112,15 +116,6 @@ angular_velocity_of(const Spec& spec, const double* numbers, const double* rates
     return angular_velocity(value_of(spec, numbers), Eigen::Map<const Numbers>(rates), frame);
 }
 
-/// A reading, or the error `defect` where its defect, `exact_defect()` in full, is above the tolerance.
-template <class Defect> Reading within(const Reading& reading, double tolerance, const Defect& exact_defect) noexcept {
-    if (!reading || reading.defect() <= tolerance) {
-        return reading;
-    }
-    const double defect = exact_defect();
-    return defect <= tolerance ? Reading(*reading, defect) : Reading(Error::defect, defect);
-}
-
 template <auto sensitivity> Sensitivity sensitivity_of(const Spec& /*spec*/, const Rotation& rotation) noexcept {
     return sensitivity(rotation);
 }
@@ -128,16 +123,11 @@ template <auto sensitivity> Sensitivity sensitivity_of(const Spec& /*spec*/, con
 // What presets mean for matrices and for vectors along the axis.
 
 inline constexpr ModifierSet passive{Modifier::passive};
-inline constexpr auto presets_of_matrices = std::to_array<PresetMeaning>({{"matlab", passive},
-                                                                          {"basilisk", passive},
-                                                                          {"spice", passive},
-                                                                          {"bunge", passive},
-                                                                          {"baruh", passive},
-                                                                          {"trawny", passive},
-                                                                          {"jpl", passive},
-                                                                          {"stuelpnagel", passive},
-                                                                          {"colmap", passive}});
-inline constexpr auto presets_of_vectors =
-    std::to_array<PresetMeaning>({{"spice", passive}, {"bunge", passive}, {"colmap", passive}});
+template <class... Texts> constexpr auto presets_that_mean(const ModifierSet& modifiers, Texts... presets) noexcept {
+    return std::array{PresetMeaning{presets, modifiers}...};
+}
+inline constexpr auto presets_of_matrices = presets_that_mean(passive, "matlab", "basilisk", "spice", "bunge", "baruh",
+                                                              "trawny", "jpl", "stuelpnagel", "colmap");
+inline constexpr auto presets_of_vectors = presets_that_mean(passive, "spice", "bunge", "colmap");
 
 } // namespace rotconv

@@ -147,8 +147,7 @@ Reading to_rotation(const Dcm& matrix, double tolerance) noexcept {
         k.take_first_power_step(q);
         return {Rotation::near_unit(q[0], q[1], q[2], q[3]), clean_defect};
     }
-    return within(read_row({.name = RepresentationId::dcm}, numbers), tolerance,
-                  [&] { return defect_of_matrix(numbers); });
+    return read_within({.name = RepresentationId::dcm}, numbers, tolerance);
 }
 
 double defect(const Dcm& matrix) noexcept { return defect_of_matrix(RowMajor(matrix).data()); }

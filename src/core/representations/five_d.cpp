@@ -9,14 +9,11 @@
 #include "codec.hpp"
 
 namespace rotconv::five_d {
-namespace {
 
 using std::numbers::sqrt2;
 
-} // namespace
-
 Reading to_rotation(const Vector5& y, double tolerance) noexcept {
-    return within(read_row({.name = RepresentationId::five_d}, y.data()), tolerance, [&] { return defect(y); });
+    return read_within({.name = RepresentationId::five_d}, y.data(), tolerance);
 }
 
 // With a power of two f, so that y'y cannot overflow: (f^2 y'y - f^2, 2 f fy) is parallel to the two columns.

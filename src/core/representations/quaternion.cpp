@@ -13,7 +13,7 @@ namespace rotconv::quaternion {
 
 Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) noexcept {
     const std::array<double, 4> numbers{q.w(), q.x(), q.y(), q.z()};
-    return within(read_row({.name = RepresentationId::quat}, numbers.data()), tolerance, [&] { return defect(q); });
+    return read_within({.name = RepresentationId::quat}, numbers.data(), tolerance);
 }
 
 double defect(const Eigen::Quaterniond& q) noexcept {

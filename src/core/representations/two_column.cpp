@@ -30,7 +30,7 @@ double defect_of_columns(const double* columns) noexcept {
 namespace two_column {
 
 Reading to_rotation(const TwoColumns& m, double tolerance) noexcept {
-    return within(read_row({.name = RepresentationId::two_column}, m.data()), tolerance, [&] { return defect(m); });
+    return read_within({.name = RepresentationId::two_column}, m.data(), tolerance);
 }
 
 double defect(const TwoColumns& m) noexcept { return defect_of_columns(m.data()); }
