@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -119,13 +120,11 @@ public:
     [[nodiscard]] constexpr bool has(Enum member) const noexcept {
         return (bits_ >> static_cast<unsigned>(member) & 1U) != 0;
     }
+    [[nodiscard]] constexpr bool has_all(EnumSet others) const noexcept { return (others.bits_ & ~bits_) == 0; }
     [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0; }
+    [[nodiscard]] constexpr int count() const noexcept { return std::popcount(bits_); }
     constexpr EnumSet& operator|=(EnumSet other) noexcept {
         bits_ = static_cast<std::uint16_t>(bits_ | other.bits_);
-        return *this;
-    }
-    constexpr EnumSet& operator-=(EnumSet other) noexcept {
-        bits_ = static_cast<std::uint16_t>(bits_ & ~other.bits_);
         return *this;
     }
 

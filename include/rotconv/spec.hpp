@@ -99,6 +99,9 @@ struct Spec {
     bool has_own_columns = false;            ///< the numbers have the project's names
 
     [[nodiscard]] std::size_t size() const noexcept { return representation(name).size; }
+    /// The modifiers; wxyz, which changes nothing, is not one of them.
+    [[nodiscard]] ModifierSet modifiers() const noexcept;
+    void apply(const ModifierSet& modifiers) noexcept;
     /// For each number as written, its place in the representation's own order; size() entries count.
     [[nodiscard]] std::array<std::uint8_t, 9> order() const noexcept;
     /// Whether order() is not 0, 1, 2...

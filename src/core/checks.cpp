@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace rotconv {
 
@@ -23,12 +22,8 @@ std::size_t checked_rows(std::size_t numbers, std::size_t width, std::size_t roo
 }
 
 const Spec& checked(const Spec& spec) {
-    for (const auto& [modifier, is_set] :
-         {std::pair(Modifier::deg, spec.unit == AngleUnit::degrees), std::pair(Modifier::col, spec.column_major),
-          std::pair(Modifier::xyzw, spec.scalar_last), std::pair(Modifier::positive, spec.positive)}) {
-        if (is_set && !representation(spec.name).modifiers.has(modifier)) {
-            throw std::invalid_argument("rotconv: " + spec.text() + " has a modifier without a meaning");
-        }
+    if (!representation(spec.name).modifiers.has_all(spec.modifiers())) {
+        throw std::invalid_argument("rotconv: " + spec.text() + " has a modifier without a meaning");
     }
     return spec;
 }

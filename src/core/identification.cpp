@@ -35,8 +35,7 @@ std::vector<EulerSequence> sequences() {
 
 /// The number of modifiers and signs.
 int complexity(const Spec& spec) noexcept {
-    int count = (spec.unit == AngleUnit::degrees ? 1 : 0) + (spec.column_major ? 1 : 0) + (spec.scalar_last ? 1 : 0) +
-                (spec.passive ? 1 : 0);
+    int count = spec.modifiers().count();
     for (const std::size_t i : {0U, 1U, 2U}) {
         count += spec.sequence.sign(i) < 0.0 ? 1 : 0;
     }
@@ -48,19 +47,15 @@ std::vector<Spec> specs_of(const Representation& entry) {
     constexpr std::array modifiers{Modifier::deg, Modifier::col, Modifier::xyzw, Modifier::passive};
     std::vector<Spec> specs;
     for (unsigned choice = 0; choice < 1U << modifiers.size(); ++choice) { // a bit for each modifier
-        const auto has = [choice](std::size_t i) { return (choice >> i & 1U) != 0; };
-        bool has_meaning = true;
+        ModifierSet chosen;
         for (std::size_t i = 0; i < modifiers.size(); ++i) {
-            has_meaning = has_meaning && (!has(i) || entry.modifiers.has(modifiers.at(i)));
+            chosen |= {modifiers.at(i), (choice >> i & 1U) != 0};
         }
-        if (!has_meaning) {
+        if (!entry.modifiers.has_all(chosen)) {
             continue;
         }
-        Spec spec{.name = entry.name,
-                  .unit = has(0) ? AngleUnit::degrees : AngleUnit::radians,
-                  .passive = has(3),
-                  .column_major = has(1),
-                  .scalar_last = has(2)};
+        Spec spec{.name = entry.name};
+        spec.apply(chosen);
         if (!entry.takes_sequence) {
             specs.push_back(spec);
             continue;

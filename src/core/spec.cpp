@@ -7,17 +7,6 @@
 #include "text.hpp"
 
 namespace rotconv {
-namespace {
-
-void apply(const ModifierSet& modifiers, Spec& spec) noexcept {
-    spec.passive = spec.passive || modifiers.has(Modifier::passive);
-    spec.unit = modifiers.has(Modifier::deg) ? AngleUnit::degrees : spec.unit;
-    spec.column_major = spec.column_major || modifiers.has(Modifier::col);
-    spec.scalar_last = spec.scalar_last || modifiers.has(Modifier::xyzw);
-    spec.positive = spec.positive || modifiers.has(Modifier::positive);
-}
-
-} // namespace
 
 const Representation& representation(RepresentationId name) noexcept { return codec_of(name).representation; }
 
@@ -40,6 +29,23 @@ std::string_view name_of(Modifier modifier) noexcept {
     return names[static_cast<std::size_t>(modifier)];
 }
 
+ModifierSet Spec::modifiers() const noexcept {
+    ModifierSet set{Modifier::passive, passive};
+    set |= {Modifier::deg, unit == AngleUnit::degrees};
+    set |= {Modifier::col, column_major};
+    set |= {Modifier::xyzw, scalar_last};
+    set |= {Modifier::positive, positive};
+    return set;
+}
+
+void Spec::apply(const ModifierSet& modifiers) noexcept {
+    passive = passive || modifiers.has(Modifier::passive);
+    unit = modifiers.has(Modifier::deg) ? AngleUnit::degrees : unit;
+    column_major = column_major || modifiers.has(Modifier::col);
+    scalar_last = scalar_last || modifiers.has(Modifier::xyzw);
+    positive = positive || modifiers.has(Modifier::positive);
+}
+
 std::string Spec::text() const {
     const Representation& entry = representation(name);
     std::string text(entry.text);
@@ -47,11 +53,9 @@ std::string Spec::text() const {
     if (entry.takes_sequence) {
         add(sequence.text());
     }
-    for (const auto& [modifier, is_set] :
-         {std::pair(Modifier::col, column_major), std::pair(Modifier::xyzw, scalar_last),
-          std::pair(Modifier::deg, unit == AngleUnit::degrees), std::pair(Modifier::positive, positive),
-          std::pair(Modifier::passive, passive)}) {
-        if (is_set) {
+    for (const Modifier modifier :
+         {Modifier::col, Modifier::xyzw, Modifier::deg, Modifier::positive, Modifier::passive}) {
+        if (modifiers().has(modifier)) {
             add(name_of(modifier));
         }
     }
@@ -129,14 +133,14 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
                 return wrong(What::second_preset, part);
             }
             spec.project = &*preset;
-            apply(meaning_of(part, *found).modifiers, spec);
+            spec.apply(meaning_of(part, *found).modifiers);
             continue;
         }
         const auto* const modifier = std::ranges::find(all_modifiers, part, [](Modifier m) { return name_of(m); });
         if (modifier == all_modifiers.end() || !found->modifiers.has(*modifier)) {
             return wrong(modifier == all_modifiers.end() ? What::unknown_modifier : What::meaningless_modifier, part);
         }
-        apply({*modifier}, spec);
+        spec.apply({*modifier});
     }
     if (spec.scalar_last && std::ranges::count(rest, name_of(Modifier::wxyz)) != 0) {
         return wrong(What::two_orders, text);
