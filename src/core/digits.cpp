@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "numerics/elementary.hpp"
 #include "numerics/power_of_two.hpp"
 #include "representations/codec.hpp"
 
@@ -49,8 +50,7 @@ double last_place(std::span<const double> numbers, double enough) noexcept {
 double attitude_error(const Spec& spec, std::span<const double> numbers, double error) {
     check_size(numbers.size(), spec.size());
     const auto turn_per_error = codec_of(spec.name).turn_per_error;
-    const double unit = spec.unit == AngleUnit::degrees ? radians_per_degree : 1.0;
-    return (turn_per_error == nullptr ? unit : turn_per_error(numbers.data())) * error;
+    return (turn_per_error == nullptr ? unit_in_radians(spec.unit).hi : turn_per_error(numbers.data())) * error;
 }
 
 UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect, bool decimal) {
@@ -66,12 +66,7 @@ UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers
     }
     const bool has_axis = read.first_angle > 0;
     const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
-    const auto scale = PowerOfTwo::to_unit(largest);
-    double square = 0.0;
-    for (const double number : numbers.first(3)) {
-        square += scale(number) * scale(number);
-    }
-    const double length = scale.undone(std::sqrt(square));
+    const double length = norm_of(numbers[0], numbers[1], numbers[2]);
     const double angle = has_axis                                ? std::abs(numbers[read.first_angle])
                          : spec.name == RepresentationId::rotvec ? length
                                                                  : largest;

@@ -16,17 +16,6 @@ std::ostream& operator<<(std::ostream& out, const Rotation& rotation) {
     return out << q.w() + 0.0 << ' ' << q.x() + 0.0 << ' ' << q.y() + 0.0 << ' ' << q.z() + 0.0; // never -0
 }
 
-double Rotation::vector_length() const noexcept {
-    const double square = (q_[1] * q_[1] + q_[2] * q_[2]) + q_[3] * q_[3];
-    const double largest = largest_magnitude(q_[1], q_[2], q_[3]);
-    if (square > 1e-280 || largest == 0.0) {
-        return std::sqrt(square);
-    }
-    const auto scale = PowerOfTwo::to_unit(largest);
-    const double x = scale(q_[1]);
-    const double y = scale(q_[2]);
-    const double z = scale(q_[3]);
-    return scale.undone(std::sqrt((x * x + y * y) + z * z));
-}
+double Rotation::vector_length() const noexcept { return norm_of(q_[1], q_[2], q_[3]); }
 
 } // namespace rotconv

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "checks.hpp"
-#include "numerics/double_double.hpp"
+#include "numerics/angles.hpp"
 #include "numerics/philox.hpp"
 #include "representations/codec.hpp"
 
@@ -139,15 +138,14 @@ std::vector<Quaternion> rotations_of_cube(bool with_half_turns) {
 
 /// Near a limit of the middle angle, or on it; the outer angles are free.
 void choose_near_lock(const Spec& spec, Draws& draws, std::span<double> angles) {
-    const bool degrees = spec.unit == AngleUnit::degrees;
-    const double half_turn = degrees ? 180.0 : std::numbers::pi;
+    const double half_turn = half_turn_in(spec.unit).hi;
     for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
         angles[outer] = half_turn * (spec.positive ? 2.0 * draws.fraction() : draws.signed_fraction());
     }
     const bool is_upper = draws.one_in(2);
     const double limit = !spec.sequence.proper() ? 0.5 * half_turn : is_upper ? half_turn : 0.0;
     const double margin = draws.one_in(8) ? 0.0 : draws.distance(limit == 0.0 ? deepest : deepest_near_1);
-    angles[1] = limit == 0.0 ? margin : limit - margin * (degrees ? degrees_per_radian : 1.0);
+    angles[1] = limit == 0.0 ? margin : limit - margin * units_per_radian(spec.unit);
     angles[1] *= spec.sequence.proper() || is_upper ? 1.0 : -1.0;
 }
 

@@ -69,6 +69,19 @@ private:
     double second_;
 };
 
+/// |(x, y, z)| of finite numbers, at any size: 0 only of 0.
+[[nodiscard]] inline double norm_of(double x, double y, double z) noexcept {
+    const double square = (x * x + y * y) + z * z;
+    if (square > 0x1p-930 && square < 0x1p930) {
+        return root(square);
+    }
+    const auto scale = PowerOfTwo::to_unit(largest_magnitude(x, y, z));
+    const double a = scale(x);
+    const double b = scale(y);
+    const double c = scale(z);
+    return scale.undone(root((a * a + b * b) + c * c));
+}
+
 /// The number nearest to `ratio` 2^`exponent` (component + rest). The product is formed at unit size, so that nothing
 /// of it underflows, and rounded once more only where the result does.
 [[nodiscard]] inline double scaled_product(const DoubleDouble& ratio, int exponent, double component,
