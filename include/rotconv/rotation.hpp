@@ -96,6 +96,7 @@ public:
 
     /// The composition, R_ref_body = R_ref_a * R_a_body. Worst error found: 3.63 eps, limit 4.25.
     friend Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
+        // Not multiply() of src/core/numerics, which needs -ffp-contract=off: callers have flags of their own.
         const double w = (a.w() * b.w() - a.x() * b.x()) - (a.y() * b.y() + a.z() * b.z());
         const double x = (a.w() * b.x() + a.x() * b.w()) + (a.y() * b.z() - a.z() * b.y());
         const double y = (a.w() * b.y() + a.y() * b.w()) + (a.z() * b.x() - a.x() * b.z());

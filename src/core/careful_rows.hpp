@@ -140,15 +140,17 @@ inline void read_carefully(const Spec& spec, const double* numbers, bool inverse
     turn(turns, q);
 }
 
+/// Writes a row of the numbers and of `rest`, which may be null.
 inline DiagnosticSet write_carefully(const Spec& spec, double lock_margin, const Careful (&q)[4], double* numbers,
-                                     double* rest) noexcept {
+                                     double* rest, std::size_t row) noexcept {
     Careful results[most_numbers];
     const DiagnosticSet diagnostics = kernel_of(spec.name).careful.write(spec, lock_margin, q, results);
+    const std::size_t first = row * spec.size();
     for (std::size_t k = 0; k < spec.size(); ++k) {
         const DoubleDouble parts = results[k].rounded_parts();
-        numbers[k] = parts.hi;
+        numbers[first + k] = parts.hi;
         if (rest != nullptr) {
-            rest[k] = parts.lo;
+            rest[first + k] = parts.lo;
         }
     }
     return diagnostics;

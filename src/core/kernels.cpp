@@ -27,22 +27,6 @@ template <class T> void invert_if(bool inverse, AttitudeBatch<T>& attitudes, std
     }
 }
 
-/// R_REF' R.
-void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
-            AttitudeBatch<double>& relative) noexcept {
-    for (std::size_t i = 0; i < rows; ++i) {
-        double q[4];
-        double reference[4];
-        attitudes.get(i, q);
-        references.get(i, reference);
-        make_relative(reference, q);
-        relative.set(i, q);
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
-    }
-}
-
 template <class T>
 void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<double>& rounded) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
@@ -82,8 +66,7 @@ void convert_carefully(const ConversionBatch& batch, const double* in, std::size
     const Spec& to = *batch.to;
     Careful q[4];
     read_carefully(from, in + i * from.size(), from.passive != to.passive, *batch.turns, q);
-    diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
-                                     rest == nullptr ? nullptr : rest + i * to.size());
+    diagnostics[i] = write_carefully(to, batch.lock_margin, q, out, rest, i);
     set_rounded(q, i, rounded);
 }
 
@@ -239,7 +222,17 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
 
 void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
                     AttitudeBatch<double>& relative, double* angles) noexcept {
-    relate(attitudes, references, rows, relative);
+    for (std::size_t i = 0; i < rows; ++i) {
+        double q[4];
+        double reference[4];
+        attitudes.get(i, q);
+        references.get(i, reference);
+        make_relative(reference, q);
+        relative.set(i, q);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
+    }
     const bool are_plain = all_plain(attitudes, 0, rows) && all_plain(references, 0, rows);
     for (std::size_t i = 0; i < rows && !are_plain; ++i) {
         if (!all_plain(attitudes, i, 1) || !all_plain(references, i, 1)) {
@@ -294,8 +287,7 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
         multiply_from_side(other, false, q);
         set_rounded(q, i, *rounded[2]);
         q[0] = to.passive ? -q[0] : q[0];
-        diagnostics[i] = write_carefully(to, batch.lock_margin, q, out + i * to.size(),
-                                         rest == nullptr ? nullptr : rest + i * to.size());
+        diagnostics[i] = write_carefully(to, batch.lock_margin, q, out, rest, i);
     };
     for_each_careful_row(*batch.first, first, product, rows, careful);
     for_each_careful_row(*batch.second, second, product, rows, careful);
@@ -313,9 +305,7 @@ void rotate(const Spec& spec, const double* numbers, const double* vectors, std:
         attitudes.get(i, q);
         take(vectors + 3 * i, vector);
         rotate_vector(q, vector, rotated);
-        for (std::size_t k = 0; k < 3; ++k) {
-            out[3 * i + k] = rotated[k].hi;
-        }
+        put(rotated, out + 3 * i);
     }
     const auto careful = [&](std::size_t i) {
         Careful q[4];
@@ -324,9 +314,7 @@ void rotate(const Spec& spec, const double* numbers, const double* vectors, std:
         read_carefully(spec, numbers + i * spec.size(), spec.passive, no_turns, q);
         take(vectors + 3 * i, vector);
         rotate_vector(q, vector, rotated);
-        for (std::size_t k = 0; k < 3; ++k) {
-            out[3 * i + k] = rotated[k].rounded();
-        }
+        put(rotated, out + 3 * i);
     };
     for_each_careful_row(spec, numbers, attitudes, rows, careful);
     for (std::size_t i = 0; i < rows; ++i) {
@@ -343,9 +331,7 @@ ROTCONV_NOINLINE Error read_one_carefully(const Spec& spec, const double* number
     if (error == Error::none) {
         Careful careful[4];
         read_carefully(spec, numbers, false, no_turns, careful);
-        for (std::size_t k = 0; k < 4; ++k) {
-            q[k] = careful[k].rounded();
-        }
+        take(careful, q);
     }
     return error;
 }
@@ -361,7 +347,7 @@ Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& 
 
 ROTCONV_NOINLINE DiagnosticSet write_one_carefully(const Spec& spec, double lock_margin, const double (&q)[4],
                                                    double* numbers) noexcept {
-    return write_carefully(spec, lock_margin, {q[0], q[1], q[2], q[3]}, numbers, nullptr);
+    return write_carefully(spec, lock_margin, {q[0], q[1], q[2], q[3]}, numbers, nullptr, 0);
 }
 
 DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept {

@@ -14,21 +14,21 @@ inline namespace ROTCONV_TARGET {
 ///     columns(const double (&numbers)[size], double (&columns)[6])          the columns themselves
 template <class Formula, std::size_t size> struct ReadByColumns {
 
-    template <class T> ROTCONV_INLINE static void quaternion_of(const double (&numbers)[size], T (&q)[4]) noexcept {
+    template <class T> ROTCONV_INLINE static void quaternion_of(const double* numbers, T (&q)[4]) noexcept {
         T first[3];
         T second[3];
         find_directions(numbers, first, second);
         gram_schmidt(first, second, q);
     }
     template <class T>
-    ROTCONV_INLINE static void find_directions(const double (&numbers)[size], T (&first)[3], T (&second)[3]) noexcept {
+    ROTCONV_INLINE static void find_directions(const double* numbers, T (&first)[3], T (&second)[3]) noexcept {
         T own[size];
         take(numbers, own);
         Formula::directions(own, first, second);
     }
 
     /// Whether the columns, of finite numbers, span no plane.
-    static bool is_deficient(const double (&numbers)[size]) noexcept {
+    static bool is_deficient(const double* numbers) noexcept {
         Careful first[3];
         Careful second[3];
         Careful normal[3];
@@ -101,9 +101,7 @@ template <class Formula, std::size_t size> struct ReadByColumns {
         return error;
     }
     static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
-        double own[size];
-        take(numbers, own);
-        quaternion_of(own, q);
+        quaternion_of(numbers, q);
     }
 };
 
