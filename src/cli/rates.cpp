@@ -25,26 +25,20 @@ struct RatesOptions final : RowOptions {
         const Spec spec = spec_of(from);
         const auto axes = one_of<Frame>("frame", frame, {{"body", Frame::body}, {"reference", Frame::reference}});
         const ConversionSettings reading = settings();
-        const auto name = representation(spec.name).text;
-        const auto made = [&](const std::string& subject, const operations::Operation& operation) {
-            return rows_command(operation, {subject, operation->input.names.size(), spec.name, reading.tolerance});
-        };
-        if (differences.given()) {
-            return made(fmt::format("t with {}", name), operations::differences({.spec = spec,
-                                                                                 .time_power = time_power_of(time_unit),
-                                                                                 .degrees = degrees.given(),
-                                                                                 .frame = axes,
-                                                                                 .tolerance = reading.tolerance,
-                                                                                 .sensitivity = reading.sensitivity,
-                                                                                 .decimal = reading.decimal}));
-        }
-        require_rates(from, spec);
         const RateSettings rates{.inverse = inverse.given(),
                                  .degrees = degrees.given(),
                                  .frame = axes,
                                  .tolerance = reading.tolerance,
                                  .sensitivity = reading.sensitivity,
                                  .decimal = reading.decimal};
+        const auto name = representation(spec.name).text;
+        const auto made = [&](const std::string& subject, const operations::Operation& operation) {
+            return rows_command(operation, {subject, operation->input.names.size(), spec.name, reading.tolerance});
+        };
+        if (differences.given()) {
+            return made(fmt::format("t with {}", name), operations::differences(spec, rates, time_power_of(time_unit)));
+        }
+        require_rates(from, spec);
         return made(fmt::format("{} with {}", name, inverse.given() ? "its rates" : "wx wy wz"),
                     operations::rates(spec, rates));
     }

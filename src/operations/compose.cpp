@@ -6,7 +6,7 @@ namespace rotconv::operations {
 stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows) {
     stream::RowNumbers numbers = attitude_numbers(first, rows.by_key);
     if (!rows.paired) {
-        numbers.names = joined(numbers.names, names_of(second));
+        numbers.names = concatenated(numbers.names, names_of(second));
         numbers.second = second;
     }
     return numbers;

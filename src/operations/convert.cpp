@@ -17,7 +17,7 @@ std::vector<std::string> velocity_names(bool degrees) {
                    : std::vector<std::string>{"wx", "wy", "wz"};
 }
 
-std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others) {
+std::vector<std::string> concatenated(std::vector<std::string> names, const std::vector<std::string>& others) {
     names.insert(names.end(), others.begin(), others.end());
     return names;
 }
@@ -29,12 +29,12 @@ void add_attitude(stream::RowOperation& operation, const Spec& to) {
             operation.open_ends.push_back({operation.names.size() + number, end, other});
         }
     }
-    operation.names = joined(operation.names, names_of(to));
+    operation.names = concatenated(operation.names, names_of(to));
     operation.attitudes.push_back(to);
 }
 
 stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key) {
-    return {.names = with_key ? joined({"key"}, names_of(spec)) : names_of(spec),
+    return {.names = with_key ? concatenated({"key"}, names_of(spec)) : names_of(spec),
             .attitude = spec,
             .kept = with_key ? std::size_t{1} : 0};
 }

@@ -16,12 +16,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The rotation vector of R_BEFORE' R (the inverse of R' R_BEFORE) in body axes, or of R R_BEFORE' in reference axes,
 /// from rows of R and then R_BEFORE.
-Composition composition_of(const DifferenceSettings& settings) {
+Composition composition_of(const Spec& spec, const RateSettings& settings) {
     const bool of_body = settings.frame == Frame::body;
-    Spec inverse = settings.spec;
+    Spec inverse = spec;
     inverse.passive = !inverse.passive;
-    return {of_body ? inverse : settings.spec,
-            of_body ? settings.spec : inverse,
+    return {of_body ? inverse : spec,
+            of_body ? spec : inverse,
             {.name = RepresentationId::rotvec,
              .unit = settings.degrees ? AngleUnit::degrees : AngleUnit::radians,
              .passive = of_body},
@@ -31,9 +31,9 @@ Composition composition_of(const DifferenceSettings& settings) {
 /// Compares each row with the last row before it that was not refused.
 class Differences final : public stream::RowOperation {
 public:
-    explicit Differences(const DifferenceSettings& settings)
-        : clock_(settings.time_power), size_(settings.spec.size()), composition_(composition_of(settings)) {
-        input = {.names = joined({"t"}, names_of(settings.spec)), .attitude = settings.spec, .kept = 1};
+    Differences(const Spec& spec, const RateSettings& settings, int time_power)
+        : clock_(time_power), size_(spec.size()), composition_(composition_of(spec, settings)) {
+        input = {.names = concatenated({"t"}, names_of(spec)), .attitude = spec, .kept = 1};
         names = velocity_names(settings.degrees);
         in_order = true;
     }
@@ -175,6 +175,8 @@ private:
 
 } // namespace
 
-Operation differences(const DifferenceSettings& settings) { return std::make_shared<Differences>(settings); }
+Operation differences(const Spec& spec, const RateSettings& settings, int time_power) {
+    return std::make_shared<Differences>(spec, settings, time_power);
+}
 
 } // namespace rotconv::operations

@@ -17,7 +17,7 @@ stream::RowNumbers numbers_of(const IdentificationRows& rows) {
         numbers.names.push_back(fmt::format("n{}", i + 1));
     }
     if (!rows.paired && rows.count > 0) {
-        numbers.names = joined(numbers.names, names_of(rows.known));
+        numbers.names = concatenated(numbers.names, names_of(rows.known));
         numbers.second = rows.known;
     }
     return numbers;

@@ -36,7 +36,8 @@ using Operation = std::shared_ptr<stream::RowOperation>;
 [[nodiscard]] std::vector<std::string> names_of(const Spec& spec, const std::string& ending = {});
 /// The column names of an angular velocity.
 [[nodiscard]] std::vector<std::string> velocity_names(bool degrees);
-[[nodiscard]] std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others);
+[[nodiscard]] std::vector<std::string> concatenated(std::vector<std::string> names,
+                                                    const std::vector<std::string>& others);
 
 /// Adds an attitude to the result of an operation.
 void add_attitude(stream::RowOperation& operation, const Spec& to);
@@ -124,18 +125,10 @@ private:
 /// those of an angular velocity. RateSettings::sensitivity: a report of every row.
 [[nodiscard]] Operation rates(const Spec& spec, const RateSettings& settings);
 
-struct DifferenceSettings {
-    Spec spec{};          ///< the attitude's
-    int time_power = 0;   ///< times are in units of 10^time_power seconds, 0 or less
-    bool degrees = false; ///< the angular velocity is in degrees a second
-    Frame frame = Frame::body;
-    double tolerance = 0.0;   ///< see ConversionSettings
-    bool sensitivity = false; ///< a report of every row
-    bool decimal = false;     ///< see ConversionSettings
-};
 /// The angular velocity since the previous row, from rows of a time and an attitude: the rotation vector from the
 /// earlier attitude to the later one over the time between them. The first row has the second row's velocity, or nan.
-[[nodiscard]] Operation differences(const DifferenceSettings& settings);
+/// @param time_power times are in units of 10^time_power seconds, 0 or less
+[[nodiscard]] Operation differences(const Spec& spec, const RateSettings& settings, int time_power);
 
 struct PropagationRows {
     PropagationSettings settings{};
