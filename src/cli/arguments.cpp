@@ -15,8 +15,8 @@ namespace {
 
 [[noreturn]] void refuse(const Option& option, const Spec& spec, const stream::RowError& error,
                          double tolerance = 0.0) {
-    throw Usage("{}: {}{}", option.name(), messages::explain(error, messages::subject_of(spec, tolerance)),
-                messages::mend(error));
+    throw Usage("{}: {}{}", option.name(),
+                messages::explain(error, messages::subject_of({.attitude = spec}, tolerance)), messages::mend(error));
 }
 
 Spec spec_of(const Option& option, const std::string& text, bool degrees) {

@@ -46,7 +46,7 @@ struct ConvertOptions final : RowOptions {
             throw Usage("{} cannot be combined with {} all, which writes several answers to a row", continuous.name(),
                         method.name());
         }
-        RowsCommand made = rows_command(std::move(operation), messages::subject_of(read, conversion.tolerance));
+        RowsCommand made = rows_command(std::move(operation));
         if (name == all_methods && made.options.format == stream::Format::f64) {
             throw Usage("{} f64 cannot be combined with {} all, which writes names", format.name(), method.name());
         }

@@ -20,10 +20,9 @@ constexpr std::size_t listed = 10;
 
 /// What the rows are.
 messages::Subject subject_of(const operations::IdentificationRows& rows, double tolerance) {
-    messages::Subject subject = messages::subject_of(rows.known, tolerance);
+    messages::Subject subject = messages::subject_of({.attitude = rows.known}, tolerance);
     const std::string unknown = fmt::format("{} unknown numbers", rows.count);
     subject.text = rows.paired ? unknown : (rows.count == 0 ? "" : unknown + " with ") + subject.text;
-    subject.count = rows.count + (rows.paired ? 0 : subject.count);
     return subject;
 }
 
@@ -289,7 +288,7 @@ struct IdentifyOptions final : RowOptions {
         rows.count = asked.name ? representation(*asked.name).size : given_count(selected.list, rows);
         const auto subject = std::make_shared<messages::Subject>();
         const auto report = std::make_shared<IdentificationReport>(asked, subject);
-        RowsCommand made = rows_command(operations::identify(rows, report->identification()), *subject);
+        RowsCommand made = rows_command(operations::identify(rows, report->identification()), subject->text);
         made.subject = subject;
         if (rows.count == 0) {
             made.options.input.take_count = [report](std::size_t fields) { return report->take_count(fields); };
@@ -298,8 +297,7 @@ struct IdentifyOptions final : RowOptions {
         made.look_again = [report] { return report->look_again(); };
         made.conclude = [report](const RowsResult& result) { return report->conclude(result); };
         if (rows.paired) {
-            pair(made, operations::attitude_numbers(rows.known, rows.by_key),
-                 messages::subject_of(rows.known, asked.identification.tolerance));
+            pair(made, operations::attitude_numbers(rows.known, rows.by_key));
         }
         return made;
     }

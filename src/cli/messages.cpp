@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <tuple>
 
 #include "../stream/io_block.hpp"
 #include "../stream/key.hpp"
@@ -132,16 +133,16 @@ std::string after_text(const stream::RowError& error) {
 
 } // namespace
 
-Subject subject_of(const Spec& spec, double tolerance) {
-    return {std::string(representation(spec.name).text), spec.size(), spec.name, tolerance};
-}
-
-Subject subject_of_two(const Spec& first, const Spec& second, double tolerance) {
-    Subject subject = subject_of(first, tolerance);
-    subject.text +=
-        first.text() == second.text() ? " twice" : fmt::format(" with {}", representation(second.name).text);
-    subject.count += second.size();
-    return subject;
+Subject subject_of(const stream::RowNumbers& numbers, double tolerance) {
+    const auto& [first, second] = std::tie(numbers.attitude, numbers.second);
+    if (!first) {
+        return {.tolerance = tolerance};
+    }
+    const std::string_view name = representation(first->name).text;
+    return {!second                           ? std::string(name)
+            : first->text() == second->text() ? fmt::format("{} twice", name)
+                                              : fmt::format("{} with {}", name, representation(second->name).text),
+            first->name, tolerance};
 }
 
 std::vector<std::string_view> names_of(const Representation& entry) {
@@ -185,19 +186,19 @@ std::string explain(const stream::StreamError& error, const Subject& subject) {
     case What::far_key: return "the row cannot be paired: too many comments and failed rows stand before the next key";
     case What::names: return error.wrong;
     case What::count: return fmt::format("{}: {}", error.wrong, quoted(error.column.text));
-    case What::columns: return explain(error.column, subject);
+    case What::columns: return explain(error.column, subject.text);
     }
     return {};
 }
 
-std::string explain(const stream::ColumnError& error, const Subject& subject) {
+std::string explain(const stream::ColumnError& error, std::string_view subject) {
     using What = stream::ColumnError::What;
     switch (error.what) {
     case What::not_an_item:
         return fmt::format("{} is neither an index from 1, nor a range such as 5-8, nor a name", quoted(error.text));
     case What::wrong_count:
-        return fmt::format("{} selects {} where {} has {}", quoted(error.text), counted(error.count, "column"),
-                           subject.text, counted(subject.count, "number"));
+        return fmt::format("{} selects {} where {} has {}", quoted(error.text), counted(error.count, "column"), subject,
+                           counted(error.fields, "number"));
     case What::twice: return fmt::format("column {} is selected twice", quoted(error.text));
     case What::missing:
         return fmt::format("not a header: the row lacks the selected columns {} (it has {}){}: {}",

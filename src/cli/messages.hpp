@@ -32,18 +32,14 @@ namespace rotconv::cli::messages {
 
 /// What the rows of a run are.
 struct Subject {
-    std::string text;                                         ///< what has `count` numbers, such as "quat"
-    std::size_t count = 0;                                    ///< numbers of a row
+    std::string text{};                                       ///< what the numbers are, such as "quat"
     RepresentationId representation = RepresentationId::quat; ///< its singularities may be met
     double tolerance = 0.0;                                   ///< see ConversionSettings
     bool has_steps = false;                                   ///< the rows are integrated
 };
 
-/// Rows of attitudes.
-[[nodiscard]] Subject subject_of(const Spec& spec, double tolerance);
-
-/// Rows of two attitudes each.
-[[nodiscard]] Subject subject_of_two(const Spec& first, const Spec& second, double tolerance);
+/// Rows of numbers, named by the attitudes among them.
+[[nodiscard]] Subject subject_of(const stream::RowNumbers& numbers, double tolerance);
 
 /// Why a row has no result, with the text at fault.
 [[nodiscard]] std::string explain(const stream::RowError& error, const Subject& subject);
@@ -51,7 +47,8 @@ struct Subject {
 /// Why a run ended, other than by a row.
 [[nodiscard]] std::string explain(const stream::StreamError& error, const Subject& subject);
 
-[[nodiscard]] std::string explain(const stream::ColumnError& error, const Subject& subject);
+/// @param subject see Subject::text
+[[nodiscard]] std::string explain(const stream::ColumnError& error, std::string_view subject);
 
 /// For a run without an attitude.
 inline constexpr std::string_view nothing_read = "there was no row with an attitude";

@@ -41,8 +41,10 @@ struct PropagateOptions final : RowOptions {
             rows.to = spec;
             return operations::propagate(rows);
         };
-        return rows_command(operations::several(mapped(specs_of(to), propagated_as)),
-                            {"t wx wy wz", 4, propagation.representation.name, rows.conversion.tolerance, true});
+        RowsCommand made = rows_command(operations::several(mapped(specs_of(to), propagated_as)), "t wx wy wz");
+        made.subject->representation = propagation.representation.name;
+        made.subject->has_steps = true;
+        return made;
     }
 
 private:

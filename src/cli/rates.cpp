@@ -1,5 +1,3 @@
-#include <utility>
-
 #include <rotconv/rates.hpp>
 
 #include "row_options.hpp"
@@ -32,15 +30,13 @@ struct RatesOptions final : RowOptions {
                                  .sensitivity = reading.sensitivity,
                                  .decimal = reading.decimal};
         const auto name = representation(spec.name).text;
-        const auto made = [&](const std::string& subject, const operations::Operation& operation) {
-            return rows_command(operation, {subject, operation->input.names.size(), spec.name, reading.tolerance});
-        };
         if (differences.given()) {
-            return made(fmt::format("t with {}", name), operations::differences(spec, rates, time_power_of(time_unit)));
+            return rows_command(operations::differences(spec, rates, time_power_of(time_unit)),
+                                fmt::format("t with {}", name));
         }
         require_rates(from, spec);
-        return made(fmt::format("{} with {}", name, inverse.given() ? "its rates" : "wx wy wz"),
-                    operations::rates(spec, rates));
+        return rows_command(operations::rates(spec, rates),
+                            fmt::format("{} with {}", name, inverse.given() ? "its rates" : "wx wy wz"));
     }
 
     Option frame{"--frame", "FRAME", "Axes of the angular velocity: body (default) or reference"};

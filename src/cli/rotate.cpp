@@ -13,10 +13,8 @@ struct RotateOptions final : RowOptions {
 
     [[nodiscard]] Command command() const override {
         const Spec read = spec_of(from);
-        const ConversionSettings reading = settings();
-        return rows_command(operations::rotate(VectorRotation(read, reading)),
-                            {fmt::format("{} with a vector", representation(read.name).text), read.size() + 3,
-                             read.name, reading.tolerance});
+        return rows_command(operations::rotate(VectorRotation(read, settings())),
+                            fmt::format("{} with a vector", representation(read.name).text));
     }
 };
 

@@ -17,7 +17,7 @@ namespace rotconv::cli {
 namespace {
 
 stream::ColumnList parse(const std::string& list, std::size_t count, std::string_view option,
-                         const messages::Subject& subject) {
+                         std::string_view subject) {
     auto parsed = stream::ColumnList::parse(list, count);
     if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
         throw Usage("{}: {}", option, messages::explain(*error, subject));
@@ -28,7 +28,7 @@ stream::ColumnList parse(const std::string& list, std::size_t count, std::string
 /// The columns of one of two streams, with its key.
 SelectedColumns with_key(SelectedColumns columns, const Option& option, const std::string& key) {
     if (!key.empty()) {
-        static_cast<void>(parse(key, 1, option.name(), {.text = "a key", .count = 1}));
+        static_cast<void>(parse(key, 1, option.name(), "a key"));
         if (columns.list.empty()) {
             throw Usage("{} needs --columns, because a row with only the attitude's numbers has no key", option.name());
         }
@@ -78,7 +78,7 @@ std::size_t width_of(const RowOptions& options, const std::string& columns_optio
 
 /// How one stream is read, or the VALUEs.
 stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& selected, const Option& time_option,
-                              stream::RowNumbers numbers, const messages::Subject& subject, bool refuses) {
+                              stream::RowNumbers numbers, std::string_view subject, bool refuses) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
     in.numbers.has_unit = time_option.given();
@@ -238,18 +238,20 @@ SelectedColumns RowOptions::columns_of_file() const {
     return selected;
 }
 
-RowsCommand RowOptions::rows_command(operations::Operation operation, messages::Subject subject) const {
+RowsCommand RowOptions::rows_command(operations::Operation operation, const std::string& subject) const {
     using stream::Format;
     const SelectedColumns selected = columns_of_file();
     const stream::RowNumbers& numbers = operation->input;
     RowsCommand command;
+    command.subject = std::make_shared<messages::Subject>(messages::subject_of(numbers, most_defect()));
+    command.subject->text = or_else(subject, command.subject->text);
     command.has_values = !values.empty();
     command.diagnostics = shown_diagnostics_of(diagnostics);
     command.strict = strict.given();
     command.input = or_else(files.empty() ? input.text() : files[0], command.input);
     command.output = or_else(output.text(), command.output);
     command.options = {
-        .input = input_of(*this, selected, time_unit, numbers, subject,
+        .input = input_of(*this, selected, time_unit, numbers, command.subject->text,
                           numbers.attitude || !numbers.second), // identify does not refuse names
         .operation = std::move(operation),
         .format = one_of<Format>(
@@ -264,7 +266,6 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, messages::
         .describe = messages::describe,
     };
     command.notes = notes_on_options(*this);
-    command.subject = std::make_shared<messages::Subject>(std::move(subject));
     if (command.has_values) {
         stream::InputOptions& in = command.options.input;
         Values given = values_of(values, in.delimiter);
@@ -280,19 +281,16 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, messages::
     return command;
 }
 
-RowsCommand RowOptions::pairs_command(const Spec& first, const Spec& second, operations::Operation operation) const {
-    const double most = most_defect();
+RowsCommand RowOptions::pairs_command(const Spec& second, operations::Operation operation) const {
     const operations::PairedRows rows = paired_rows();
-    RowsCommand command =
-        rows_command(std::move(operation),
-                     rows.paired ? messages::subject_of(first, most) : messages::subject_of_two(first, second, most));
+    RowsCommand command = rows_command(std::move(operation));
     if (rows.paired) {
-        pair(command, operations::attitude_numbers(second, rows.by_key), messages::subject_of(second, most));
+        pair(command, operations::attitude_numbers(second, rows.by_key));
     }
     return command;
 }
 
-void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers, messages::Subject subject) const {
+void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers) const {
     const bool has_own_columns = reference_columns.given();
     const SelectedColumns selected =
         with_key({.list = (has_own_columns ? reference_columns : columns).text(),
@@ -302,7 +300,9 @@ void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers, messages
     stream::InputOptions& in = command.options.input;
     stream::Pairing& pairs = command.options.pairing.emplace();
     const bool refuses = in.numbers.attitude.has_value(); // identify does not
-    pairs.reference = input_of(*this, selected, reference_time_unit, std::move(numbers), subject, refuses);
+    command.reference_subject = messages::subject_of(numbers, most_defect());
+    pairs.reference =
+        input_of(*this, selected, reference_time_unit, std::move(numbers), command.reference_subject.text, refuses);
     pairs.by_key = key.given();
     pairs.interpolates = interpolate.given();
     if (key_within.given()) {
@@ -323,7 +323,6 @@ void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers, messages
     pairs.reference.key_power = time_power_of(own_unit);
     pairs.reference.numbers.has_unit = own_unit.given() && reference_time_unit.text() != "s"; // ISO 8601 is in seconds
     command.reference = files[1];
-    command.reference_subject = std::move(subject);
 }
 
 void RowOptions::refuse_values(std::string_view command) const {

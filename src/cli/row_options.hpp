@@ -107,15 +107,15 @@ struct RowOptions : CommandOptions {
     /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.
     /// @throw Usage if an option about keys is given without a key
     [[nodiscard]] SelectedColumns columns_of_file() const;
+    /// @param subject what the rows are in messages; empty: their attitudes
     /// @throw Usage
-    [[nodiscard]] RowsCommand rows_command(operations::Operation operation, messages::Subject subject) const;
+    [[nodiscard]] RowsCommand rows_command(operations::Operation operation, const std::string& subject = {}) const;
     /// That of an operation of pairs of attitudes, where the second follows in the row or comes from the REFERENCE.
     /// @throw Usage
-    [[nodiscard]] RowsCommand pairs_command(const Spec& first, const Spec& second,
-                                            operations::Operation operation) const;
+    [[nodiscard]] RowsCommand pairs_command(const Spec& second, operations::Operation operation) const;
     /// Has the command's rows paired with those of the REFERENCE.
     /// @throw Usage
-    void pair(RowsCommand& command, stream::RowNumbers numbers, messages::Subject subject) const;
+    void pair(RowsCommand& command, stream::RowNumbers numbers) const;
 
     /// @throw Usage if there are VALUEs
     void refuse_values(std::string_view command) const;

@@ -57,8 +57,7 @@ struct SampleOptions final : RowOptions {
         const bool has_header =
             one_of<bool>(fmt::format("mode of {}", header.name()), header, {{"no", false}, {"add", true}});
         const bool has_kinds = kinds_column.given();
-        RowsCommand made =
-            rows_command(operations::sample(spec, samples, has_kinds), messages::subject_of(spec, any_defect));
+        RowsCommand made = rows_command(operations::sample(spec, samples, has_kinds));
         const stream::Format written = made.options.format;
         if (has_kinds && written != stream::Format::json && written != stream::Format::csv) {
             throw Usage("{} can be combined with {} csv and json only", kinds_column.name(), format.name());

@@ -58,8 +58,7 @@ struct SurveyOptions final : RowOptions {
         const ConversionSettings reading = settings();
         const double most = amount_of(condition, 1e3, true);
         const bool json = one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}});
-        RowsCommand command = rows_command(operations::convert(Conversion(read, Spec{}, reading), false),
-                                           messages::subject_of(read, reading.tolerance));
+        RowsCommand command = rows_command(operations::convert(Conversion(read, Spec{}, reading), false));
         const auto fold = std::make_shared<operations::SurveyFold>();
         command.options.writes_rows = false;
         command.options.fold = fold;

@@ -15,7 +15,7 @@ struct ColumnError {
     What what = What::not_an_item;
     std::string text;                   ///< the item at fault, or the row that lacks names or has another width
     std::size_t count = 0;              ///< how many columns the list names, or the header
-    std::size_t fields = 0;             ///< the row's count, if it is not the header's
+    std::size_t fields = 0;             ///< the row's count, if it is another than that, or the count that is wanted
     std::vector<std::string> lacking{}; ///< names that the row lacks
     std::vector<std::string> present{}; ///< names that the row has
     std::vector<std::string> header{};  ///< all names of the header that lacks them, if there is one
