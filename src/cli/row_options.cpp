@@ -81,7 +81,6 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
                               stream::RowNumbers numbers, std::string_view subject, bool refuses) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
-    in.numbers.has_unit = time_option.given();
     in.header = one_of<HeaderMode>(
         "mode of", options.header,
         {{"auto", HeaderMode::automatic}, {"yes", HeaderMode::yes}, {"no", HeaderMode::no}, {"add", HeaderMode::add}});
@@ -108,6 +107,9 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     in.width = has_values ? 0 : width_of(options, selected.option, in);
     const std::string& comment = options.comment.text();
     in.comment = has_values || comment == "none" ? "" : or_else(comment, in.comment);
+    const Option& unit = time_option.given() ? time_option : options.time_unit;
+    in.key_power = time_power_of(unit);
+    in.numbers.has_unit = unit.given() && (&unit == &options.time_unit || unit.text() != "s"); // as ISO 8601 is
     add_notes(options, selected, time_option, refuses, in);
     return in;
 }
@@ -309,7 +311,6 @@ void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers) const {
         static_cast<void>(amount_of(key_within, 0.0, false));
         pairs.within = stream::read_distance(key_within.text());
     }
-    in.key_power = time_power_of(time_unit);
     if (key_offset.given()) {
         const stream::ReadKey offset = stream::read_key(key_offset.text());
         constexpr stream::KeyDistance limit{stream::Uint128{1} << 123U}; // about 1e19; it is added to keys below 1e20
@@ -319,9 +320,6 @@ void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers) const {
         }
         in.key_offset = offset.value;
     }
-    const Option& own_unit = reference_time_unit.given() ? reference_time_unit : time_unit;
-    pairs.reference.key_power = time_power_of(own_unit);
-    pairs.reference.numbers.has_unit = own_unit.given() && reference_time_unit.text() != "s"; // ISO 8601 is in seconds
     command.reference = files[1];
 }
 
