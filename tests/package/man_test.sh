@@ -1,6 +1,6 @@
 #!/bin/sh
-# man_test.sh PROGRAM FOLDER: the manual pages are clean, they and the program name the same options and commands, and the
-# numbers of the worked example and the commands for files of other programs are right.
+# man_test.sh PROGRAM FOLDER: the manual pages are clean, they and the program name the same options and commands, texts name
+# no others, and the numbers of the worked example and the commands for files of other programs are right.
 set -eu
 program=$1
 page=$2/rotconv.1
@@ -36,6 +36,20 @@ for command in $commands; do
     for option in $of_command; do
         printf '%s\n' "$text" | grep -qE "^ {5}.*$option\\b" || fail "the page does not explain $option of $command"
     done
+done
+
+# Options that texts name, of the program and of the pages, are those of a command: --list is a word for list, --csv is of ros2,
+# and --allow-... are two.
+known=$({
+    "$program" --help
+    for command in $commands; do "$program" "$command" --help; done
+} | grep -oE -- '--[a-z0-9-]+')
+named=$({
+    grep -ohE '"([^"\]|\\.)*"' "$2"/../src/cli/*.cpp
+    mandoc -T ascii -O width=1000 "$page" "$conventions" | sed 's/.\x08//g'
+} | grep -oE -- '(^|[^a-z-])--[a-z][a-z-]+' | sed 's/^[^-]//' | sort -u)
+for option in $named; do
+    printf '%s\n' --list --csv --allow- "$known" | grep -qxF -- "$option" || fail "a text names $option, which no command has"
 done
 
 # The worked example: all representations, each line written from the quaternion and read back.
