@@ -25,10 +25,14 @@ enum class ExitCode : std::uint8_t {
 
 enum class ShowDiagnostics : std::uint8_t { off, summary, rows, columns };
 
+using Operation = std::shared_ptr<stream::RowOperation>;
+
 /// What came of a run.
 struct RowsResult : stream::RunResult {
     ExitCode code = ExitCode::done;
     std::size_t failed = 0; ///< rows
+    /// Runs an operation over all rows once more, if they can be read again, and tells nothing.
+    std::function<void(const Operation&)> look_again{};
 };
 
 /// What a command says of its rows as a whole.
@@ -36,8 +40,6 @@ struct Conclusion {
     std::string text;   ///< printed at the end
     bool holds = false; ///< what was to be found or checked
 };
-
-using Operation = std::shared_ptr<stream::RowOperation>;
 
 /// A run over the same rows that must come before that of a command. It tells nothing.
 struct FirstPass {
@@ -64,9 +66,6 @@ struct RowsCommand {
     messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::vector<stream::Note> notes{};        ///< of the command line
     std::optional<FirstPass> first_pass{};
-    /// Called at the end of a run that was not stopped, before `conclude`: what is to be done with all rows once more,
-    /// if they can be read again; null: nothing. None: no row is read again.
-    std::function<Operation()> look_again{};
     /// Called at the end of a run that was not stopped. None: the rows are all there is.
     std::function<Conclusion(const RowsResult& result)> conclude{};
     /// The run goes on, without output, where nobody reads that any more: its exit status counts.

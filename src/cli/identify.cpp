@@ -105,16 +105,6 @@ public:
 
     [[nodiscard]] std::shared_ptr<Identification> identification() const noexcept { return identification_; }
 
-    /// Holds all rows against the answer: if there are many, only some were kept to find turns.
-    [[nodiscard]] Operation look_again() {
-        verdict_ = identification_->verdict();
-        if (!verdict_.answer || verdict_.answer->rows == identification_->rows()) {
-            return nullptr;
-        }
-        again_ = std::make_shared<Identification>(*verdict_.answer, settings_.rows.known, settings_.identification);
-        return operations::identify(settings_.rows, again_);
-    }
-
     [[nodiscard]] Conclusion conclude(const RowsResult& result) {
         positions_ = result.positions;
         if (!positions_.empty() && settings_.rows.by_key) {
@@ -126,15 +116,21 @@ public:
             return {.text = settings_.json ? json_line({{"rows", rows}, {"fit", rows}, {"answer", "none"}}) : "none\n"};
         }
         auto candidates = identification_->best_first();
-        Verdict& verdict = verdict_;
-        const bool all_were_held = !again_ || again_->rows() > 0;
-        if (again_ && all_were_held) {
-            Candidate& found = verdict.turned.front();
-            const Candidate all = again_->best_first().front();
-            std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
-            if (all.rows < rows || !again_->fits(all)) {
-                verdict.answer.reset();
-                verdict.fitting = 0;
+        Verdict verdict = identification_->verdict();
+        bool all_were_held = true;
+        if (verdict.answer && verdict.answer->rows != rows) { // only some of many rows were kept to find rotations
+            const auto again =
+                std::make_shared<Identification>(*verdict.answer, settings_.rows.known, settings_.identification);
+            result.look_again(operations::identify(settings_.rows, again));
+            all_were_held = again->rows() > 0;
+            if (all_were_held) {
+                Candidate& found = verdict.turned.front();
+                const Candidate all = again->best_first().front();
+                std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
+                if (all.rows < rows || !again->fits(all)) {
+                    verdict.answer.reset();
+                    verdict.fitting = 0;
+                }
             }
         }
         candidates.insert(candidates.begin(), verdict.turned.begin(), verdict.turned.end());
@@ -173,12 +169,11 @@ public:
                                {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
         } else {
             const std::size_t looked_at = verdict.turned.empty() ? 0 : verdict.turned.front().rows;
-            const bool is_part = !all_were_held;
             if (is_ambiguous) {
                 best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
             }
             text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
-                                is_part ? fmt::format(", of which {} were held against turns", looked_at) : "",
+                                all_were_held ? "" : fmt::format(", of which {} were held against turns", looked_at),
                                 settings_.identification.within * unit_, unit_name_, best);
         }
         return {.text = text, .holds = verdict.answer.has_value() && all_were_held};
@@ -255,9 +250,7 @@ private:
     std::string_view unit_name_;
     std::shared_ptr<messages::Subject> subject_; ///< of the rows
     std::shared_ptr<Identification> identification_ = std::make_shared<Identification>(0, Spec{});
-    Verdict verdict_{};
-    std::shared_ptr<Identification> again_{}; ///< a second look at all rows, with the answer alone
-    std::vector<std::size_t> positions_;      ///< of the fields that hold the unknown numbers; none where all do
+    std::vector<std::size_t> positions_; ///< of the fields that hold the unknown numbers; none where all do
 };
 
 struct IdentifyOptions final : RowOptions {
@@ -294,7 +287,6 @@ struct IdentifyOptions final : RowOptions {
             made.options.input.take_count = [report](std::size_t fields) { return report->take_count(fields); };
         }
         made.options.writes_rows = false;
-        made.look_again = [report] { return report->look_again(); };
         made.conclude = [report](const RowsResult& result) { return report->conclude(result); };
         if (rows.paired) {
             pair(made, operations::attitude_numbers(rows.known, rows.by_key));

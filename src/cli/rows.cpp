@@ -260,14 +260,11 @@ stream::RunResult run_silently(const RowsCommand& command, const Operation& oper
         *files.front(), nullptr, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
 }
 
-/// What the command wants to know of all rows at the end. A pipe cannot be read again.
-void look_again(const RowsCommand& command) {
-    const Operation operation = command.look_again ? command.look_again() : nullptr;
-    if (!operation || command.has_values) {
-        return;
-    }
+/// See RowsResult. A pipe cannot be read again.
+void look_again(const RowsCommand& command, const Operation& operation) {
     const auto files = open_inputs(command);
-    if (std::ranges::all_of(files, [](const auto& file) { return file->is_open() && file->is_regular(); })) {
+    const auto can_be_read = [](const auto& file) { return file->is_open() && file->is_regular(); };
+    if (!command.has_values && std::ranges::all_of(files, can_be_read)) {
         static_cast<void>(run_silently(command, operation, nullptr, files));
     }
 }
@@ -367,7 +364,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
     }
     reporter.count_rest();
     if (command.conclude && is_whole) {
-        look_again(command);
+        result.look_again = [&command](const Operation& operation) { look_again(command, operation); };
         const Conclusion conclusion = command.conclude(result);
         if (const int error = rows_output.write(conclusion.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);

@@ -291,10 +291,8 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     }
     result.threads = source.threads();
     if (own.command.conclude && (own.has_text_alone() || own.reports) && result.to_the_end && result.answered > 0) {
-        if (own.command.look_again) {
-            static_cast<void>(own.command.look_again()); // which decides; as of a pipe, no row is read again
-        }
-        const auto answer = own.command.conclude({ending, cli::ExitCode::done, result.failed.size()});
+        const auto look_again = [](const cli::Operation& /*operation*/) {}; // as of a pipe, no row is read again
+        const auto answer = own.command.conclude({ending, cli::ExitCode::done, result.failed.size(), look_again});
         result.conclusion = answer.text;
         result.holds = answer.holds;
     }
