@@ -25,8 +25,7 @@ Spec spec_of(const Option& option, const std::string& text, bool degrees) {
     }
     const auto parsed = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&parsed)) {
-        const auto is_spec = [](std::string_view each) { return std::holds_alternative<Spec>(parse_spec(each)); };
-        if (std::ranges::all_of(split(text, ','), is_spec)) {
+        if (std::ranges::all_of(split(text, ','), messages::is_spec)) {
             throw Usage("{} {}: it takes one SPEC here", option.name(), quoted(text));
         }
         throw Usage("{} {}: {}", option.name(), quoted(text), messages::explain(*error));

@@ -112,7 +112,7 @@ Command read_command_line(int argc, const char* const* argv) {
         if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
             return false; // the label of a number
         }
-        return !messages::meaning_of_verb(word).empty() || std::holds_alternative<Spec>(parse_spec(word)) ||
+        return !messages::meaning_of_verb(word).empty() || messages::is_spec(word) ||
                (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)); // rpy2quat
     };
     const CommandEntry* entry = table.data();

@@ -35,6 +35,7 @@ struct CompareOptions final : RowOptions {
     }
 
     [[nodiscard]] Command command() const override {
+        using stream::Format;
         const Spec read = spec_of(from);
         const Spec reference = to.given() ? spec_of(to) : read;
         const auto side = one_of<AlignedSide>("side of", align,
@@ -43,16 +44,15 @@ struct CompareOptions final : RowOptions {
                                                {"both", AlignedSide::both},
                                                {"yaw", AlignedSide::yaw},
                                                {"first", AlignedSide::first}});
-        Check check{
-            .format = one_of<Check::Format>(
-                "format of compare", format,
-                {{"pretty", Check::Format::pretty}, {"json", Check::Format::json}, {"csv", Check::Format::csv}}),
-            .limits = limits(),
-            .allow_failed = allow_failed.given(),
-            .least_pairs = least_pairs(),
-            .worst = count_of(worst, 1'000'000),
-            .rows = {{paired_rows()}},
-            .comparing = {.reading = attitude_settings()}};
+        Check check{.format =
+                        one_of<Format>("format of compare", format,
+                                       {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}}),
+                    .limits = limits(),
+                    .allow_failed = allow_failed.given(),
+                    .least_pairs = least_pairs(),
+                    .worst = count_of(worst, 1'000'000),
+                    .rows = {{paired_rows()}},
+                    .comparing = {.reading = attitude_settings()}};
         check.unit = !check.limits.empty() ? check.limits[0].angle.unit
                      : degrees.given()     ? in_degrees
                                            : AngleUnitName();
@@ -61,7 +61,7 @@ struct CompareOptions final : RowOptions {
                 "kind of rows for", allow_unpaired,
                 {{"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}});
         }
-        const bool as_rows = check.format == Check::Format::csv;
+        const bool as_rows = check.format == Format::csv;
         ComparisonSettings& comparing = check.comparing;
         comparing.per_radian = check.unit.per_radian;
         std::vector<operations::PairLimit> pair_limits;

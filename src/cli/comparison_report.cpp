@@ -18,7 +18,7 @@ namespace {
 class ComparisonReport {
 public:
     explicit ComparisonReport(const Check& check) : check_(check), pairs_(*check.pairs), unit_(check.unit.text) {
-        if (check_.format == Check::Format::pretty && check_.digits.shortest()) {
+        if (check_.format == stream::Format::pretty && check_.digits.shortest()) {
             check_.digits.significant = 6;
         }
         for (std::size_t i = 0; i < check_.limits.size(); ++i) {
@@ -46,7 +46,7 @@ public:
         }
         const std::string few = has_pairs() ? fault_of_count(result) : "no pairs";
         const std::string fault = fault_of(result, few);
-        const bool is_csv = check_.format == Check::Format::csv;
+        const bool is_csv = check_.format == stream::Format::csv;
         const auto tell = [this](const std::string& found) {
             if (has_pairs() && !found.empty()) {
                 print_error(found);
@@ -61,7 +61,7 @@ public:
             const std::string verdict = limits_.empty() ? "not checked: no --within"
                                         : fault.empty() ? "pass: " + figures_of_limits()
                                                         : "fail: " + fault;
-            conclusion.text = check_.format == Check::Format::json
+            conclusion.text = check_.format == stream::Format::json
                                   ? in_json(result, limits_.empty() ? JsonValue() : verdict)
                                   : in_lines(result) + verdict + "\n";
         }

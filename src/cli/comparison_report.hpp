@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -50,9 +49,7 @@ struct LeastPairs {
 
 /// What is to be told of the pairs, and what they must hold to.
 struct Check {
-    enum class Format : std::uint8_t { pretty, json, csv };
-
-    Format format = Format::pretty;
+    stream::Format format = stream::Format::pretty;
     std::vector<CheckLimit> limits{};
     AngleUnitName unit{};                 ///< of the angles that are told
     std::array<bool, 2> allow_unpaired{}; ///< rows of FILE, of REFERENCE

@@ -20,9 +20,9 @@ using Legal = std::vector<std::string_view>;
 
 /// What a user may have meant by a word that rotconv does not know.
 struct Guess {
-    std::string text;   ///< a legal text; empty: nothing needs to be written
-    std::string before; ///< what is said before it, and after
-    std::string after;
+    std::string text;     ///< a legal text; empty: nothing needs to be written
+    std::string before{}; ///< what is said before it, and after
+    std::string after{};
 };
 
 /// Where the word stands.
@@ -49,8 +49,6 @@ bool is_alike(std::string_view one, std::string_view other) {
     return without_marks(lower(one)) == without_marks(lower(other));
 }
 
-bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_spec(word)); }
-
 bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
 
 bool is_modifier(std::string_view word) {
@@ -65,7 +63,7 @@ std::optional<Guess> guess_by_spelling(std::string_view text, const Legal& legal
         const std::size_t distance = is_alike(word, text) ? 0 : edit_distance(lower(text), lower(word));
         if (distance < least) {
             least = distance;
-            best = Guess{std::string(word), "", ""};
+            best = Guess{std::string(word)};
         }
     }
     return best;
@@ -93,8 +91,7 @@ std::optional<Guess> guess_project(std::string_view word) {
     }
     return Guess{std::string(is_preset(project->text) ? project->text : ""),
                  fmt::format("{}: {}{}{}", project->text, project->specs,
-                             project->specs.empty() || project->remark.empty() ? "" : "; ", project->remark),
-                 ""};
+                             project->specs.empty() || project->remark.empty() ? "" : "; ", project->remark)};
 }
 
 /// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating
@@ -114,7 +111,7 @@ std::optional<Guess> guess_sequence(std::string_view text) {
     if (!EulerSequence::parse(letters)) {
         return std::nullopt;
     }
-    Guess guess{"euler:" + letters, "", ""};
+    Guess guess{"euler:" + letters};
     if (letters == lower(letters) && kind != 's') {
         std::ranges::transform(letters, letters.begin(), upper);
         guess.after = fmt::format("(about the fixed axes; about the body's own axes: euler:{})", letters);
@@ -127,7 +124,7 @@ std::optional<Guess> guess_sequence(std::string_view text) {
 std::optional<Guess> guess_word(std::string_view text, const Legal& legal) {
     const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
     if (is_modifier(word)) {
-        return Guess{std::string(word), "", ""};
+        return Guess{std::string(word)};
     }
     for (const auto guess_in : {guess_meaning, guess_project, guess_sequence}) {
         if (auto guess = guess_in(word)) {
@@ -137,7 +134,7 @@ std::optional<Guess> guess_word(std::string_view text, const Legal& legal) {
     std::string spec(word); // such as quat_xyzw
     std::ranges::replace_if(
         spec, [](char c) { return c == '_' || c == '-'; }, ':');
-    return is_spec(spec) ? Guess{spec, "", ""} : guess_by_spelling(text, legal);
+    return is_spec(spec) ? Guess{spec} : guess_by_spelling(text, legal);
 }
 
 /// The guess as it is written in the place of the word; nothing for a modifier that has no meaning there.
@@ -186,7 +183,7 @@ std::optional<Guess> guess_operand(std::string_view word, const Legal& commands)
         const auto from = guess_name(word.substr(0, at));
         const auto to = guess_name(word.substr(at + 1));
         if (from && to && !from->text.empty() && !to->text.empty()) {
-            return Guess{fmt::format("-f {} -t {}", from->text, to->text), "", ""};
+            return Guess{fmt::format("-f {} -t {}", from->text, to->text)};
         }
     }
     return in_place(guess_word(word, commands), Place::command_line);
@@ -208,7 +205,7 @@ std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
     }
     const auto begun = filtered(legal, [text](std::string_view name) { return name.starts_with(text); });
     return text.size() > 4 && begun.size() == 1 // such as --prec
-               ? Guess{std::string(begun[0]), "", ""}
+               ? Guess{std::string(begun[0])}
                : in_place(guess_word(text, legal), Place::command_line);
 }
 
@@ -232,6 +229,8 @@ std::string unknown(const std::string& said, const Legal& legal, const std::opti
 }
 
 } // namespace
+
+bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_spec(word)); }
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
     return unknown(fmt::format("{} is not a known {}", quoted(text), what), legal, guess_by_spelling(text, legal));

@@ -27,6 +27,8 @@ namespace rotconv::cli::messages {
 /// The words of modifiers, in the order of the table.
 [[nodiscard]] std::vector<std::string_view> words_of(const ModifierSet& modifiers);
 
+[[nodiscard]] bool is_spec(std::string_view word);
+
 /// Why a text is not a SPEC, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecError& error);
 
