@@ -41,7 +41,7 @@ bool reads(std::string_view text, stream::InputOptions input, const stream::RowO
     }
     const stream::Options options{.input = std::move(input),
                                   .operation = operation != nullptr ? operation->copy() : nothing.copy()};
-    stream::TextSource source(text);
+    stream::TextSource source{std::string(text)};
     const auto result = stream::run(source, nullptr, options, [](const stream::Event&) {});
     return !result.error && !result.stopped && result.answered > 0;
 }

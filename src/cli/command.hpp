@@ -60,7 +60,6 @@ struct RowsCommand {
     std::string input = "-";
     std::string output = "-";
     bool has_values = false;
-    std::string values{};                     ///< the VALUEs as one row
     std::shared_ptr<stream::Source> source{}; ///< of the rows, in the place of the input; null: there is none
     std::string reference{};                  ///< the stream with which the rows are paired; see stream::Pairing
     messages::Subject reference_subject{};    ///< what the rows of the reference are

@@ -115,7 +115,8 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
 }
 
 /// What the labels of VALUEs say of them, as a header's names do.
-void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
+void hold_labels(const Values& given, RowsCommand& command) {
+    const std::vector<std::string>& labels = given.labels;
     const stream::InputOptions& in = command.options.input;
     if (labels.size() != in.numbers.names.size() || !in.columns.empty()) {
         return; // the count is told, or other numbers are read
@@ -125,7 +126,7 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
         const auto own = part.of(labels);
         for (auto label = own.begin(); label != own.end(); ++label) {
             if (!label->empty() && std::count(own.begin(), label, *label) > 0) {
-                throw Usage("two of the numbers are called {}: {}", quoted(*label), command.values);
+                throw Usage("two of the numbers are called {}: {}", quoted(*label), given.row);
             }
         }
     }
@@ -143,13 +144,13 @@ void hold_labels(const std::vector<std::string>& labels, RowsCommand& command) {
         return;
     }
     const auto own = part->of(labels);
-    const auto given = filtered(own, [](const std::string& label) { return !label.empty(); });
+    const auto named = filtered(own, [](const std::string& label) { return !label.empty(); });
     const auto known = find_names({part->names}, own);
-    if (!given.empty() && !find_names(*part, own) && !(known && known->are_in_order())) {
+    if (!named.empty() && !find_names(*part, own) && !(known && known->are_in_order())) {
         command.notes.push_back(
             {.kind = stream::Note::Kind::order,
              .text = fmt::format("the labels {} are not names of {}: the numbers are read as they stand",
-                                 fmt::join(given, ","), part->attitude->text())});
+                                 fmt::join(named, ","), part->attitude->text())});
     }
 }
 
@@ -275,9 +276,9 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
         if (spec && in.numbers.names.size() == spec->size() && in.columns.empty()) {
             take_attitude(given, *spec);
         }
-        command.values = std::move(given.row);
         in.delimiter = given.delimiter;
-        hold_labels(given.labels, command);
+        hold_labels(given, command);
+        command.source = std::make_shared<stream::TextSource>(std::move(given.row));
         in.header = in.header == stream::HeaderMode::add ? in.header : stream::HeaderMode::no;
     }
     return command;

@@ -264,7 +264,7 @@ stream::RunResult run_silently(const RowsCommand& command, const Operation& oper
 void look_again(const RowsCommand& command, const Operation& operation) {
     const auto files = open_inputs(command);
     const auto can_be_read = [](const auto& file) { return file->is_open() && file->is_regular(); };
-    if (!command.has_values && std::ranges::all_of(files, can_be_read)) {
+    if (!command.source && std::ranges::all_of(files, can_be_read)) {
         static_cast<void>(run_silently(command, operation, nullptr, files));
     }
 }
@@ -303,7 +303,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
         return failed(inputs.size() == 1 ? command.input : command.reference, What::read, errno);
     }
     stream::OutputFile output(command.output);
-    if (!command.has_values && !command.source) {
+    if (!command.source) {
         for (const auto& input : inputs) {
             if (output.is_same(*input)) {
                 return failed("the same file is input and output");
@@ -313,12 +313,9 @@ ExitCode run_last_pass(const RowsCommand& command) {
     }
 
     WhileRead rows_output(output, command.is_check);
-    stream::TextSource values(command.values);
     const bool on_screen = command.options.writes_rows && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
     Progress progress(*inputs.front(), !on_screen);
-    stream::Source& source = command.source       ? *command.source
-                             : command.has_values ? static_cast<stream::Source&>(values)
-                                                  : progress;
+    stream::Source& source = command.source ? *command.source : progress;
     Reporter reporter(command);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
     const stream::RunResult ending = stream::run(

@@ -46,9 +46,8 @@ std::size_t processors() noexcept {
 }
 
 std::ptrdiff_t TextSource::read(std::span<char> to) {
-    const std::size_t count = std::min(to.size(), text_.size());
-    std::memcpy(to.data(), text_.data(), count);
-    text_.remove_prefix(count);
+    const std::size_t count = text_.copy(to.data(), to.size(), done_);
+    done_ += count;
     return static_cast<std::ptrdiff_t>(count);
 }
 

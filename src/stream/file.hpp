@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace rotconv::stream {
 
@@ -44,11 +45,12 @@ void guard_standard_descriptors() noexcept;
 /// A text in memory, read once.
 class TextSource final : public Source {
 public:
-    explicit TextSource(std::string_view text) noexcept : text_(text) {}
+    explicit TextSource(std::string text) noexcept : text_(std::move(text)) {}
     std::ptrdiff_t read(std::span<char> to) override;
 
 private:
-    std::string_view text_;
+    std::string text_;
+    std::size_t done_ = 0; ///< bytes
 };
 
 /// An open file descriptor, closed at the end if it is owned. Interrupted calls are repeated.

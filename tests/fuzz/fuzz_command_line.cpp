@@ -65,8 +65,7 @@ struct Check {
             reach.add(name == "compare"    ? "VALUEs that are compared"
                       : name == "identify" ? "VALUEs that are identified"
                                            : "VALUEs");
-            stream::TextSource values(command.values);
-            stream::run(values, nullptr, command.options, [](const stream::Event&) {});
+            stream::run(*command.source, nullptr, command.options, [](const stream::Event&) {});
         }
     }
     void operator()(const std::string& text) const {

@@ -221,8 +221,8 @@ bool run_first_pass(const Input& input, Program& own, Result& result) {
     options.operation = first.operation;
     const auto results = std::make_shared<Results>(first.fold);
     options.fold = results;
-    TextSource text(input.text);
-    TextSource reference(input.reference);
+    TextSource text{std::string(input.text)};
+    TextSource reference{std::string(input.reference)};
     const RunResult ending = run(
         text, nullptr, options, [](const Event&) {}, own.is_paired() ? &reference : nullptr);
     if (ending.error || ending.stopped) {
@@ -250,7 +250,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     if (own.command.first_pass && !run_first_pass(input, own, result)) {
         return result;
     }
-    TextSource text(input.text);
+    TextSource text{std::string(input.text)};
     Pieces source(own.command.source ? *own.command.source : text, input.piece);
     Text sink;
     const auto results = options.fold ? std::make_shared<Results>(options.fold) : nullptr;
@@ -269,7 +269,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
             notes += is_known || !is_modelled ? "" : fmt::format("{}{}", kind, note->place.line);
         }
     };
-    TextSource reference_text(input.reference);
+    TextSource reference_text{std::string(input.reference)};
     Pieces reference(reference_text, input.piece);
     const RunResult ending = run(source, &sink, options, report, own.is_paired() ? &reference : nullptr);
     result.angles = own.reports ? results->angles : std::vector<double>();
