@@ -78,7 +78,8 @@ struct CompareOptions final : RowOptions {
         const auto pairs = std::make_shared<operations::PairFold>(
             comparison, rows, std::max<std::size_t>(check.worst, 1), std::move(pair_limits));
         check.pairs = pairs;
-        RowsCommand made = pairs_command(reference, operations::compare(comparison, rows));
+        RowsCommand made = rows_command(operations::compare(comparison, rows));
+        pair(made, reference);
         made.options.append = as_rows;
         made.options.writes_rows = as_rows;
         made.options.fold = pairs;

@@ -30,7 +30,8 @@ struct ComposeOptions final : RowOptions {
         const auto product_as = [&](const Spec& spec) {
             return operations::compose(Composition(first, second, spec, conversion), rows, continuous.given());
         };
-        RowsCommand made = pairs_command(second, operations::several(mapped(written, product_as)));
+        RowsCommand made = rows_command(operations::several(mapped(written, product_as)));
+        pair(made, second);
         made.allow_unpaired =
             allow_unpaired.given() && one_of<bool>("kind of rows for", allow_unpaired, {{"reference", true}});
         if (rows.paired) {

@@ -268,6 +268,7 @@ struct IdentifyOptions final : RowOptions {
 
     [[nodiscard]] Command command() const override {
         IdentificationReport::Settings asked{
+            .rows = {{paired_rows()}},
             .name = name_alone(),
             .identification = {.tolerance = most_defect()},
             .degrees = degrees.given(),
@@ -275,8 +276,6 @@ struct IdentifyOptions final : RowOptions {
         asked.identification.within = angle_of(within, asked.identification.within);
         operations::IdentificationRows& rows = asked.rows;
         rows.known = spec_of(to);
-        rows.paired = is_paired();
-        rows.by_key = is_by_key();
         const SelectedColumns selected = columns_of_file();
         rows.count = asked.name ? representation(*asked.name).size : given_count(selected.list, rows);
         const auto subject = std::make_shared<messages::Subject>();
@@ -288,9 +287,7 @@ struct IdentifyOptions final : RowOptions {
         }
         made.options.writes_rows = false;
         made.conclude = [report](const RowsResult& result) { return report->conclude(result); };
-        if (rows.paired) {
-            pair(made, operations::attitude_numbers(rows.known, rows.by_key));
-        }
+        pair(made, rows.known);
         return made;
     }
 

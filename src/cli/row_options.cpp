@@ -284,16 +284,11 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
     return command;
 }
 
-RowsCommand RowOptions::pairs_command(const Spec& second, operations::Operation operation) const {
-    const operations::PairedRows rows = paired_rows();
-    RowsCommand command = rows_command(std::move(operation));
-    if (rows.paired) {
-        pair(command, operations::attitude_numbers(second, rows.by_key));
+void RowOptions::pair(RowsCommand& command, const Spec& reference) const {
+    if (!is_paired()) {
+        return;
     }
-    return command;
-}
-
-void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers) const {
+    const stream::RowNumbers numbers = operations::attitude_numbers(reference, is_by_key());
     const bool has_own_columns = reference_columns.given();
     const SelectedColumns selected =
         with_key({.list = (has_own_columns ? reference_columns : columns).text(),
@@ -304,8 +299,7 @@ void RowOptions::pair(RowsCommand& command, stream::RowNumbers numbers) const {
     stream::Pairing& pairs = command.options.pairing.emplace();
     const bool refuses = in.numbers.attitude.has_value(); // identify does not
     command.reference_subject = messages::subject_of(numbers, most_defect());
-    pairs.reference =
-        input_of(*this, selected, reference_time_unit, std::move(numbers), command.reference_subject.text, refuses);
+    pairs.reference = input_of(*this, selected, reference_time_unit, numbers, command.reference_subject.text, refuses);
     pairs.by_key = key.given();
     pairs.interpolates = interpolate.given();
     if (key_within.given()) {

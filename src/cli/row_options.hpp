@@ -110,12 +110,9 @@ struct RowOptions : CommandOptions {
     /// @param subject what the rows are in messages; empty: their attitudes
     /// @throw Usage
     [[nodiscard]] RowsCommand rows_command(operations::Operation operation, const std::string& subject = {}) const;
-    /// That of an operation of pairs of attitudes, where the second follows in the row or comes from the REFERENCE.
+    /// Has the command's rows paired with the attitudes of the REFERENCE, if there is one.
     /// @throw Usage
-    [[nodiscard]] RowsCommand pairs_command(const Spec& second, operations::Operation operation) const;
-    /// Has the command's rows paired with those of the REFERENCE.
-    /// @throw Usage
-    void pair(RowsCommand& command, stream::RowNumbers numbers) const;
+    void pair(RowsCommand& command, const Spec& reference) const;
 
     /// @throw Usage if there are VALUEs
     void refuse_values(std::string_view command) const;

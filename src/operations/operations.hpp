@@ -240,11 +240,9 @@ struct AlignmentFold final : stream::Fold {
     Alignment alignment;
 };
 
-struct IdentificationRows {
+struct IdentificationRows : PairedRows {
     std::size_t count = 0; ///< unknown numbers; 0: not yet known
     Spec known{};
-    bool paired = false; ///< see ComparisonRows
-    bool by_key = false;
 };
 /// Adds rows, each of unknown numbers and then the known attitude, to an identification. The results are not used.
 [[nodiscard]] Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification);
