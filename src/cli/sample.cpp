@@ -54,8 +54,7 @@ struct SampleOptions final : RowOptions {
         const SampleSettings samples{
             kinds_of(spec.name), count_of(seed, largest_count, 0),
             number_of(noise, 5e-4, "number from 0 to 0.5", [](double most) { return most >= 0.0 && most <= 0.5; })};
-        const bool has_header =
-            one_of<bool>(fmt::format("mode of {}", header.name()), header, {{"no", false}, {"add", true}});
+        const bool has_header = one_of<bool>("mode of", header, {{"no", false}, {"add", true}});
         const bool has_kinds = kinds_column.given();
         RowsCommand made = rows_command(operations::sample(spec, samples, has_kinds));
         const stream::Format written = made.options.format;

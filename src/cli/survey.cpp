@@ -23,7 +23,7 @@ std::string table_of(const Survey& survey, double condition, bool json) {
                               {"condition", each.greatest_condition},
                               {"condition_line", each.condition_row},
                               {"jumps", each.jumps},
-                              {"jump_line", each.jumps == 0 ? JsonValue() : JsonValue(each.jump_row)},
+                              {"jump_line", JsonValue(each.jump_row).unless(each.jumps == 0)},
                               {"serves", each.serves(condition)}})
                  : line(each.spec.text(), each.spec.size(), fmt::format("{:.6g}", each.least_margin), each.margin_row,
                         fmt::format("{:.6g}", each.greatest_condition), each.condition_row, each.jumps,
