@@ -86,16 +86,19 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
         const char* const stop = std::find(begin, at, delimiter.text());
         to.keys.emplace_back(begin, stop);
-        to.keep(first, 1);
+        to.keep(first);
         begin = stop + 1;
     }
     return ScannedRow{line, {begin, at}};
 }
 
 bool RowReader::read(std::string_view row, RowParts& to) const {
+    const std::size_t first_number = to.numbers.size();
     if (options_->width > 0) {
         read_doubles(row, to.numbers);
-        to.keep(to.numbers.size() - layout_->count, options_->numbers.kept);
+        for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
+            to.keep(first_number);
+        }
         return true;
     }
     const std::size_t first_field = to.fields.size();
@@ -108,7 +111,6 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
             .what = RowError::What::wrong_count, .text = std::string(row), .found = count, .expected = layout_->count};
         return false;
     }
-    const std::size_t first_number = to.numbers.size();
     for (std::size_t i = 0; i < layout_->count; ++i) {
         const std::string_view field = to.fields[first_field + position(i)];
         to.numbers.push_back(0.0);
@@ -144,8 +146,8 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
     }
     for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
         to.keys.push_back(layout_->delimiter.text_of(to.fields[first_field + position(i)]));
+        to.keep(first_number);
     }
-    to.keep(first_number, options_->numbers.kept);
     return true;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -29,11 +28,13 @@ struct RowParts {
         kept.clear();
         keys.clear();
     }
-    /// Takes `count` numbers, from that index on, to the kept ones.
-    void keep(std::size_t first, std::size_t count) {
-        double* const begin = numbers.begin() + first;
-        kept.append(begin, begin + count);
-        numbers.resize(static_cast<std::size_t>(std::copy(begin + count, numbers.end(), begin) - numbers.begin()));
+    /// Moves the number of that index to the kept ones.
+    void keep(std::size_t index) {
+        kept.push_back(numbers[index]);
+        for (; index + 1 < numbers.size(); ++index) { // quicker than std::copy, for so few
+            numbers[index] = numbers[index + 1];
+        }
+        numbers.resize(index);
     }
 };
 
