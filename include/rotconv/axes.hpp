@@ -19,7 +19,7 @@ struct AxesChange {
     [[nodiscard]] bool changes_hand() const noexcept { return from_left_handed != to_left_handed; }
     /// M, or -M if M changes hand. With M of the reference axes and N of the body axes R becomes M R N', where both
     /// change hand or neither does: the product of three rotations in either case.
-    [[nodiscard]] FixedRotation turn() const noexcept;
+    [[nodiscard]] FixedRotation rotation() const noexcept;
 };
 
 /// Why a text does not name a change of axes.

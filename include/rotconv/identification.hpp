@@ -45,7 +45,7 @@ struct Verdict {
         difference, ///< the candidates agree on these rows for another reason
     };
     std::size_t fitting = 0;
-    std::vector<Candidate> turned; ///< the candidates that fit with constant turns, if none fits without
+    std::vector<Candidate> rotated; ///< the candidates that fit with constant rotations, if none fits without
     Ambiguity ambiguity = Ambiguity::nothing;
     /// What fits, as a person would write it, if nothing is ambiguous.
     std::optional<Candidate> answer{};
@@ -68,16 +68,16 @@ struct IdentificationSettings {
 /// dropped at the first row that it misses by more than a thousand times the limit or by half a radian, or whose
 /// numbers have no attitude in it, so that long data cost little more than one conversion.
 ///
-/// If none fits, each is tried with a constant turn on one side, the side that leaves less, and if none fits then, with
-/// turns on both: see Alignment. Rows are kept for this: all up to `most_kept`, otherwise every second, fourth, eighth
-/// and so on. Constant memory.
+/// If none fits, each is tried with a constant rotation on one side, the side that leaves less, and if none fits then,
+/// with rotations on both: see Alignment. Rows are kept for this: all up to `most_kept`, otherwise every second,
+/// fourth, eighth and so on. Constant memory.
 class Identification {
 public:
     /// @param name if given, only candidates of this representation, which has `count` numbers
     Identification(std::size_t count, const Spec& known, std::optional<RepresentationId> name = {},
                    const IdentificationSettings& settings = {});
 
-    /// Holds all rows against one candidate, with its turns.
+    /// Holds all rows against one candidate, with its constant rotations.
     Identification(const Candidate& candidate, const Spec& known, const IdentificationSettings& settings);
 
     /// Whether there is a representation with that count of numbers.
@@ -125,21 +125,21 @@ private:
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
     /// Whether the rotations between rows lie in a plane or about one axis in such a way that a change of axes could
     /// be mistaken for another convention.
-    [[nodiscard]] bool may_mistake_turns() const;
+    [[nodiscard]] bool may_mistake_rotations() const;
     /// Whether there are four rows or more between which the rotations do not lie in one plane.
     [[nodiscard]] bool determines_both() const;
-    struct RowsForTurns;
-    /// Those that fit with constant turns, of which the nearest leaves an angle not below a tenth of another's.
-    [[nodiscard]] std::vector<Candidate> turned() const;
+    struct RowsForRotations;
+    /// Those that fit with constant rotations, of which the nearest leaves an angle not below a tenth of another's.
+    [[nodiscard]] std::vector<Candidate> rotated() const;
     /// The same meaning as a person would write it: a SPEC alone; a SPEC without signs, its columns as they stand, with
-    /// axes that have names; signs or another order of the columns; other axes; turns.
+    /// axes that have names; signs or another order of the columns; other axes; rotations.
     [[nodiscard]] Candidate as_written(const Candidate& candidate) const;
-    /// The attitudes of generic numbers, turned.
+    /// The attitudes of generic numbers, rotated.
     [[nodiscard]] std::vector<Rotation> meaning_of(const Candidate& candidate) const;
-    /// False if no constant turns make the candidate fit, nor any of its class.
-    [[nodiscard]] bool may_fit(const Trial& trial, const RowsForTurns& rows) const;
-    [[nodiscard]] std::optional<Candidate> with_turn(const Trial& trial, AlignedSide side,
-                                                     const RowsForTurns& rows) const;
+    /// False if no constant rotations make the candidate fit, nor any of its class.
+    [[nodiscard]] bool may_fit(const Trial& trial, const RowsForRotations& rows) const;
+    [[nodiscard]] std::optional<Candidate> with_rotation(const Trial& trial, AlignedSide side,
+                                                         const RowsForRotations& rows) const;
     /// The attitudes that the candidate makes of rows; empty if it cannot read one of them.
     [[nodiscard]] std::vector<Rotation> attitudes_or_none(const Trial& trial, std::span<const double> numbers) const;
 

@@ -170,7 +170,7 @@ private:
         auto found = std::make_shared<FoundRotations>();
         made.first_pass = {operations::compare(comparison, as_they_are), fold,
                            [=, name = std::string(align.name())]() -> std::variant<Operation, std::string> {
-                               const auto best = fold->alignment.turns();
+                               const auto best = fold->alignment.rotations();
                                if (!best) {
                                    return fmt::format("the pairs do not determine the turn of {}", name);
                                }

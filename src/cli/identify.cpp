@@ -124,7 +124,7 @@ public:
             result.look_again(operations::identify(settings_.rows, again));
             all_were_held = again->rows() > 0;
             if (all_were_held) {
-                Candidate& found = verdict.turned.front();
+                Candidate& found = verdict.rotated.front();
                 const Candidate all = again->best_first().front();
                 std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
                 if (all.rows < rows || !again->fits(all)) {
@@ -133,7 +133,7 @@ public:
                 }
             }
         }
-        candidates.insert(candidates.begin(), verdict.turned.begin(), verdict.turned.end());
+        candidates.insert(candidates.begin(), verdict.rotated.begin(), verdict.rotated.end());
         const bool is_ambiguous = verdict.ambiguity != Verdict::Ambiguity::nothing;
         const std::string limit = verdict.fitting > 1 ? smaller_limit(candidates) : "";
         candidates.resize(std::min(candidates.size(), listed));
@@ -145,17 +145,18 @@ public:
             const bool is_read = std::isfinite(each.angle);
             const double angle = each.angle * unit_;
             const bool fits = identification_->fits(each);
-            const std::string turns = options_of(each);
-            text += settings_.json ? json_line({{"spec", each.spec.text()},
-                                                {"columns", columns_of(each)},
-                                                {"angle", is_read ? JsonValue(angle) : JsonValue()},
-                                                {"angle_line", each.angle_row},
-                                                {"rows", each.rows},
-                                                {"fits", fits},
-                                                {"turns", turns.empty() ? JsonValue::as_written({}) : turns.substr(1)}})
-                                   : line_of(each.spec.text(), columns_of(each),
-                                             is_read ? fmt::format("{:.6g}", angle) : "no attitude", each.angle_row,
-                                             each.rows, (fits ? "yes" : "no") + turns);
+            const std::string constant = options_of(each);
+            text += settings_.json
+                        ? json_line({{"spec", each.spec.text()},
+                                     {"columns", columns_of(each)},
+                                     {"angle", is_read ? JsonValue(angle) : JsonValue()},
+                                     {"angle_line", each.angle_row},
+                                     {"rows", each.rows},
+                                     {"fits", fits},
+                                     {"turns", constant.empty() ? JsonValue::as_written({}) : constant.substr(1)}})
+                        : line_of(each.spec.text(), columns_of(each),
+                                  is_read ? fmt::format("{:.6g}", angle) : "no attitude", each.angle_row, each.rows,
+                                  (fits ? "yes" : "no") + constant);
         }
         std::string best = is_ambiguous ? "ambiguous" : "none";
         if (verdict.answer) {
@@ -168,7 +169,7 @@ public:
                                {"answer", best},
                                {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
         } else {
-            const std::size_t looked_at = verdict.turned.empty() ? 0 : verdict.turned.front().rows;
+            const std::size_t looked_at = verdict.rotated.empty() ? 0 : verdict.rotated.front().rows;
             if (is_ambiguous) {
                 best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
             }

@@ -185,10 +185,10 @@ ConversionSettings RowOptions::attitude_settings() const {
     all.right = attitude_of(right);
     require_same_hand(reference_axes, body_axes);
     if (reference_axes.given()) { // L M R N' S
-        all.left = all.left * axes_of(reference_axes).turn();
+        all.left = all.left * axes_of(reference_axes).rotation();
     }
     if (body_axes.given()) {
-        all.right = axes_of(body_axes).turn().inverse() * all.right;
+        all.right = axes_of(body_axes).rotation().inverse() * all.right;
     }
     return all;
 }

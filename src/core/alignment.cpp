@@ -35,14 +35,14 @@ Matrix4d product_by(const Vector4d& q) noexcept {
     return matrix;
 }
 
-/// The turns on both sides, from the first pair on: with the turn q from the first attitude to another and k from the
-/// first known one, k = remainder (turn q turn'), where the remainder is near the identity if the first pair is good.
-/// So each number in the sums has the digits of its own size, and small motions keep theirs. With them the sum of the
-/// squared cosines of the half angles that they leave, x' G x where x are the 16 entries of the matrix of
-/// `remainder (turn q turn')` in the components of q, and its derivatives.
-class BothTurns {
+/// The constant rotations on both sides, from the first pair on: with the rotation q from the first attitude to another
+/// and k from the first known one, k = remainder (turn q turn'), where the remainder is near the identity if the first
+/// pair is good. So each number in the sums has the digits of its own size, and small motions keep theirs. With them
+/// the sum of the squared cosines of the half angles that they leave, x' G x where x are the 16 entries of the matrix
+/// of `remainder (turn q turn')` in the components of q, and its derivatives.
+class BothSides {
 public:
-    BothTurns(const Products& products, const Rotation& remainder, const Rotation& turn) noexcept
+    BothSides(const Products& products, const Rotation& remainder, const Rotation& turn) noexcept
         : remainder_(remainder), turn_(turn) {
         const Matrix4d left = product_by(unit(remainder));
         const Matrix4d right = conjugation_by(turn);
@@ -78,8 +78,8 @@ public:
     }
 
     /// With a turn and the best remainder.
-    BothTurns(const Products& products, const Rotation& turn) noexcept
-        : BothTurns(products, best_remainder(products, turn), turn) {}
+    BothSides(const Products& products, const Rotation& turn) noexcept
+        : BothSides(products, best_remainder(products, turn), turn) {}
 
     [[nodiscard]] const Rotation& remainder() const noexcept { return remainder_; }
     [[nodiscard]] const Rotation& turn() const noexcept { return turn_; }
@@ -101,7 +101,7 @@ public:
         constexpr double longest = 0.5;
         return step * std::min(1.0, longest / std::max(step.norm(), longest));
     }
-    [[nodiscard]] BothTurns after(const Products& products, const Step& step) const noexcept {
+    [[nodiscard]] BothSides after(const Products& products, const Step& step) const noexcept {
         return {products, rotation({1.0, step[0], step[1], step[2]}) * remainder_,
                 rotation({2.0, step[3], step[4], step[5]}) * turn_};
     }
@@ -129,28 +129,28 @@ private:
     Eigen::Matrix<double, 6, 6> curvature_; ///< halved, of the sum's negative
 };
 
-/// The turns with the highest sum to which steps lead.
-BothTurns peak_from(const Products& products, BothTurns turns) noexcept {
+/// Those with the highest sum to which steps lead.
+BothSides peak_from(const Products& products, BothSides sides) noexcept {
     constexpr int most_steps = 100;
     constexpr double near = 1e-7; // from here on each step squares what is left, down to the rounding
     double last = std::numeric_limits<double>::infinity();
     double part = 1.0;
     for (int i = 0; i < most_steps; ++i) {
-        const Step step = part * turns.step();
+        const Step step = part * sides.step();
         const double length = step.norm();
         if (length == 0.0 || (length < near && length >= 0.5 * last)) {
             break;
         }
-        const BothTurns next = turns.after(products, step);
-        const bool higher = next.sum() > (1.0 - 16.0 * eps) * turns.sum();
-        turns = higher ? next : turns;
+        const BothSides next = sides.after(products, step);
+        const bool higher = next.sum() > (1.0 - 16.0 * eps) * sides.sum();
+        sides = higher ? next : sides;
         last = higher ? length : last;
         part = higher ? 1.0 : 0.25 * part;
     }
-    return turns;
+    return sides;
 }
 
-/// The turn that aligns the vectors sin(theta/2) cos(theta/2) n of the turns from the first pair.
+/// The turn that aligns the vectors sin(theta/2) cos(theta/2) n of the rotations from the first pair.
 Rotation of_vectors(const Products& products) noexcept {
     const Matrix4d m = products.col(0).reshaped<Eigen::ColMajor>(4, 4); // of k q' times the product of their scalars
     const Davenport<double> k({m(1, 1), m(1, 2), m(1, 3), m(2, 1), m(2, 2), m(2, 3), m(3, 1), m(3, 2), m(3, 3)});
@@ -161,11 +161,11 @@ Rotation of_vectors(const Products& products) noexcept {
 
 } // namespace
 
-void MeanTurn::add(const Rotation& turn) noexcept {
+void MeanRotation::add(const Rotation& rotation) noexcept {
     if (count_ == 0.0) {
-        first_ = turn;
+        first_ = rotation;
     }
-    const Rotation q = first_.inverse() * turn;
+    const Rotation q = first_.inverse() * rotation;
     const double square = q.squared_norm();
     const Vector3d v(q.x(), q.y(), q.z());
     count_ += 1.0;
@@ -173,15 +173,17 @@ void MeanTurn::add(const Rotation& turn) noexcept {
     squares_ += v * v.transpose() / square;
 }
 
-Matrix4d MeanTurn::squared_sines() const noexcept {
+Matrix4d MeanRotation::squared_sines() const noexcept {
     Matrix4d matrix;
     matrix << squares_.trace(), -products_.transpose(), -products_, count_ * Matrix3d::Identity() - squares_;
     return matrix;
 }
 
-Rotation MeanTurn::mean() const noexcept { return first_ * rotation(Eigensystem<4>(squared_sines()).vectors.col(0)); }
+Rotation MeanRotation::mean() const noexcept {
+    return first_ * rotation(Eigensystem<4>(squared_sines()).vectors.col(0));
+}
 
-double MeanTurn::rms() const noexcept {
+double MeanRotation::rms() const noexcept {
     if (count_ == 0.0) {
         return 0.0;
     }
@@ -209,9 +211,9 @@ void Alignment::add(const Rotation& attitude, const Rotation& known) noexcept {
     products += g * g.transpose();
 }
 
-std::optional<ConstantRotations> Alignment::turns() const {
+std::optional<ConstantRotations> Alignment::rotations() const {
     const Found found = find();
-    return found.determined ? std::optional(found.turns) : std::nullopt;
+    return found.determined ? std::optional(found.rotations) : std::nullopt;
 }
 
 Alignment::Found Alignment::find() const {
@@ -235,7 +237,7 @@ Alignment::Found Alignment::find() const {
 }
 
 Alignment::Found Alignment::find_yaw() const noexcept {
-    Eigen::Matrix<double, 4, 2> plane; // the identity and the half-turn about z, after the first turn
+    Eigen::Matrix<double, 4, 2> plane; // the identity and the half-turn about z, after the first rotation
     plane << unit(mean_.first_.inverse()), unit(mean_.first_.inverse() * Rotation::near_unit(0.0, 0.0, 0.0, 1.0));
     const Eigensystem<2> system(plane.transpose() * mean_.squared_sines() * plane);
     return {{Rotation::from_components(system.vectors(0, 0), 0.0, 0.0, system.vectors(1, 0)), {}},
@@ -245,11 +247,11 @@ Alignment::Found Alignment::find_yaw() const noexcept {
 Alignment::Found Alignment::find_both() const {
     const Products products(products_.data());
     const double count = mean_.count_;
-    BothTurns best = peak_from(products, {products, of_vectors(products)});
+    BothSides best = peak_from(products, {products, of_vectors(products)});
     constexpr double good = 0.99;
     constexpr std::size_t tried = 8;
     if (best.sum() < good * count) { // there may be a higher peak: some of the 24 rotations of the axes are near it
-        std::vector<BothTurns> starts;
+        std::vector<BothSides> starts;
         constexpr std::array components{0.0, 1.0, -1.0};
         for (std::size_t i = 1; i < 81; ++i) {
             const Vector4d q(components.at(i / 27), components.at(i / 9 % 3), components.at(i / 3 % 3),
@@ -258,9 +260,9 @@ Alignment::Found Alignment::find_both() const {
                 starts.emplace_back(products, rotation(q));
             }
         }
-        std::ranges::sort(starts, std::greater(), &BothTurns::sum);
+        std::ranges::sort(starts, std::greater(), &BothSides::sum);
         for (std::size_t i = 0; i < tried; ++i) {
-            const BothTurns other = peak_from(products, starts[i]);
+            const BothSides other = peak_from(products, starts[i]);
             best = other.sum() > best.sum() ? other : best;
         }
     }

@@ -26,7 +26,7 @@ std::string letters_of(std::string_view triple) {
 
 } // namespace
 
-FixedRotation AxesChange::turn() const noexcept {
+FixedRotation AxesChange::rotation() const noexcept {
     const Dcm rotation = matrix * (changes_hand() ? -1.0 : 1.0);
     return FixedRotation::of_numbers(eigen_matrix, {rotation.data(), 9});
 }

@@ -40,7 +40,7 @@ ROTCONV_INLINE void multiply_from_side(const ExactQuaternion& by, bool from_the_
     multiply_from_side(constant, from_the_left, q);
 }
 /// By what there may be.
-template <class T> ROTCONV_INLINE void turn(const Turns& by, T (&q)[4]) noexcept {
+template <class T> ROTCONV_INLINE void multiply_by(const FixedRotations& by, T (&q)[4]) noexcept {
     if (by.has_left) {
         multiply_from_side(by.left, true, q);
     }
@@ -63,7 +63,8 @@ ROTCONV_INLINE void rotate_vector(const T (&q)[4], const Given<T> (&vector)[3], 
     divide(rotated, squared_norm(q));
 }
 
-/// Lets a turn that but moves and negates axes do so to matrices, or to those whose inverses it turns. No other turn.
+/// Lets a rotation that but moves and negates axes do so to matrices, or to those whose inverses it is of. No other
+/// one.
 inline bool move_axes(const Spec& spec, const ExactQuaternion& by, bool from_the_left, bool inverse, const double*& in,
                       std::size_t rows, double* out) noexcept {
     double m[9];
@@ -84,13 +85,13 @@ inline bool move_axes(const Spec& spec, const ExactQuaternion& by, bool from_the
     in = moves ? out : in;
     return moves;
 }
-/// What is left of the turns when matrices have taken those that they take without a sum, which would cost small
+/// What is left of them when matrices have taken those that they take without a sum, which would cost small
 /// numbers digits.
-inline Turns move_axes(const Spec& spec, bool inverse, Turns turns, const double*& in, std::size_t rows,
-                       double (&moved)[2][9 * batch_rows]) noexcept {
-    turns.has_left = turns.has_left && !move_axes(spec, turns.left, true, inverse, in, rows, moved[0]);
-    turns.has_right = turns.has_right && !move_axes(spec, turns.right, false, inverse, in, rows, moved[1]);
-    return turns;
+inline FixedRotations move_axes(const Spec& spec, bool inverse, FixedRotations fixed, const double*& in,
+                                std::size_t rows, double (&moved)[2][9 * batch_rows]) noexcept {
+    fixed.has_left = fixed.has_left && !move_axes(spec, fixed.left, true, inverse, in, rows, moved[0]);
+    fixed.has_right = fixed.has_right && !move_axes(spec, fixed.right, false, inverse, in, rows, moved[1]);
+    return fixed;
 }
 
 // Rows that the batch kernels do not serve, because a number or the attitude that came of them is not plain.
@@ -124,10 +125,10 @@ template <class T, class Function> void for_each_careful_row(const Spec& spec, c
 }
 
 /// The attitude of a row, or its inverse, turned; its largest component was of size 1/2 to 1.
-inline void read_carefully(const Spec& spec, const double* numbers, bool inverse, const Turns& all,
+inline void read_carefully(const Spec& spec, const double* numbers, bool inverse, const FixedRotations& all,
                            Careful (&q)[4]) noexcept {
     double moved[2][9 * batch_rows];
-    const Turns turns = move_axes(spec, inverse, all, numbers, 1, moved);
+    const FixedRotations fixed = move_axes(spec, inverse, all, numbers, 1, moved);
     kernel_of(spec.name).careful.read(spec, numbers, q);
     int largest = q[0].exponent();
     for (const Careful& component : q) {
@@ -137,7 +138,7 @@ inline void read_carefully(const Spec& spec, const double* numbers, bool inverse
         component = component.shifted(-1 - largest);
     }
     q[0] = inverse ? -q[0] : q[0];
-    turn(turns, q);
+    multiply_by(fixed, q);
 }
 
 /// Writes a row of the numbers and of `rest`, which may be null.

@@ -15,13 +15,13 @@ void Comparison::run(std::span<const double> in, std::span<double> out, std::vec
     reports.clear();
     const KernelTable& kernels = kernel_table();
     const ConversionSettings& reading = settings_.reading;
-    const Turns turns = turns_of(reading.left, reading.right);
+    const FixedRotations fixed = fixed_rotations(reading.left, reading.right);
     const std::size_t width = outputs();
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t first) {
         InputBatch input(from_, numbers, rows, inputs());
         InputBatch reference(reference_, numbers + from_.size(), rows, inputs());
-        kernels.read(from_, turns, input.own(), rows, input.attitudes);
-        kernels.read(reference_, no_turns, reference.own(), rows, reference.attitudes);
+        kernels.read(from_, fixed, input.own(), rows, input.attitudes);
+        kernels.read(reference_, no_rotations, reference.own(), rows, reference.attitudes);
         AttitudeBatch<double> relative;
         std::array<double, batch_rows> angles;
         relate(input.attitudes, reference.attitudes, rows, relative, angles.data());

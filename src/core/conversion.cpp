@@ -62,9 +62,9 @@ bool is_convention(DiagnosticSet found) noexcept {
            found.has(DiagnosticKind::identity_axis);
 }
 
-ExactQuaternion exact(const FixedRotation& turn) noexcept {
-    const Rotation& q = turn.rotation;
-    return {{q.w(), q.x(), q.y(), q.z()}, {turn.rest[0], turn.rest[1], turn.rest[2], turn.rest[3]}};
+ExactQuaternion exact(const FixedRotation& fixed) noexcept {
+    const Rotation& q = fixed.rotation;
+    return {{q.w(), q.x(), q.y(), q.z()}, {fixed.rest[0], fixed.rest[1], fixed.rest[2], fixed.rest[3]}};
 }
 
 } // namespace
@@ -98,7 +98,7 @@ FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept
             {q[2][0].lo, q[2][1].lo, q[2][2].lo, q[2][3].lo}};
 }
 
-Turns turns_of(const FixedRotation& left, const FixedRotation& right) noexcept {
+FixedRotations fixed_rotations(const FixedRotation& left, const FixedRotation& right) noexcept {
     return {!left.is_identity(), !right.is_identity(), exact(left), exact(right)};
 }
 
@@ -111,9 +111,9 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
                      std::span<double> rest) const {
     reports.clear();
     // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
-    const Turns turns = to_.passive ? turns_of(settings_.right.inverse(), settings_.left.inverse())
-                                    : turns_of(settings_.left, settings_.right);
-    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &turns};
+    const FixedRotations fixed = to_.passive ? fixed_rotations(settings_.right.inverse(), settings_.left.inverse())
+                                             : fixed_rotations(settings_.left, settings_.right);
+    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &fixed};
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     const std::size_t width = to_.size();
     check_size(rest.empty() ? out.size() : rest.size(), in.size() / from_.size() * width);

@@ -23,13 +23,13 @@ constexpr double rounding = 1e-7;
 
 using Attitudes = std::vector<Rotation>;
 
-ConstantRotations constant_turns(AlignedSide side, const Attitudes& unknown, const Attitudes& known,
-                                 const ConstantRotations& before = {}) {
+ConstantRotations constant_rotations(AlignedSide side, const Attitudes& unknown, const Attitudes& known,
+                                     const ConstantRotations& before = {}) {
     Alignment alignment(side);
     for (std::size_t i = 0; i < known.size(); ++i) {
         alignment.add(before(unknown[i]), known[i]);
     }
-    return alignment.some_turns();
+    return alignment.some_rotations();
 }
 
 struct LargestAngle {
@@ -38,10 +38,11 @@ struct LargestAngle {
 };
 
 /// What is left of the angles between them.
-LargestAngle largest_angle(const ConstantRotations& turns, const Attitudes& unknown, const Attitudes& known) noexcept {
+LargestAngle largest_angle(const ConstantRotations& constant, const Attitudes& unknown,
+                           const Attitudes& known) noexcept {
     LargestAngle largest;
     for (std::size_t i = 0; i < known.size(); ++i) {
-        const double angle = angle_between(turns(unknown[i]), known[i]);
+        const double angle = angle_between(constant(unknown[i]), known[i]);
         if (angle > largest.angle) {
             largest = {angle, i};
         }
@@ -49,9 +50,9 @@ LargestAngle largest_angle(const ConstantRotations& turns, const Attitudes& unkn
     return largest;
 }
 
-/// The turns of the axes' names that are nearest, where they are near: that of the first side, and that of the other as
-/// it fits the first.
-ConstantRotations with_named_axes(const ConstantRotations& turns, AlignedSide first, const Attitudes& unknown,
+/// The rotations of the axes' names that are nearest, where they are near: that of the first side, and that of the
+/// other as it fits the first.
+ConstantRotations with_named_axes(const ConstantRotations& constant, AlignedSide first, const Attitudes& unknown,
                                   const Attitudes& known) {
     const auto named = [](const Rotation& rotation) {
         const Dcm rounded = dcm::from_rotation(rotation).array().round();
@@ -59,25 +60,25 @@ ConstantRotations with_named_axes(const ConstantRotations& turns, AlignedSide fi
         return reading ? *reading : rotation;
     };
     if (first == AlignedSide::reference) {
-        const Rotation left = named(turns.left);
-        return {left, named(constant_turns(AlignedSide::body, unknown, known, {left, {}}).right)};
+        const Rotation left = named(constant.left);
+        return {left, named(constant_rotations(AlignedSide::body, unknown, known, {left, {}}).right)};
     }
-    const Rotation right = named(turns.right);
-    return {named(constant_turns(AlignedSide::reference, unknown, known, {{}, right}).left), right};
+    const Rotation right = named(constant.right);
+    return {named(constant_rotations(AlignedSide::reference, unknown, known, {{}, right}).left), right};
 }
 
 /// Axes that people have names for, on either side of an attitude.
 struct NamedAxes {
     NamedAxes(std::string_view reference_, std::string_view body_)
-        : reference(reference_), body(body_), turns{turn_of(reference), turn_of(body).inverse()} {}
+        : reference(reference_), body(body_), constant{rotation_of(reference), rotation_of(body).inverse()} {}
 
-    static Rotation turn_of(std::string_view text) {
-        return text.empty() ? Rotation() : std::get<AxesChange>(parse_axes(text)).turn().rotation;
+    static Rotation rotation_of(std::string_view text) {
+        return text.empty() ? Rotation() : std::get<AxesChange>(parse_axes(text)).rotation().rotation;
     }
 
     std::string_view reference;
     std::string_view body;
-    ConstantRotations turns;
+    ConstantRotations constant;
 };
 
 const std::vector<NamedAxes>& named_axes() {
@@ -92,13 +93,13 @@ bool is_of_axes(const Rotation& rotation) noexcept {
     return (matrix.array() == matrix.array().round()).all();
 }
 
-/// sin(theta/2) cos(theta/2) n of the turn from a to b in body axes: whatever the signs of the quaternions.
+/// sin(theta/2) cos(theta/2) n of the rotation from a to b in body axes: whatever the signs of the quaternions.
 Eigen::Vector3d relative_vector(const Rotation& a, const Rotation& b) noexcept {
-    const Rotation turn = a.inverse() * b;
-    return Eigen::Vector3d(turn.x(), turn.y(), turn.z()) * (turn.w() / turn.squared_norm());
+    const Rotation relative = a.inverse() * b;
+    return Eigen::Vector3d(relative.x(), relative.y(), relative.z()) * (relative.w() / relative.squared_norm());
 }
 
-/// The mean of u u' over the vectors u of the turns from the first attitude to each, in body or reference axes.
+/// The mean of u u' over the vectors u of the rotations from the first attitude to each, in body or reference axes.
 Eigen::Matrix3d relative_scatter(const Attitudes& attitudes, bool in_reference) noexcept {
     Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
     for (const Rotation& attitude : attitudes) {
@@ -142,14 +143,14 @@ std::vector<std::size_t> spread_rows(const Attitudes& attitudes, std::size_t cou
     return rows;
 }
 
-/// Numbers by which generic attitudes are compared, to 1e-6, whatever constant turns stand on their sides: the angles
-/// of the relative turns, and the angles and the volume between their axes.
-std::vector<std::int64_t> turned_fingerprint(const Attitudes& attitudes) {
+/// Numbers by which generic attitudes are compared, to 1e-6, whatever constant rotations stand on their sides: the
+/// angles of the relative rotations, and the angles and the volume between their axes.
+std::vector<std::int64_t> rotated_fingerprint(const Attitudes& attitudes) {
     std::vector<std::int64_t> marks;
     const auto mark = [&marks](double number) { marks.push_back(std::llround(1e6 * number)); };
     std::vector<Eigen::Vector3d> axes;
     for (std::size_t i = 1; i < attitudes.size(); ++i) {
-        axes.push_back(relative_vector(attitudes[0], attitudes[i]).normalized()); // however small the turns are
+        axes.push_back(relative_vector(attitudes[0], attitudes[i]).normalized()); // however small the rotations are
         mark(1e3 * angle_between(attitudes[0], attitudes[i]));
         for (const Eigen::Vector3d& axis : axes) {
             mark(axis.dot(axes.back()));
@@ -161,9 +162,9 @@ std::vector<std::int64_t> turned_fingerprint(const Attitudes& attitudes) {
 
 } // namespace
 
-/// Rows that are far apart, which reject nearly all candidates, and some hundred, which give the turns.
-struct Identification::RowsForTurns {
-    explicit RowsForTurns(const Identification& identification)
+/// Rows that are far apart, which reject nearly all candidates, and some hundred, which give the rotations.
+struct Identification::RowsForRotations {
+    explicit RowsForRotations(const Identification& identification)
         : few(spread_rows(identification.kept_known_, 12)), some(few) {
         const Attitudes& kept = identification.kept_known_;
         for (std::size_t i = 0; i < kept.size(); i += 1 + kept.size() / 256) {
@@ -204,16 +205,16 @@ Verdict Identification::verdict() const {
     const auto first = std::ranges::find_if(trials_, fits_as_it_is);
     verdict.fitting = static_cast<std::size_t>(std::ranges::count_if(trials_, fits_as_it_is));
     if (verdict.fitting == 0 && rows_ > 0) {
-        verdict.turned = turned();
-        verdict.fitting = verdict.turned.size();
+        verdict.rotated = rotated();
+        verdict.fitting = verdict.rotated.size();
     }
-    const bool has_both = verdict.fitting == 1 && !verdict.turned.empty() &&
-                          !verdict.turned[0].constant.left.is_identity() &&
-                          !verdict.turned[0].constant.right.is_identity();
+    const bool has_both = verdict.fitting == 1 && !verdict.rotated.empty() &&
+                          !verdict.rotated[0].constant.left.is_identity() &&
+                          !verdict.rotated[0].constant.right.is_identity();
     if (verdict.fitting > 1 || (has_both && !determines_both())) {
         verdict.ambiguity = ambiguity(verdict);
     } else if (verdict.fitting == 1) {
-        verdict.answer = as_written(verdict.turned.empty() ? first->candidate : verdict.turned[0]);
+        verdict.answer = as_written(verdict.rotated.empty() ? first->candidate : verdict.rotated[0]);
     }
     return verdict;
 }
@@ -224,9 +225,9 @@ Attitudes Identification::attitudes_or_none(const Trial& trial, std::span<const 
     return std::ranges::all_of(attitudes, is_attitude) ? attitudes : Attitudes();
 }
 
-bool Identification::may_fit(const Trial& trial, const RowsForTurns& rows) const {
+bool Identification::may_fit(const Trial& trial, const RowsForRotations& rows) const {
     const auto own = attitudes_or_none(trial, rows.numbers_few);
-    for (std::size_t i = 1; i < own.size(); ++i) { // no constant turn changes the angle between two rows
+    for (std::size_t i = 1; i < own.size(); ++i) { // no constant rotation changes the angle between two rows
         const double angle = angle_between(own[0], own[i]);
         if (std::fabs(angle - angle_between(rows.known_few[0], rows.known_few[i])) >
             2.0 * settings_.within + rounding) {
@@ -236,10 +237,10 @@ bool Identification::may_fit(const Trial& trial, const RowsForTurns& rows) const
     return !own.empty();
 }
 
-std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSide side,
-                                                   const RowsForTurns& rows) const {
+std::optional<Candidate> Identification::with_rotation(const Trial& trial, AlignedSide side,
+                                                       const RowsForRotations& rows) const {
     const auto own_few = attitudes_or_none(trial, rows.numbers_few);
-    const ConstantRotations rough = constant_turns(side, own_few, rows.known_few);
+    const ConstantRotations rough = constant_rotations(side, own_few, rows.known_few);
     if (largest_angle(rough, own_few, rows.known_few).angle > 2.0 * settings_.within + rounding) {
         return std::nullopt;
     }
@@ -247,18 +248,18 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSi
     if (own.empty()) {
         return std::nullopt;
     }
-    const auto own_some = RowsForTurns::of(rows.some, own);
-    ConstantRotations turns = constant_turns(side, own_some, rows.known_some);
-    LargestAngle largest = largest_angle(turns, own, kept_known_);
-    const ConstantRotations exact = turns;
+    const auto own_some = RowsForRotations::of(rows.some, own);
+    ConstantRotations constant = constant_rotations(side, own_some, rows.known_some);
+    LargestAngle largest = largest_angle(constant, own, kept_known_);
+    const ConstantRotations exact = constant;
     for (const AlignedSide first : {AlignedSide::reference, AlignedSide::body}) {
-        if (side == first) { // the other side would be turned too
+        if (side == first) { // the other side would be rotated too
             continue;
         }
         const ConstantRotations named = with_named_axes(exact, first, own_some, rows.known_some);
         const LargestAngle largest_of_named = largest_angle(named, own, kept_known_);
         if (largest_of_named.angle <= settings_.within) {
-            turns = named;
+            constant = named;
             largest = largest_of_named;
             break;
         }
@@ -266,25 +267,26 @@ std::optional<Candidate> Identification::with_turn(const Trial& trial, AlignedSi
     if (largest.angle > settings_.within) {
         return std::nullopt;
     }
-    // A turn below the limit would only spread a row's error over the others.
-    if ((side != AlignedSide::body && angle_of(turns.left) <= settings_.within) ||
-        (side != AlignedSide::reference && angle_of(turns.right) <= settings_.within)) {
+    // A rotation below the limit would only spread a row's error over the others.
+    if ((side != AlignedSide::body && angle_of(constant.left) <= settings_.within) ||
+        (side != AlignedSide::reference && angle_of(constant.right) <= settings_.within)) {
         return std::nullopt;
     }
     Candidate candidate = trial.candidate;
     candidate.rows = kept_rows_.size();
     candidate.angle = largest.angle;
     candidate.angle_row = kept_rows_[largest.row];
-    candidate.constant = turns;
+    candidate.constant = constant;
     return candidate;
 }
 
-std::vector<Candidate> Identification::turned() const {
-    std::map<std::vector<std::int64_t>, std::vector<const Trial*>> classes; // that are the same but for constant turns
+std::vector<Candidate> Identification::rotated() const {
+    std::map<std::vector<std::int64_t>, std::vector<const Trial*>>
+        classes; // that are the same but for constant rotations
     for (const Trial& trial : trials_) {
-        classes[turned_fingerprint(generic_attitudes(trial.candidate))].push_back(&trial);
+        classes[rotated_fingerprint(generic_attitudes(trial.candidate))].push_back(&trial);
     }
-    const RowsForTurns rows(*this);
+    const RowsForRotations rows(*this);
     std::erase_if(classes, [&](const auto& each) { return !may_fit(*each.second.front(), rows); });
     std::vector<Candidate> found;
     std::vector<const Trial*> left_over;
@@ -292,8 +294,8 @@ std::vector<Candidate> Identification::turned() const {
         const std::size_t before = found.size();
         for (const AlignedSide side : {AlignedSide::reference, AlignedSide::body}) {
             for (const Trial* trial : trials) {
-                if (auto turned = with_turn(*trial, side, rows)) {
-                    found.push_back(*turned);
+                if (auto rotated = with_rotation(*trial, side, rows)) {
+                    found.push_back(*rotated);
                 }
             }
         }
@@ -301,10 +303,10 @@ std::vector<Candidate> Identification::turned() const {
             left_over.push_back(trials.front());
         }
     }
-    if (found.empty() || may_mistake_turns()) {
+    if (found.empty() || may_mistake_rotations()) {
         for (const Trial* trial : left_over) { // if one of a class does not fit with both, none does
-            if (auto turned = with_turn(*trial, AlignedSide::both, rows)) {
-                found.push_back(*turned);
+            if (auto rotated = with_rotation(*trial, AlignedSide::both, rows)) {
+                found.push_back(*rotated);
             }
         }
     }
@@ -346,20 +348,20 @@ Candidate Identification::as_written(const Candidate& candidate) const {
         Candidate candidate;
         Attitudes own;
     };
-    std::vector<Name> plain; // that differ from the candidate by constant turns
+    std::vector<Name> plain; // that differ from the candidate by constant rotations
     for (const Trial& trial : trials_) {
         if (trial.candidate.is_plain()) {
             Name name{trial.candidate, generic_attitudes(trial.candidate)};
-            if (turned_fingerprint(name.own) == turned_fingerprint(meaning)) {
+            if (rotated_fingerprint(name.own) == rotated_fingerprint(meaning)) {
                 plain.push_back(std::move(name));
             }
         }
     }
     for (const auto& [name, own] : plain) {
         for (const NamedAxes& axes : named_axes()) {
-            if (largest_angle(axes.turns, own, meaning).angle <= rounding) {
+            if (largest_angle(axes.constant, own, meaning).angle <= rounding) {
                 Candidate made = with(name);
-                made.constant = axes.turns;
+                made.constant = axes.constant;
                 made.reference_axes = axes.reference;
                 made.body_axes = axes.body;
                 return made;
@@ -369,23 +371,23 @@ Candidate Identification::as_written(const Candidate& candidate) const {
     if (candidate.constant.are_identity()) {
         return candidate;
     }
-    // The fewest turns, first those of axes; of equals a plain name.
+    // The fewest rotations, first those of axes; of equals a plain name.
     std::optional<Candidate> best;
     std::pair<bool, int> least{true, 3};
     plain.push_back({candidate, generic_attitudes(candidate)});
     for (const auto& [name, own] : plain) {
-        const ConstantRotations exact = constant_turns(AlignedSide::both, own, meaning);
+        const ConstantRotations exact = constant_rotations(AlignedSide::both, own, meaning);
         const ConstantRotations named = with_named_axes(exact, AlignedSide::reference, own, meaning);
         const bool is_named =
             is_of_axes(named.left) && is_of_axes(named.right) && largest_angle(named, own, meaning).angle <= rounding;
-        const ConstantRotations& turns = is_named ? named : exact;
+        const ConstantRotations& constant = is_named ? named : exact;
         Candidate made = with(name);
-        const auto& [left, right] = turns;
+        const auto& [left, right] = constant;
         made.constant = {angle_of(left) <= rounding ? Rotation() : left,
                          angle_of(right) <= rounding ? Rotation() : right};
         const std::pair rank(!is_named,
                              (made.constant.left.is_identity() ? 0 : 1) + (made.constant.right.is_identity() ? 0 : 1));
-        if (rank < least && largest_angle(turns, own, meaning).angle <= rounding) {
+        if (rank < least && largest_angle(constant, own, meaning).angle <= rounding) {
             least = rank;
             best = made;
         }
@@ -394,42 +396,42 @@ Candidate Identification::as_written(const Candidate& candidate) const {
 }
 
 bool Identification::determines_both() const {
-    const PrincipalAxes turns(relative_scatter(kept_known_, false));
-    return rows_ >= 4 && turns.sizes[0] > std::max(settings_.within, rounding);
+    const PrincipalAxes relative(relative_scatter(kept_known_, false));
+    return rows_ >= 4 && relative.sizes[0] > std::max(settings_.within, rounding);
 }
 
-// Along the axes, or halfway between them, other axes are turns of the numbers' signs and order.
-bool Identification::may_mistake_turns() const {
+// Along the axes, or halfway between them, other axes are changes of the numbers' signs and order.
+bool Identification::may_mistake_rotations() const {
     const double least = std::max(settings_.within, rounding);
     const auto is_special = [&](bool in_reference) {
-        const PrincipalAxes turns(relative_scatter(kept_known_, in_reference));
-        const Eigen::Vector3d n = turns.axes.col(turns.sizes[1] <= least ? 2 : 0).cwiseAbs();
+        const PrincipalAxes relative(relative_scatter(kept_known_, in_reference));
+        const Eigen::Vector3d n = relative.axes.col(relative.sizes[1] <= least ? 2 : 0).cwiseAbs();
         const double nearest =
             std::min({n[0], n[1], n[2], std::fabs(n[0] - n[1]), std::fabs(n[1] - n[2]), std::fabs(n[0] - n[2])});
-        return turns.sizes[0] <= least && nearest <= 2.0 * settings_.within;
+        return relative.sizes[0] <= least && nearest <= 2.0 * settings_.within;
     };
     return is_special(false) || is_special(true);
 }
 
 Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     using Ambiguity = Verdict::Ambiguity;
-    const bool turned = !verdict.turned.empty();
-    if (rows_ < (turned ? 4 : 2)) { // the relative turns of three lie in a plane
+    const bool rotated = !verdict.rotated.empty();
+    if (rows_ < (rotated ? 4 : 2)) { // the relative rotations of three lie in a plane
         return Ambiguity::rows;
     }
     if (spread_ <= settings_.within) {
         return Ambiguity::attitudes;
     }
     // SPECs of small attitudes differ by half the angle's square.
-    verdict.angle = turned ? spread_ : greatest_angle_;
+    verdict.angle = rotated ? spread_ : greatest_angle_;
     if (verdict.angle * verdict.angle <= 4.0 * settings_.within) {
         return Ambiguity::size;
     }
-    const PrincipalAxes principal(turned ? relative_scatter(kept_known_, false)
-                                         : Eigen::Matrix3d(scatter_ / static_cast<double>(rows_)));
+    const PrincipalAxes principal(rotated ? relative_scatter(kept_known_, false)
+                                          : Eigen::Matrix3d(scatter_ / static_cast<double>(rows_)));
     const double least = std::max(settings_.within, rounding);
     const bool is_axis = principal.sizes[1] <= least;
-    if (is_axis || turned) {
+    if (is_axis || rotated) {
         verdict.axis = with_positive_leader(principal.axes.col(is_axis ? 2 : 0));
         return is_axis ? Ambiguity::axes : principal.sizes[0] <= least ? Ambiguity::plane : Ambiguity::difference;
     }

@@ -16,8 +16,8 @@
 
 namespace rotconv {
 
-/// Constant turns, as kernels take them.
-[[nodiscard]] Turns turns_of(const FixedRotation& left, const FixedRotation& right) noexcept;
+/// Constant rotations, as kernels take them.
+[[nodiscard]] FixedRotations fixed_rotations(const FixedRotation& left, const FixedRotation& right) noexcept;
 
 /// A batch of rows of a SPEC and the attitudes that they describe, once a kernel has read them.
 class InputBatch {

@@ -12,11 +12,11 @@ namespace {
 
 // Functions of a batch.
 
-template <class T> void turn(const Turns& by, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
+template <class T> void multiply_by(const FixedRotations& by, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
     for (std::size_t i = 0; i < rows && (by.has_left || by.has_right); ++i) {
         T q[4];
         attitudes.get(i, q);
-        turn(by, q);
+        multiply_by(by, q);
         attitudes.set(i, q);
     }
 }
@@ -41,13 +41,13 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
 // The functions of the table.
 
 /// The attitudes of plain rows, or their inverses, turned.
-template <class T> void read_plainly(const Spec& spec, bool inverse, const Turns& all, const double* numbers,
+template <class T> void read_plainly(const Spec& spec, bool inverse, const FixedRotations& all, const double* numbers,
                                      std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
     double moved[2][9 * batch_rows];
-    const Turns turns = move_axes(spec, inverse, all, numbers, rows, moved);
+    const FixedRotations fixed = move_axes(spec, inverse, all, numbers, rows, moved);
     batch_kernel_of<T>(spec.name).read(spec, numbers, rows, attitudes);
     invert_if(inverse, attitudes, rows);
-    turn(turns, attitudes, rows);
+    multiply_by(fixed, attitudes, rows);
 }
 
 template <class T> void convert_plainly(const ConversionBatch& batch, const double* in, std::size_t rows,
@@ -55,7 +55,7 @@ template <class T> void convert_plainly(const ConversionBatch& batch, const doub
                                         DiagnosticSet* diagnostics) noexcept {
     const Spec& from = *batch.from;
     const Spec& to = *batch.to;
-    read_plainly(from, from.passive != to.passive, *batch.turns, in, rows, attitudes);
+    read_plainly(from, from.passive != to.passive, *batch.fixed, in, rows, attitudes);
     batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
 }
 
@@ -65,7 +65,7 @@ void convert_carefully(const ConversionBatch& batch, const double* in, std::size
     const Spec& from = *batch.from;
     const Spec& to = *batch.to;
     Careful q[4];
-    read_carefully(from, in + i * from.size(), from.passive != to.passive, *batch.turns, q);
+    read_carefully(from, in + i * from.size(), from.passive != to.passive, *batch.fixed, q);
     diagnostics[i] = write_carefully(to, batch.lock_margin, q, out, rest, i);
     set_rounded(q, i, rounded);
 }
@@ -155,8 +155,8 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
     const bool inverse = from.passive != to.passive;
     const auto set_open = [open](std::size_t i) { open[i] = true; };
     const auto read_first = kernel_of(from.name).read_first;
-    if (to.name == RepresentationId::quat && read_first != nullptr && !batch.turns->has_left &&
-        !batch.turns->has_right) {
+    if (to.name == RepresentationId::quat && read_first != nullptr && !batch.fixed->has_left &&
+        !batch.fixed->has_right) {
         read_first(from, in, rows, rounded, open);
         invert_if(inverse, rounded, rows);
         for (std::size_t i = 0; i < rows; ++i) {
@@ -175,7 +175,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
         return false;
     }
     AttitudeBatch<DoubleDouble> attitudes;
-    read_plainly(from, inverse, *batch.turns, in, rows, attitudes);
+    read_plainly(from, inverse, *batch.fixed, in, rows, attitudes);
     write_first(to, batch.lock_margin, attitudes, rows, out, open);
     round(attitudes, rows, rounded);
     for_each_careful_row(from, in, attitudes, rows, set_open);
@@ -194,26 +194,26 @@ void convert_in_phases(const ConversionBatch& batch, const double* in, std::size
 }
 
 /// The attitudes that rows describe, turned, to 106 bits.
-void read_upright(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
+void read_upright(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
                   AttitudeBatch<DoubleDouble>& attitudes) noexcept {
-    read_plainly(spec, spec.passive, turns, numbers, rows, attitudes);
+    read_plainly(spec, spec.passive, fixed, numbers, rows, attitudes);
     for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
         Careful q[4];
-        read_carefully(spec, numbers + i * spec.size(), spec.passive, turns, q);
+        read_carefully(spec, numbers + i * spec.size(), spec.passive, fixed, q);
         attitudes.set(i, {q[0].rounded_parts(), q[1].rounded_parts(), q[2].rounded_parts(), q[3].rounded_parts()});
     });
 }
 
-void read(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
+void read(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
           AttitudeBatch<double>& rounded) noexcept {
     AttitudeBatch<DoubleDouble> attitudes;
-    read_upright(spec, turns, numbers, rows, attitudes);
+    read_upright(spec, fixed, numbers, rows, attitudes);
     round(attitudes, rows, rounded);
 }
 
 void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept {
     AttitudeBatch<DoubleDouble> attitudes;
-    read_upright(spec, no_turns, numbers, 1, attitudes);
+    read_upright(spec, no_rotations, numbers, 1, attitudes);
     for (std::size_t k = 0; k < 4; ++k) {
         attitude.hi[k] = attitudes[k].hi[0];
         attitude.lo[k] = attitudes[k].lo[0];
@@ -262,8 +262,8 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
     const Spec& to = *batch.to;
     AttitudeBatch<DoubleDouble> attitudes[3];
     auto& [left, right, product] = attitudes;
-    read_upright(*batch.first, *batch.turns, first, rows, left);
-    read_upright(*batch.second, no_turns, second, rows, right);
+    read_upright(*batch.first, *batch.fixed, first, rows, left);
+    read_upright(*batch.second, no_rotations, second, rows, right);
     for (std::size_t i = 0; i < rows; ++i) {
         DoubleDouble q[4];
         DoubleDouble other[4];
@@ -282,8 +282,8 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
     const auto careful = [&](std::size_t i) {
         Careful q[4];
         Careful other[4];
-        read_carefully(*batch.first, first + i * batch.first->size(), batch.first->passive, *batch.turns, q);
-        read_carefully(*batch.second, second + i * batch.second->size(), batch.second->passive, no_turns, other);
+        read_carefully(*batch.first, first + i * batch.first->size(), batch.first->passive, *batch.fixed, q);
+        read_carefully(*batch.second, second + i * batch.second->size(), batch.second->passive, no_rotations, other);
         multiply_from_side(other, false, q);
         set_rounded(q, i, *rounded[2]);
         q[0] = to.passive ? -q[0] : q[0];
@@ -296,7 +296,7 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
 void rotate(const Spec& spec, const double* numbers, const double* vectors, std::size_t rows,
             AttitudeBatch<double>& rounded, double* out) noexcept {
     AttitudeBatch<DoubleDouble> attitudes;
-    read_upright(spec, no_turns, numbers, rows, attitudes);
+    read_upright(spec, no_rotations, numbers, rows, attitudes);
     round(attitudes, rows, rounded);
     for (std::size_t i = 0; i < rows; ++i) {
         DoubleDouble q[4];
@@ -311,7 +311,7 @@ void rotate(const Spec& spec, const double* numbers, const double* vectors, std:
         Careful q[4];
         Careful rotated[3];
         Careful vector[3];
-        read_carefully(spec, numbers + i * spec.size(), spec.passive, no_turns, q);
+        read_carefully(spec, numbers + i * spec.size(), spec.passive, no_rotations, q);
         take(vectors + 3 * i, vector);
         rotate_vector(q, vector, rotated);
         put(rotated, out + 3 * i);
@@ -330,7 +330,7 @@ ROTCONV_NOINLINE Error read_one_carefully(const Spec& spec, const double* number
     const Error error = kernel_of(spec.name).one.read(spec, numbers, q, defect);
     if (error == Error::none) {
         Careful careful[4];
-        read_carefully(spec, numbers, false, no_turns, careful);
+        read_carefully(spec, numbers, false, no_rotations, careful);
         take(careful, q);
     }
     return error;

@@ -20,26 +20,26 @@ struct ExactQuaternion {
 };
 
 /// Constant rotations by which attitudes are multiplied, from the left and from the right, where there are such.
-struct Turns {
+struct FixedRotations {
     bool has_left;
     bool has_right;
     ExactQuaternion left;
     ExactQuaternion right;
 };
-inline constexpr Turns no_turns{};
+inline constexpr FixedRotations no_rotations{};
 
 /// What the conversion of a batch needs beside its rows.
 struct ConversionBatch {
     const Spec* from;
     const Spec* to;
     double lock_margin;
-    const Turns* turns; ///< of the attitudes as they are written
+    const FixedRotations* fixed; ///< of the attitudes as they are written
 };
 
 /// What a batch of products of two attitudes needs beside its rows.
 struct ProductBatch {
     const Spec* first;
-    const Turns* turns; ///< of the first attitudes
+    const FixedRotations* fixed; ///< of the first attitudes
     const Spec* second;
     const Spec* to;
     double lock_margin;
@@ -62,7 +62,7 @@ struct KernelTable {
                           AttitudeBatch<double>& attitudes, double* out, bool* open) noexcept;
     Convert* convert_fast; ///< in plain double
     /// The attitudes that rows describe, turned, then rounded once.
-    void (*read)(const Spec& spec, const Turns& turns, const double* numbers, std::size_t rows,
+    void (*read)(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
                  AttitudeBatch<double>& attitudes) noexcept;
     /// See relate(); angles below 2^-100 need not be right.
     void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,

@@ -20,7 +20,7 @@ inline bool is_ordinary(double size) noexcept { return size == 0.0 || (size >= 0
 
 /// The power of two that scales them; 0 if the row is not one of these.
 inline double linear_scale(const ConversionBatch& batch, const double* numbers, double defect) noexcept {
-    const bool turns = batch.turns->has_left || batch.turns->has_right; // which mix small components with large ones
+    const bool mixes = batch.fixed->has_left || batch.fixed->has_right; // which mix small components with large ones
     // Between the sizes before and after, or at the middle between two locks, small numbers decide what is locked.
     const bool locks_clearly = batch.lock_margin == 0.0 || (batch.lock_margin >= 0x1p-100 && batch.lock_margin <= 1.0);
     double largest = 0.0;
@@ -33,7 +33,7 @@ inline double linear_scale(const ConversionBatch& batch, const double* numbers, 
         }
     }
     const double scale = unit_scale(largest) * 0x1p-136;
-    return !turns && locks_clearly && defect <= reported_defect && largest > 0.0 && largest < 0x1p-112 &&
+    return !mixes && locks_clearly && defect <= reported_defect && largest > 0.0 && largest < 0x1p-112 &&
                    least * scale >= 0x1p-150
                ? scale
                : 0.0;

@@ -42,8 +42,8 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
     reports.clear();
     const std::size_t width = first_.size() + second_.size();
     check_size(rest.empty() ? out.size() : rest.size(), in.size() / width * to_.size());
-    const Turns turns = turns_of(settings_.left, settings_.right);
-    const ProductBatch batch{&first_, &turns, &second_, &to_, settings_.lock_margin};
+    const FixedRotations fixed = fixed_rotations(settings_.left, settings_.right);
+    const ProductBatch batch{&first_, &fixed, &second_, &to_, settings_.lock_margin};
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t begin) {
         InputBatch first(first_, numbers, rows, width);
         InputBatch second(second_, numbers + first_.size(), rows, width);

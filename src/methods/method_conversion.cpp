@@ -201,10 +201,10 @@ void MethodConversion::measure(std::span<const double> attitudes, std::span<cons
     for (std::size_t first = 0; first < all; first += batch_rows) {
         const std::size_t rows = std::min(batch_rows, all - first);
         InputBatch attitude(spec, attitudes.data() + first * spec.size(), rows, spec.size());
-        kernels.read(spec, no_turns, attitude.own(), rows, attitude.attitudes);
+        kernels.read(spec, no_rotations, attitude.own(), rows, attitude.attitudes);
         for (std::size_t a = 0; a < count; ++a) {
             InputBatch answer(to(), answers.data() + (a * all + first) * to().size(), rows, to().size());
-            kernels.read(to(), no_turns, answer.own(), rows, answer.attitudes);
+            kernels.read(to(), no_rotations, answer.own(), rows, answer.attitudes);
             relate(attitude.attitudes, answer.attitudes, rows, relative, sizes.data());
             for (std::size_t i = 0; i < rows; ++i) {
                 angles[(first + i) * count + a] = relative.error[i] == Error::none ? sizes[i] : not_a_number;

@@ -206,7 +206,7 @@ public:
     /// @param most how many of the worst pairs are kept
     PairFold(const Comparison& comparison, const ComparisonRows& rows, std::size_t most, std::vector<PairLimit> limits)
         : columns_(rows.columns(comparison.from(), comparison.reference())),
-          finds_turns_(rows.with_attitudes && rows.delta == 0), most_(most), limits_(std::move(limits)) {}
+          finds_means_(rows.with_attitudes && rows.delta == 0), most_(most), limits_(std::move(limits)) {}
 
     void add(const stream::AnsweredRows& rows) override;
 
@@ -216,19 +216,19 @@ public:
     [[nodiscard]] const std::vector<PairLimit>& limits() const noexcept { return limits_; }
     /// The mean rotation from the attitudes to their references, from the left and from the right; for rows with
     /// attitudes, without a delta.
-    [[nodiscard]] const MeanTurn& left() const noexcept { return left_; }
-    [[nodiscard]] const MeanTurn& right() const noexcept { return right_; }
+    [[nodiscard]] const MeanRotation& left() const noexcept { return left_; }
+    [[nodiscard]] const MeanRotation& right() const noexcept { return right_; }
 
 private:
     void keep(const stream::AnsweredRows& rows, std::size_t row);
 
     stream::PairColumns columns_;
-    bool finds_turns_;
+    bool finds_means_;
     std::size_t most_;
     std::vector<PairLimit> limits_;
     AngleStatistics angles_;
-    MeanTurn left_;
-    MeanTurn right_;
+    MeanRotation left_;
+    MeanRotation right_;
     std::set<WorstPair> worst_;
 };
 

@@ -17,7 +17,7 @@ void PairFold::add(const stream::AnsweredRows& rows) {
             continue;
         }
         angles_.add(angle);
-        if (finds_turns_) {
+        if (finds_means_) {
             const Rotation inverse = rotation_at(pair + 1).inverse();
             const Rotation reference = rotation_at(pair + 5);
             left_.add(reference * inverse);

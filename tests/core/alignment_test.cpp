@@ -1,4 +1,4 @@
-// Alignment and MeanTurn against the sum of squared sines, worked out pair by pair.
+// Alignment and MeanRotation against the sum of squared sines, worked out pair by pair.
 
 #include <algorithm>
 #include <array>
@@ -151,7 +151,7 @@ TEST_CASE("exact constant turns are found to a few eps") {
             const int least = sides.at(i) == AlignedSide::both ? 4 : 1;
             const Turns turns = source.turns(sides.at(i));
             const auto pairs = source.pairs(turns, source.integer(least, 12), 0.0);
-            const auto found = source.alignment(sides.at(i), pairs).turns();
+            const auto found = source.alignment(sides.at(i), pairs).rotations();
             REQUIRE(found);
             worst.at(i) = std::max({worst.at(i), angle_in_eps(double_of(found->left), turns.left),
                                     angle_in_eps(double_of(found->right), turns.right)});
@@ -170,7 +170,7 @@ TEST_CASE("small motions keep the digits of turns on both sides that they have")
         double worst = 0.0;
         for (int run = 0; run < 100; ++run) {
             const Turns turns = source.turns(AlignedSide::both);
-            const auto found = source.alignment(AlignedSide::both, source.pairs(turns, 8, 0.0, spread)).turns();
+            const auto found = source.alignment(AlignedSide::both, source.pairs(turns, 8, 0.0, spread)).rotations();
             REQUIRE(found);
             worst = std::max(worst, spread * angle_in_eps(double_of(found->right), turns.right));
         }
@@ -184,7 +184,7 @@ TEST_CASE("a hundred thousand pairs lose no digits") {
     Source source(3);
     for (const AlignedSide side : sides) {
         const Turns turns = source.turns(side);
-        const auto found = source.alignment(side, source.pairs(turns, 100'000, 0.0)).turns();
+        const auto found = source.alignment(side, source.pairs(turns, 100'000, 0.0)).rotations();
         REQUIRE(found);
         const double limit = side == AlignedSide::both ? 16.0 : 8.0;
         CHECK(angle_in_eps(double_of(found->left), turns.left) <= limit);
@@ -199,7 +199,7 @@ TEST_CASE("no other turns leave less than those that are found") {
         const AlignedSide side = sides.at(static_cast<std::size_t>(run) % 4);
         const double noise = std::array{1e-6, 1e-3, 0.1, 0.5}.at(static_cast<std::size_t>(source.integer(0, 3)));
         const auto pairs = source.pairs(source.turns(side), source.integer(5, 12), noise, source.integer(0, 1) * 0.3);
-        const auto found = source.alignment(side, pairs).some_turns();
+        const auto found = source.alignment(side, pairs).some_rotations();
         const Turns turns{double_of(found.left), double_of(found.right)};
         const double least = cost(pairs, turns);
         const double rounding = 1e-14 * (1.0 + least);
@@ -224,7 +224,7 @@ TEST_CASE("the first pair alone tells its turn") {
     Source source(5);
     for (int run = 0; run < 100; ++run) {
         const auto pairs = source.pairs({source.any(), source.any()}, 5, 0.1);
-        const auto found = source.alignment(AlignedSide::first, pairs).turns();
+        const auto found = source.alignment(AlignedSide::first, pairs).rotations();
         REQUIRE(found);
         CHECK(angle_in_eps(double_of(found->left), pairs[0].known * pairs[0].attitude.conjugate()) <= 8.0);
         CHECK(double_of(found->right).vec().norm() == 0.0);
@@ -235,14 +235,14 @@ TEST_CASE("the first pair alone tells its turn") {
 TEST_CASE("pairs that do not determine turns are told") {
     Source source(6);
     for (const AlignedSide side : sides) {
-        CHECK_FALSE(Alignment(side).turns());
-        CHECK(double_of(Alignment(side).some_turns().left).vec().norm() == 0.0);
+        CHECK_FALSE(Alignment(side).rotations());
+        CHECK(double_of(Alignment(side).some_rotations().left).vec().norm() == 0.0);
     }
     for (int run = 0; run < 1000; ++run) {
         const Turns turns = source.turns(AlignedSide::both);
         for (const double noise : {0.0, 1e-9, 1e-3}) {
             auto pairs = source.pairs(turns, source.integer(1, 2), noise);
-            CHECK_FALSE(source.alignment(AlignedSide::both, pairs).turns());
+            CHECK_FALSE(source.alignment(AlignedSide::both, pairs).rotations());
             // all about one axis
             const Vector axis = source.vector(1.0).normalized();
             const Quaternion first = source.any();
@@ -253,7 +253,7 @@ TEST_CASE("pairs that do not determine turns are told") {
                 pairs.push_back({attitude, noise > 0.0 ? Quaternion(known * source.small(noise)) : known});
             }
             CAPTURE(run, noise);
-            CHECK_FALSE(source.alignment(AlignedSide::both, pairs).turns());
+            CHECK_FALSE(source.alignment(AlignedSide::both, pairs).rotations());
         }
         // opposite half-turns
         const Quaternion attitude = source.any();
@@ -261,11 +261,11 @@ TEST_CASE("pairs that do not determine turns are told") {
         const Vector axis = source.vector(1.0).normalized();
         const Quaternion half_turn(0.0, axis.x(), axis.y(), axis.z());
         const std::vector<Pair> opposite{{attitude, left * attitude}, {attitude, left * half_turn * attitude}};
-        CHECK_FALSE(source.alignment(AlignedSide::reference, opposite).turns());
-        CHECK_FALSE(source.alignment(AlignedSide::body, opposite).turns());
+        CHECK_FALSE(source.alignment(AlignedSide::reference, opposite).rotations());
+        CHECK_FALSE(source.alignment(AlignedSide::body, opposite).rotations());
         const Vector level = Vector(axis.x(), axis.y(), 0.0).normalized();
         const std::vector<Pair> upside_down{{attitude, Quaternion(0.0, level.x(), level.y(), 0.0) * attitude}};
-        CHECK_FALSE(source.alignment(AlignedSide::yaw, upside_down).turns());
+        CHECK_FALSE(source.alignment(AlignedSide::yaw, upside_down).rotations());
     }
 }
 
@@ -275,7 +275,7 @@ TEST_CASE("the spread of turns about their mean keeps its digits") {
     for (const double size : {1e-12, 1e-9, 1e-6, 1e-3, 0.1}) {
         for (int run = 0; run < 100; ++run) {
             const Quaternion turn = source.any();
-            MeanTurn mean;
+            MeanRotation mean;
             CHECK(mean.rms() == 0.0);
             std::vector<Vector> vectors;
             Vector middle = Vector::Zero();

@@ -120,7 +120,7 @@ TEST_CASE(
                 CHECK(axes(to + ":" + from).matrix == m.transpose());
                 const double sign = m.determinant();
                 CHECK(change.changes_hand() == (sign < 0.0));
-                CHECK(dcm::from_rotation(change.turn().rotation) == sign * m);
+                CHECK(dcm::from_rotation(change.rotation().rotation) == sign * m);
             }
         }
     }
@@ -143,7 +143,7 @@ TEST_CASE("axes on both sides exchange and negate entries of the matrix, and cha
         mirrored += reference.changes_hand() ? 1 : 0;
         const auto row = oracle::numbers(mrp, source.attitude());
         const auto plain = accuracy::converted(mrp, dcm, row, {}).numbers;
-        const ConversionSettings turns{.left = reference.turn(), .right = body.turn().inverse()};
+        const ConversionSettings turns{.left = reference.rotation(), .right = body.rotation().inverse()};
         const Dcm expected = reference.matrix * matrix_of(plain) * body.matrix.transpose();
         CHECK(matrix_of(accuracy::converted(mrp, dcm, row, turns).numbers) == expected);
     }
@@ -162,7 +162,7 @@ TEST_CASE("a Unity quaternion becomes that of ROS") {
         }
         std::rotate(q.begin(), q.begin() + 1, q.end());
         const auto converted = [&](const std::string& text) {
-            const FixedRotation turn = axes(text).turn();
+            const FixedRotation turn = axes(text).rotation();
             return accuracy::converted(spec, spec, q, {.left = turn, .right = turn.inverse()}).numbers;
         };
         const auto near = [&](const std::vector<double>& a, std::vector<double> b) {

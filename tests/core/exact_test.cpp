@@ -106,7 +106,7 @@ TEST_CASE("matrices in other axes are rounded once, however small a number becom
                     const rotconv::Dcm rows =
                         from_passive ? turned : rotconv::Dcm(turned.transpose()); // column by column
                     rotconv::ConversionSettings settings;
-                    (left ? settings.left : settings.right) = change.turn();
+                    (left ? settings.left : settings.right) = change.rotation();
                     const auto result =
                         accuracy::converted(from, accuracy::spec(to), {rows.data(), rows.data() + 9}, settings);
                     const rotconv::Dcm expected = near.transpose();

@@ -116,7 +116,7 @@ TEST_CASE("both targets give the same bits for numbers of every size, row for ro
             numbers.fill(from, rows.data() + i * from.size());
         }
         const rotconv::ExactQuaternion turn{{0.6, 0.0, 1e-170, 0.8}, {1e-20, 0.0, 0.0, 0.0}};
-        const rotconv::Turns turns{batch % 5 == 0, false, turn, {}};
+        const rotconv::FixedRotations turns{batch % 5 == 0, false, turn, {}};
         const rotconv::ConversionBatch task{&from, &to, 1e-15, &turns};
         for (const auto convert : {&KernelTable::convert, &KernelTable::convert_fast}) {
             Answers plain;

@@ -46,7 +46,7 @@ void compare(const std::string& from_text, const std::string& to_text, double lo
     const Spec from = accuracy::spec(from_text);
     const Spec to = accuracy::spec(to_text);
     const auto& kernels = rotconv::kernel_table();
-    const rotconv::ConversionBatch task{&from, &to, lock_margin, &rotconv::no_turns};
+    const rotconv::ConversionBatch task{&from, &to, lock_margin, &rotconv::no_rotations};
     const std::size_t rows = numbers.size() / from.size();
     for (std::size_t first = 0; first < rows; first += batch_rows) {
         const double* const in = numbers.data() + first * from.size();
@@ -91,7 +91,7 @@ const std::vector<std::string>& specs_of_angles() {
 bool has_first_phase() {
     const Spec from;
     const Spec to = accuracy::spec("rpy");
-    const rotconv::ConversionBatch task{&from, &to, 1e-15, &rotconv::no_turns};
+    const rotconv::ConversionBatch task{&from, &to, 1e-15, &rotconv::no_rotations};
     const std::array<double, 4> identity{1.0, 0.0, 0.0, 0.0};
     Answers answers;
     std::array<bool, batch_rows> open{};
@@ -186,7 +186,7 @@ TEST_CASE("rows that are converted scaled have the careful scalar's numbers") {
         sampler.run(indices, rows);
         for (const std::string& to_text : accuracy::compared_specs()) {
             const Spec to = accuracy::spec(to_text);
-            const rotconv::ConversionBatch task{&from, &to, 1e-15, &rotconv::no_turns};
+            const rotconv::ConversionBatch task{&from, &to, 1e-15, &rotconv::no_rotations};
             for (const auto convert : {&rotconv::KernelTable::convert, &rotconv::KernelTable::convert_fast}) {
                 for (std::size_t row = 0; row < indices.size(); row += batch_rows) {
                     const auto answers_of = [&](double* rest) {

@@ -25,7 +25,7 @@ static_assert(
         UnusualNumbers, PartReport, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison,
         Composition, VectorRotation, Candidate, Verdict, IdentificationSettings, Identification, IntegratorEntry,
         Stepper, PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey,
-        Survey, AxesChange, AxesError, ConstantRotations, MeanTurn, Alignment, SampleSettings, Sampler>);
+        Survey, AxesChange, AxesError, ConstantRotations, MeanRotation, Alignment, SampleSettings, Sampler>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
@@ -107,7 +107,7 @@ void rows() {
     std::array<double, 8> quaternions{};
     const FixedRotation left(*axis_angle::to_rotation({.angle = 0}));
     const AxesChange enu = std::get<AxesChange>(parse_axes("ned:enu")); // a half-turn about x = y
-    check(enu.matrix(0, 1) == 1 && !enu.changes_hand() && near((left * enu.turn()).rotation.z(), 0), "AxesChange");
+    check(enu.matrix(0, 1) == 1 && !enu.changes_hand() && near((left * enu.rotation()).rotation.z(), 0), "AxesChange");
     const std::array<double, 4> angle_first{7, 0, 0, 8};
     const UnusualNumbers found = unusual_numbers(spec_of("axis-angle"), angle_first);
     check(near(found.defect, 6) && found.angle == 8, "unusual_numbers");
