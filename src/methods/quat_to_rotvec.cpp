@@ -32,8 +32,8 @@ DoubleDouble twice_the_angle(double w, DoubleDouble s) noexcept {
 void acos(const double* q, double* r) noexcept { along_vector_part(q, length(q + 1), 2.0 * std::acos(q[0]), r); }
 
 /// The quaternion's logarithm, as in Sola 2017, logarithmic maps: 2 atan2(|v|, w) v/|v|, and for small angles, which
-/// the library manif begins at |v|^2 = 1e-10, 2 v/w (1 - |v|^2/(3 w^2)). As there, a quaternion with w < 0 is else
-/// taken as it is: the vector is longer than pi, the same attitude.
+/// the library manif begins at |v|^2 = 1e-10, 2 v/w (1 - |v|^2/(3 w^2)). As there, a quaternion with w < 0 is
+/// otherwise taken as it is: the vector is longer than pi, the same attitude.
 void atan2(const double* q, double* r) noexcept {
     const double size = length(q + 1);
     const double tangent = size / q[0];

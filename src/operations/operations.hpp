@@ -46,7 +46,7 @@ void add_attitude(stream::RowOperation& operation, const Spec& to);
 using RowFunction = std::function<void(const stream::NumberRows& rows, std::span<double> out,
                                        std::vector<RowReport>& reports, std::span<double> rest)>;
 
-/// That of a Conversion, Rates and the like.
+/// The function of a Conversion, Rates and the like.
 template <class Core> RowFunction function_of(const Core& core) {
     return [core](const stream::NumberRows& rows, auto out, auto& reports, [[maybe_unused]] auto rest) {
         if constexpr (requires { core.run(rows.numbers, out, reports, rest); }) {

@@ -7,11 +7,11 @@
 namespace rotconv::operations {
 namespace {
 
-/// Copies `size` numbers of each row, from rows of `from_width` to rows of `to_width`.
-void copy_columns(std::span<const double> from, std::size_t from_first, std::size_t from_width, std::span<double> to,
-                  std::size_t to_first, std::size_t to_width, std::size_t size) {
+/// Copies rows of `width` numbers into columns of wider rows, from column `first` on.
+void copy_columns(std::span<const double> from, std::size_t width, std::span<double> to, std::size_t first,
+                  std::size_t to_width) {
     for (std::size_t row = 0; row < to.size() / to_width; ++row) {
-        std::copy_n(from.data() + row * from_width + from_first, size, to.data() + row * to_width + to_first);
+        std::copy_n(from.data() + row * width, width, to.data() + row * to_width + first);
     }
 }
 
@@ -44,7 +44,7 @@ public:
             const std::size_t width = part.operation->names.size();
             part.out.resize(rows.lines.size() * width);
             answered = part.operation->run(rows, part.out, part.reports);
-            copy_columns(part.out, 0, width, out, first, names.size(), width);
+            copy_columns(part.out, width, out, first, names.size());
             merge(part.reports, static_cast<std::size_t>(&part - parts_.data()), reports);
             first += width;
         }
@@ -58,7 +58,7 @@ public:
             const auto own = std::span(part.out).first(results.size() / names.size() * width);
             if (part.operation->is_continuous) {
                 part.operation->make_continuous(own, part.reports);
-                copy_columns(own, 0, width, results, first, names.size(), width);
+                copy_columns(own, width, results, first, names.size());
             }
             first += width;
         }

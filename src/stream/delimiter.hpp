@@ -20,18 +20,19 @@ public:
     /// that can be part of a number or a quoted field.
     [[nodiscard]] static std::optional<Delimiter> parse(std::string_view text) noexcept;
 
-    /// Comma, else tab, else semicolon, else blanks; those inside quotes do not count.
+    /// Comma, otherwise tab, otherwise semicolon, otherwise blanks; those inside quotes do not count.
     [[nodiscard]] static Delimiter of_row(std::string_view row) noexcept;
 
     [[nodiscard]] constexpr bool is_blanks() const noexcept { return character_ == ' '; }
     /// What is put between fields.
     [[nodiscard]] constexpr char text() const noexcept { return character_; }
 
-    /// Appends the row's fields to `fields`. Quoted fields keep their quotes; under blanks quotes mean nothing.
-    /// @return false where a quote is left open
+    /// Appends the row's fields to `fields`. Quoted fields keep their quotes. If blanks part fields, quotes mean
+    /// nothing.
+    /// @return false if a quote is left open
     bool split(std::string_view row, std::vector<std::string_view>& fields) const;
 
-    /// The field without the quotes around it, doubled ones inside made single; as it is under blanks.
+    /// The field without the quotes around it, doubled ones inside made single; unchanged if blanks part fields.
     [[nodiscard]] std::string unquoted(std::string_view field) const;
 
     /// The field's content: blanks around it, and where fields may be quoted the quotes around it, left out. Doubled

@@ -19,7 +19,7 @@ enum class NumberError : std::uint8_t { none, not_a_number, too_large };
 /// Correctly rounded, independent of the locale. Too small for a double is 0.
 NumberError read_number(std::string_view text, double& value) noexcept;
 
-/// True where read_number() would take the text, too large ones included.
+/// Whether read_number() would take the text, or it is a number that is too large.
 [[nodiscard]] bool is_number(std::string_view text) noexcept;
 
 using Buffer = fmt::memory_buffer;
@@ -41,9 +41,9 @@ struct Digits {
 void append_number(Buffer& to, double value, Digits digits);
 [[nodiscard]] std::string number_text(double value, Digits digits = {});
 
-/// The same of each, with the delimiter between them.
+/// Appends all of them, with the delimiter between them.
 void append_numbers(Buffer& to, std::span<const double> numbers, char delimiter, Digits digits);
-/// The same, into room for `room_for` as many.
+/// Writes all of them into room for `room_for` as many.
 /// @return their end, beyond which it may have written
 char* write_numbers(char* to, std::span<const double> numbers, char delimiter, Digits digits);
 /// Bytes: with the 100 digits that may be asked for, those before the point, and what is written beyond the end.

@@ -32,7 +32,7 @@ bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
             std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
             only_comments_ = false;
         } else if (only_comments_ && layout_.notes.empty() && options_->is_comment(current.text)) {
-            hear({.comment = current.text}, line);
+            add_notes({.comment = current.text}, line);
         }
         if (!header_done_) {
             hold(whole);
@@ -65,7 +65,7 @@ void Preamble::finish(Output& output, bool at_end) {
     }
     release(held_.size(), output);
     if (at_end && header_line_ > 0) {
-        hear({.only_header = true}, header_line_);
+        add_notes({.only_header = true}, header_line_);
     }
     if (at_end && !error_) {
         set_layout(nullptr, 0, output);
@@ -117,7 +117,7 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
         const HeaderLine& header = *beginning.header;
         const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
         header_line_ = number_of(header.line);
-        hear_names(header, header_line_);
+        add_notes_on_names(header, header_line_);
         if (error_) {
             held_.clear();
             return false;
@@ -169,7 +169,7 @@ void Preamble::limit(Output& output) {
     }
 }
 
-void Preamble::hear(const Said& said, std::size_t line) {
+void Preamble::add_notes(const Said& said, std::size_t line) {
     if (!options_->notes_of) {
         return;
     }
@@ -183,7 +183,7 @@ void Preamble::hear(const Said& said, std::size_t line) {
     }
 }
 
-void Preamble::hear_names(const HeaderLine& header, std::size_t line) {
+void Preamble::add_notes_on_names(const HeaderLine& header, std::size_t line) {
     Said said{.header = header.names()};
     if (layout_.positions.empty()) {
         said.names.assign(said.header.begin(), said.header.begin() + static_cast<std::ptrdiff_t>(header.width()));
@@ -194,7 +194,7 @@ void Preamble::hear_names(const HeaderLine& header, std::size_t line) {
         }
     }
     if (said.names.size() == layout_.count) {
-        hear(said, line);
+        add_notes(said, line);
     }
 }
 

@@ -48,9 +48,9 @@ private:
     void release(std::size_t bytes, Output& output);
     /// Writes lines that have waited for too long.
     void limit(Output& output);
-    /// Adds the notes on it, or ends the run.
-    void hear(const Said& said, std::size_t line);
-    void hear_names(const HeaderLine& header, std::size_t line);
+    /// Adds the notes on what the input says, or ends the run.
+    void add_notes(const Said& said, std::size_t line);
+    void add_notes_on_names(const HeaderLine& header, std::size_t line);
     /// Gives the result the names of the last selected columns, if the operation keeps names.
     void keep_names(const HeaderLine& header);
     /// Sets what is known of the layout from the first row of text on; from here on it is final.

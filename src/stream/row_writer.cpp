@@ -245,13 +245,13 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
 template <class WriteNumbers, class WriteText>
 void RowWriter::for_each_column(const ConvertedRow& row, std::size_t first, const WriteNumbers& numbers,
                                 const WriteText& text) const {
-    std::span<const double> rest = row.result.subspan(first);
+    std::span<const double> others = row.result.subspan(first);
     if (const auto& column = options_->operation->text) {
-        numbers(rest.first(column->place - first), first);
+        numbers(others.first(column->place - first), first);
         text(row.text);
-        rest = rest.subspan(column->place - first);
+        others = others.subspan(column->place - first);
     }
-    numbers(rest, row.result.size() - rest.size());
+    numbers(others, row.result.size() - others.size());
     if (options_->diagnostic_columns) {
         numbers(figures_of(row), row.result.size());
         text(notes_of(row));

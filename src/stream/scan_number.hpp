@@ -147,9 +147,10 @@ private:
     const char* at_;
 };
 
-/// Reads the number at the beginning of a text, as read_number() would, but for plus sign and blanks: the place after
-/// it, null where there is none. What is too large is infinite. A text should go on for NumberScan::reach bytes after
-/// the number: then reading it takes half the time.
+/// Reads the number at the beginning of a text as read_number() would, except that it takes no plus sign and no blanks.
+/// What is too large is infinite. If the text goes on for NumberScan::reach bytes after the number, reading it takes
+/// half the time.
+/// @return the place after the number; null if there is none
 inline const char* scan_number(const char* begin, const char* end, double& value) noexcept {
     const char* const stop = end - begin >= NumberScan::reach ? NumberScan(begin).scan(value) : nullptr;
     return stop != nullptr ? stop : scan_any_number(begin, end, value);
