@@ -27,7 +27,7 @@ enum class Error : std::uint8_t {
     singular,        ///< the representation has no rates at this attitude, or a motion has come too near to one
     coarse_step,     ///< the body may turn by more in one step than the representation can follow
     time_order,      ///< not at least 1e-100 s later than the sample before
-    past_half_turn,  ///< differences: the body may have turned by half a turn or more since the sample before
+    past_half_turn,  ///< the body may have turned by half a turn or more between two samples
     ended,           ///< an earlier row of the propagation has failed
 };
 

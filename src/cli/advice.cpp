@@ -76,9 +76,9 @@ constexpr auto filters = std::to_array<Filter>({
 });
 
 /// The beginning of a stream with a row that cannot be read, and how it can be read.
-class Beginning {
+class UnreadRows {
 public:
-    Beginning(std::string_view text, const stream::Options& options, const std::string& file)
+    UnreadRows(std::string_view text, const stream::Options& options, const std::string& file)
         : text_(text), input_(options.input),
           operation_(options.operation->in_order || options.pairing || input_.take_count ? nullptr
                                                                                          : options.operation.get()),
@@ -297,7 +297,7 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
     if (beginning.size() >= most_kept) { // its last line is cut
         beginning = beginning.substr(0, beginning.rfind('\n') + 1);
     }
-    return Beginning(beginning, options, file).advice(line - 1, has_header);
+    return UnreadRows(beginning, options, file).advice(line - 1, has_header);
 }
 
 std::string contents_advice(const std::string& path) {

@@ -20,7 +20,7 @@ double angle_between(const Rotation& a, const Rotation& b) noexcept { return ang
 std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept {
     const Vector4d p = unit(a);
     const Vector4d q = unit(b);
-    const double cosine = p.dot(q); // of half the angle between them
+    const double cosine = p.dot(q); // of the angle h between them, half that of the rotation
     if (std::abs(cosine) <= 4.0 * std::numeric_limits<double>::epsilon()) {
         return std::nullopt;
     }
@@ -28,11 +28,11 @@ std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double
     if (p == sign * q) {
         return a;
     }
-    const double half_angle = 2.0 * angle_of((p + sign * q).norm(), (p - sign * q).norm(), AngleUnit::radians).hi;
-    const double sine_of_half = sine(half_angle);
+    const double h = 2.0 * angle_of((p + sign * q).norm(), (p - sign * q).norm(), AngleUnit::radians).hi;
+    const double sine_of_h = sine(h);
     // If it underflows, the weights are linear.
-    const double of_a = sine_of_half > 0.0 ? sine((1.0 - fraction) * half_angle) / sine_of_half : 1.0 - fraction;
-    const double of_b = sine_of_half > 0.0 ? sine(fraction * half_angle) / sine_of_half : fraction;
+    const double of_a = sine_of_h > 0.0 ? sine((1.0 - fraction) * h) / sine_of_h : 1.0 - fraction;
+    const double of_b = sine_of_h > 0.0 ? sine(fraction * h) / sine_of_h : fraction;
     const Vector4d r = of_a * p + (sign * of_b) * q;
     return Rotation::near_unit(r[0], r[1], r[2], r[3]);
 }

@@ -159,7 +159,7 @@ private:
         return texts && std::ranges::all_of(*texts, is_number);
     }
 
-    /// Whether none of the selected fields is a number or a word for a missing number.
+    /// Whether none of the selected fields is a number or stands for one, and the line is not a remark.
     [[nodiscard]] bool is_header(const HeaderLine& header) const {
         const auto texts = selected(header);
         const std::string_view text = header.prefix.empty() ? header.line.text : "";

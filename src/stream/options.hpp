@@ -22,7 +22,12 @@
 
 namespace rotconv::stream {
 
-enum class HeaderMode : std::uint8_t { automatic, yes, no, add };
+enum class HeaderMode : std::uint8_t {
+    automatic, ///< there is one if its names say so: see decide()
+    yes,       ///< there is one, whatever it says
+    no,        ///< there is none
+    add,       ///< there is none, and the output gets one
+};
 
 enum class Format : std::uint8_t { csv, json, pretty, f64 };
 
