@@ -14,13 +14,14 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
       gathered_(options, layout, reference_layout), writer_(options, layout),
       nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
-void RowTransformer::transform(const PairBlock& pairs, Output& output) {
+void RowTransformer::transform(const PairBlock& pairs, Output& output, const Ordered& ordered) {
     for (auto next = pairs.rows.begin(); next != pairs.rows.end() && !output.stopped;) {
         gathered_.clear();
-        for (; next != pairs.rows.end() && gathered_.rows().size() < batch_rows; ++next) {
+        for (; next != pairs.rows.end() && gathered_.rows().size() < rows_at_once(); ++next) {
             gathered_.add(*next, pairs.errors);
         }
         const std::size_t answered = answer(true);
+        make_continuous(answered, output, ordered);
         write(output);
         give_away(answered, output);
     }

@@ -36,8 +36,8 @@ public:
     /// are made continuous once, for all rows of the text, by `ordered` if it is given. `is_end`: no row may wait.
     void transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered = {},
                    bool is_end = false);
-    /// Adds the output of pairs of rows.
-    void transform(const PairBlock& pairs, Output& output);
+    /// The same of pairs of rows.
+    void transform(const PairBlock& pairs, Output& output, const Ordered& ordered);
     /// To be called at the end: adds the output of rows that still wait.
     void finish(Output& output);
 

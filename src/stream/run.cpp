@@ -150,7 +150,7 @@ private:
             reading_ = false;
             return;
         }
-        job.ran_in_order = job.text.empty();
+        job.ran_in_order = job.text.empty() && job.pairs.rows.empty();
         jobs_.push_back(std::move(made));
         under_way_ += job.size();
         const bool shared = job.size() >= large_;
@@ -178,11 +178,11 @@ private:
             transformer.emplace(*options_, *reader_->layout(Side::stream), reader_->layout(Side::reference));
         }
         transformer->expect(job.widths);
+        const auto ordered = [this, &job](const std::function<void()>& what) { return run_in_order(job, what); };
         if (job.pairs.rows.empty()) {
-            transformer->transform(job.text, job.line, job.output,
-                                   [this, &job](const std::function<void()>& what) { return run_in_order(job, what); });
+            transformer->transform(job.text, job.line, job.output, ordered);
         } else {
-            transformer->transform(job.pairs, job.output);
+            transformer->transform(job.pairs, job.output, ordered);
         }
     }
 

@@ -187,6 +187,24 @@ TEST_CASE("continuous doubles have the same bytes with any number of threads") {
     CHECK((run("-f quat -t rpy --continuous --diagnostics off --format f64", text) == expected));
 }
 
+// Catches pairs whose numbers do not follow each other, or do so in their block alone.
+TEST_CASE("products with a reference that does not turn are the continuous numbers of the stream") {
+    const auto rows = moving_rows(15'000, true);
+    const Folder folder;
+    const auto same = folder / "same";
+    std::string lines;
+    for (int i = 0; i < 15'375; ++i) { // the bad ones too
+        lines += "1 0 0 0\n";
+    }
+    write_file(same, lines);
+    const std::string options = "-f quat -t rpy --continuous --tolerance 1 --diagnostics off --on-error nan --threads ";
+    const auto expected = run(options + "1", rows).out;
+    CHECK(expected.size() > 100'000);
+    for (const std::string threads : {"1", "3"}) {
+        CHECK((run("compose " + options + threads + " - " + same.string(), rows).out == expected));
+    }
+}
+
 // Catches a thread that waits for its turn while the input is open.
 TEST_CASE("a continuous row is answered before the next one is sent") {
     Process process(words_of("-f rpy:deg -t rpy:deg --continuous --threads 4 -p 12"));
