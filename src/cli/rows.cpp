@@ -262,9 +262,12 @@ stream::RunResult run_silently(const RowsCommand& command, const Operation& oper
 
 /// See RowsResult. A pipe cannot be read again.
 void look_again(const RowsCommand& command, const Operation& operation) {
+    if (command.source) {
+        return;
+    }
     const auto files = open_inputs(command);
     const auto can_be_read = [](const auto& file) { return file->is_open() && file->is_regular(); };
-    if (!command.source && std::ranges::all_of(files, can_be_read)) {
+    if (std::ranges::all_of(files, can_be_read)) {
         static_cast<void>(run_silently(command, operation, nullptr, files));
     }
 }

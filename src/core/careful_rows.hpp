@@ -124,7 +124,7 @@ template <class T, class Function> void for_each_careful_row(const Spec& spec, c
     }
 }
 
-/// The attitude of a row, or its inverse, turned; its largest component was of size 1/2 to 1.
+/// The attitude of a row, or its inverse, between the fixed rotations; its largest component was of size 1/2 to 1.
 inline void read_carefully(const Spec& spec, const double* numbers, bool inverse, const FixedRotations& all,
                            Careful (&q)[4]) noexcept {
     double moved[2][9 * batch_rows];

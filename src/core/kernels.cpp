@@ -40,7 +40,7 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
 
 // The functions of the table.
 
-/// The attitudes of plain rows, or their inverses, turned.
+/// The attitudes of plain rows, or their inverses, between the fixed rotations.
 template <class T> void read_plainly(const Spec& spec, bool inverse, const FixedRotations& all, const double* numbers,
                                      std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
     double moved[2][9 * batch_rows];
@@ -193,7 +193,7 @@ void convert_in_phases(const ConversionBatch& batch, const double* in, std::size
     }
 }
 
-/// The attitudes that rows describe, turned, to 106 bits.
+/// The attitudes that rows describe, between the fixed rotations, to 106 bits.
 void read_upright(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
                   AttitudeBatch<DoubleDouble>& attitudes) noexcept {
     read_plainly(spec, spec.passive, fixed, numbers, rows, attitudes);

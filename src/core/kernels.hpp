@@ -61,7 +61,7 @@ struct KernelTable {
     bool (*convert_first)(const ConversionBatch& batch, const double* in, std::size_t rows,
                           AttitudeBatch<double>& attitudes, double* out, bool* open) noexcept;
     Convert* convert_fast; ///< in plain double
-    /// The attitudes that rows describe, turned, then rounded once.
+    /// The attitudes that rows describe, between the fixed rotations, then rounded once.
     void (*read)(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
                  AttitudeBatch<double>& attitudes) noexcept;
     /// See relate(); angles below 2^-100 need not be right.

@@ -76,15 +76,17 @@ private:
         for (const RowReport& report : more) {
             RowReport& merged = report_of(report.row, reports);
             RowReport both = merged.error != Error::none ? merged : report;
+            if (!merged.parts.empty()) { // a part before has reported the row
+                both.diagnostics |= merged.diagnostics;
+                both.diagnostics |= report.diagnostics;
+                both.sensitivity = {std::min(merged.sensitivity.margin, report.sensitivity.margin),
+                                    std::max(merged.sensitivity.condition, report.sensitivity.condition)};
+                both.deviation = std::max(merged.deviation, report.deviation);
+                both.openness = std::max(merged.openness, report.openness);
+            }
             both.parts = std::move(merged.parts);
             both.parts.resize(parts_.size());
             both.parts[part] = {report.diagnostics, report.sensitivity, report.openness};
-            both.diagnostics |= merged.diagnostics;
-            both.diagnostics |= report.diagnostics;
-            both.sensitivity = {std::min(merged.sensitivity.margin, report.sensitivity.margin),
-                                std::max(merged.sensitivity.condition, report.sensitivity.condition)};
-            both.deviation = std::max(merged.deviation, report.deviation);
-            both.openness = std::max(merged.openness, report.openness);
             merged = std::move(both);
         }
     }

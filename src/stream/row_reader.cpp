@@ -216,10 +216,11 @@ std::string RowReader::selected_text(std::string_view row) const {
         return fmt::format("{}", fmt::join(parts.numbers, delimiter));
     }
     static_cast<void>(layout_->delimiter.split(row, parts.fields));
+    std::vector<std::string_view> selected;
     for (const std::size_t at : layout_->positions) {
-        parts.keys.push_back(parts.fields[at]);
+        selected.push_back(parts.fields[at]);
     }
-    return fmt::format("{}", fmt::join(parts.keys, delimiter));
+    return fmt::format("{}", fmt::join(selected, delimiter));
 }
 
 } // namespace rotconv::stream

@@ -213,7 +213,7 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
     const std::size_t room =
         room_for(width, digits) +
         (text != nullptr ? std::ranges::max(text->texts, {}, &std::string::size).size() + most_around : 0);
-    std::vector<std::string_view> last(width);
+    std::vector<std::string_view> last(text != nullptr ? width : 0);
     for (const Row& row : rows) {
         if (text != nullptr) {
             to.reserve(to.size() + count * (room + row.line.text.size() + most_around)); // `last` stays valid
@@ -268,7 +268,8 @@ void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
             }
         };
         const auto numbers = [&](std::span<const double> values, std::size_t first) {
-            if (open_ends_.empty() && !values.empty()) {
+            const bool are_figures = first == row.result.size();
+            if ((open_ends_.empty() || are_figures) && !values.empty()) {
                 begin();
                 append_numbers(to, values, delimiter, options_->digits);
                 return;

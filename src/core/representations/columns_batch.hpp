@@ -13,7 +13,6 @@ inline namespace ROTCONV_TARGET {
 ///     directions(const T (&numbers)[size], T (&first)[3], T (&second)[3])   vectors along the columns
 ///     columns(const double (&numbers)[size], double (&columns)[6])          the columns themselves
 template <class Formula, std::size_t size> struct ReadByColumns {
-
     template <class T> ROTCONV_INLINE static void quaternion_of(const double* numbers, T (&q)[4]) noexcept {
         T first[3];
         T second[3];

@@ -115,7 +115,7 @@ constexpr Kernel kernel_of_formula{.size = Formula::size,
 template <class Formula, std::size_t count> struct WrittenByFormula {
     static constexpr std::size_t size = count;
 
-    /// The row's diagnostics; it may replace numbers, which may be rounded.
+    /// The row's diagnostics; it may replace numbers, doubles or of type T.
     template <class T, class Number>
     ROTCONV_INLINE static DiagnosticSet complete(const T (&/*q*/)[4], Number* /*numbers*/) noexcept {
         return {};
