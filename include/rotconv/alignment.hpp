@@ -17,7 +17,8 @@ struct ConstantRotations {
 
     /// left attitude right.
     Rotation operator()(const Rotation& attitude) const noexcept { return left * attitude * right; }
-    [[nodiscard]] bool are_identity() const noexcept { return left.is_identity() && right.is_identity(); }
+    /// How many of them are not the identity.
+    [[nodiscard]] int count() const noexcept { return (left.is_identity() ? 0 : 1) + (right.is_identity() ? 0 : 1); }
 };
 
 /// The mean of rotations: the one from which the sum of the squared sines of the half angles is least, the eigenvector

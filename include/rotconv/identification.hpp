@@ -96,7 +96,7 @@ public:
     /// The count of rows so far, without those with an error.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
     [[nodiscard]] bool fits(const Candidate& candidate) const noexcept {
-        const std::size_t looked_at = candidate.constant.are_identity() ? rows_ : kept_rows_.size();
+        const std::size_t looked_at = candidate.constant.count() == 0 ? rows_ : kept_rows_.size();
         return rows_ > 0 && candidate.rows >= looked_at && candidate.angle <= settings_.within;
     }
     /// The candidates that were tried on the most rows first; among these, in order of their angles.

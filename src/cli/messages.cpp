@@ -198,7 +198,7 @@ std::string explain(const stream::ColumnError& error, std::string_view subject) 
         return fmt::format("{} is neither an index from 1, nor a range such as 5-8, nor a name", quoted(error.text));
     case What::wrong_count:
         return fmt::format("{} selects {} where {} has {}", quoted(error.text), counted(error.count, "column"), subject,
-                           counted(error.fields, "number"));
+                           counted(error.wanted, "number"));
     case What::twice: return fmt::format("column {} is selected twice", quoted(error.text));
     case What::missing:
         return fmt::format("not a header: the row lacks the selected columns {} (it has {}){}: {}",

@@ -208,9 +208,7 @@ Verdict Identification::verdict() const {
         verdict.rotated = rotated();
         verdict.fitting = verdict.rotated.size();
     }
-    const bool has_both = verdict.fitting == 1 && !verdict.rotated.empty() &&
-                          !verdict.rotated[0].constant.left.is_identity() &&
-                          !verdict.rotated[0].constant.right.is_identity();
+    const bool has_both = verdict.fitting == 1 && !verdict.rotated.empty() && verdict.rotated[0].constant.count() == 2;
     if (verdict.fitting > 1 || (has_both && !determines_both())) {
         verdict.ambiguity = ambiguity(verdict);
     } else if (verdict.fitting == 1) {
@@ -334,7 +332,7 @@ Attitudes Identification::meaning_of(const Candidate& candidate) const {
 }
 
 Candidate Identification::as_written(const Candidate& candidate) const {
-    if (candidate.is_plain() && candidate.constant.are_identity()) {
+    if (candidate.is_plain() && candidate.constant.count() == 0) {
         return candidate;
     }
     const Attitudes meaning = meaning_of(candidate);
@@ -368,7 +366,7 @@ Candidate Identification::as_written(const Candidate& candidate) const {
             }
         }
     }
-    if (candidate.constant.are_identity()) {
+    if (candidate.constant.count() == 0) {
         return candidate;
     }
     // The fewest rotations, first those of axes; of equals a plain name.
@@ -385,8 +383,7 @@ Candidate Identification::as_written(const Candidate& candidate) const {
         const auto& [left, right] = constant;
         made.constant = {angle_of(left) <= rounding ? Rotation() : left,
                          angle_of(right) <= rounding ? Rotation() : right};
-        const std::pair rank(!is_named,
-                             (made.constant.left.is_identity() ? 0 : 1) + (made.constant.right.is_identity() ? 0 : 1));
+        const std::pair rank(!is_named, made.constant.count());
         if (rank < least && largest_angle(constant, own, meaning).angle <= rounding) {
             least = rank;
             best = made;

@@ -118,6 +118,15 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
 
 } // namespace
 
+stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows) {
+    stream::RowNumbers numbers = attitude_numbers(first, rows.by_key);
+    if (!rows.paired) {
+        numbers.names = concatenated(numbers.names, names_of(second));
+        numbers.second = second;
+    }
+    return numbers;
+}
+
 RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& second,
                      const ConversionSettings& settings) {
     if (columns.interpolates) {

@@ -3,15 +3,6 @@
 
 namespace rotconv::operations {
 
-stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows) {
-    stream::RowNumbers numbers = attitude_numbers(first, rows.by_key);
-    if (!rows.paired) {
-        numbers.names = concatenated(numbers.names, names_of(second));
-        numbers.second = second;
-    }
-    return numbers;
-}
-
 Operation compose(const Composition& composition, const PairedRows& rows, bool continuous) {
     const Spec& first = composition.first();
     const Spec& to = composition.to();

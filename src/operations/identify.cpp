@@ -4,7 +4,6 @@
 #include "operations.hpp"
 
 namespace rotconv::operations {
-
 namespace {
 
 stream::RowNumbers numbers_of(const IdentificationRows& rows) {

@@ -72,7 +72,7 @@ std::variant<ColumnList, ColumnError> ColumnList::parse(std::string_view list, s
         }
     }
     if (counted != count) {
-        return ColumnError{What::wrong_count, std::string(list), counted, count};
+        return ColumnError{.what = What::wrong_count, .text = std::string(list), .count = counted, .wanted = count};
     }
     std::vector<std::size_t> indices;
     for (const Item& item : made.items_) {

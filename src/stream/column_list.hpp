@@ -15,7 +15,8 @@ struct ColumnError {
     What what = What::not_an_item;
     std::string text;                   ///< the item at fault, or the row that lacks names or has another width
     std::size_t count = 0;              ///< how many columns the list names, or the header
-    std::size_t fields = 0;             ///< the row's count, if it is another than that, or the count that is wanted
+    std::size_t fields = 0;             ///< the row's count, if it is another than that
+    std::size_t wanted = 0;             ///< how many the list should name
     std::vector<std::string> lacking{}; ///< names that the row lacks
     std::vector<std::string> present{}; ///< names that the row has
     std::vector<std::string> header{};  ///< all names of the header that lacks them, if there is one

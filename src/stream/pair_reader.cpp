@@ -28,8 +28,8 @@ void PairReader::Stream::read_block(Job& job) {
             *text = std::move(bytes);
         }
         const std::size_t end = text->size();
-        text->resize(end + RowReader::room_behind); // zeros
-        std::fill(text->begin() + end, text->end(), '\0');
+        text->resize(end + RowReader::room_behind);
+        std::fill(text->begin() + end, text->end(), '\0'); // none of the input's bytes
         unread = {text->data() + end - size, size};
         texts.push_back(std::move(text));
         line = job.line;

@@ -31,11 +31,9 @@ double norm_of(const Row& row, const RowReport& report, const GatheredRows& rows
     if (!read.attitude || read.attitude->name != RepresentationId::quat) {
         return 0.0;
     }
-    const std::size_t first_size = layout.count - read.kept;
-    const auto q = rows.numbers_of(row).subspan(report.of_later       ? first_size + 4
-                                                : report.of_reference ? first_size
-                                                                      : 0,
-                                                4);
+    const PairColumns columns{.first_size = layout.count - read.kept, .second_size = 4};
+    const std::size_t first = report.of_later ? columns.later() : report.of_reference ? columns.first_size : 0;
+    const auto q = rows.numbers_of(row).subspan(first, 4);
     const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
     double squares = 0.0; // scaled, so that they neither overflow nor underflow
     for (const double number : q) {

@@ -161,11 +161,12 @@ ReadKey RowReader::key_of(std::string_view text) const {
 }
 
 std::optional<std::string> RowReader::key(std::string_view row, RowParts& to) const {
-    if (options_->width > 0) {
-        read_doubles(row, to.numbers);
-        return number_text(to.numbers[to.numbers.size() - layout_->count]);
-    }
     const std::size_t first = position(0);
+    if (options_->width > 0) {
+        double number = 0.0;
+        std::memcpy(&number, row.data() + first * sizeof(double), sizeof(double));
+        return number_text(number);
+    }
     const Delimiter delimiter = layout_->delimiter;
     if (first == 0 && !delimiter.is_blanks() && row.find('"') == std::string_view::npos) {
         return std::string(delimiter.text_of(row.substr(0, row.find(delimiter.text()))));
