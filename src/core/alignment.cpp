@@ -21,7 +21,7 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Entries = Eigen::Matrix<double, 16, 1>;
-using Step = Eigen::Matrix<double, 6, 1>; ///< after the remainder, half an angle, and after the turn, an angle
+using Step = Eigen::Matrix<double, 6, 1>; ///< after the remainder, half an angle, and after the change, an angle
 using Products = Eigen::Map<const Eigen::Matrix<double, 16, 16>>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -36,17 +36,18 @@ Matrix4d product_by(const Vector4d& q) noexcept {
 }
 
 /// The constant rotations on both sides, from the first pair on: with the rotation q from the first attitude to another
-/// and k from the first known one, k = remainder (turn q turn'), where the remainder is near the identity if the first
-/// pair is good. So each number in the sums has the digits of its own size, and small motions keep theirs. With them
-/// the sum of the squared cosines of the half angles that they leave, x' G x where x are the 16 entries of the matrix
-/// of `remainder (turn q turn')` in the components of q, and its derivatives.
+/// and k from the first known one, k = remainder (change q change'), where the remainder is near the identity if the
+/// first pair is good. So each number in the sums has the digits of its own size, and small motions keep theirs. With
+/// them the sum of the squared cosines of the half angles that they leave, x' G x where x are the 16 entries of the
+/// matrix of `remainder (change q change')` in the components of q, and its derivatives.
 class BothSides {
 public:
-    BothSides(const Products& products, const Rotation& remainder, const Rotation& turn) noexcept
-        : remainder_(remainder), turn_(turn) {
+    BothSides(const Products& products, const Rotation& remainder, const Rotation& change) noexcept
+        : remainder_(remainder), change_(change) {
         const Matrix4d left = product_by(unit(remainder));
-        const Matrix4d right = conjugation_by(turn);
-        // Factors before and after `left`: 1, and the derivatives by turns after the remainder and after the turn.
+        const Matrix4d right = conjugation_by(change);
+        // Factors before and after `left`: 1, and the derivatives by rotations after the remainder and after the
+        // change.
         const auto outer = [](Index i) { return product_by(Vector4d::Unit(i < 4 ? i : 0)); };
         const auto inner = [](Index i) {
             Matrix4d matrix = product_by(Vector4d::Unit(i < 4 ? 0 : i - 3));
@@ -77,12 +78,12 @@ public:
         }
     }
 
-    /// With a turn and the best remainder.
-    BothSides(const Products& products, const Rotation& turn) noexcept
-        : BothSides(products, best_remainder(products, turn), turn) {}
+    /// With a change and the best remainder.
+    BothSides(const Products& products, const Rotation& change) noexcept
+        : BothSides(products, best_remainder(products, change), change) {}
 
     [[nodiscard]] const Rotation& remainder() const noexcept { return remainder_; }
-    [[nodiscard]] const Rotation& turn() const noexcept { return turn_; }
+    [[nodiscard]] const Rotation& change() const noexcept { return change_; }
     [[nodiscard]] double sum() const noexcept { return sum_; }
     /// The least second derivative of the sum's negative, halved.
     [[nodiscard]] double least_curvature() const noexcept { return Eigensystem<6>(curvature_).values[0]; }
@@ -103,27 +104,27 @@ public:
     }
     [[nodiscard]] BothSides after(const Products& products, const Step& step) const noexcept {
         return {products, rotation({1.0, step[0], step[1], step[2]}) * remainder_,
-                rotation({2.0, step[3], step[4], step[5]}) * turn_};
+                rotation({2.0, step[3], step[4], step[5]}) * change_};
     }
 
 private:
-    /// The matrix of turn q turn' in the components of q.
-    static Matrix4d conjugation_by(const Rotation& turn) noexcept {
+    /// The matrix of change q change' in the components of q.
+    static Matrix4d conjugation_by(const Rotation& change) noexcept {
         Matrix4d matrix = Matrix4d::Identity();
-        matrix.bottomRightCorner<3, 3>() = dcm::from_rotation(turn);
+        matrix.bottomRightCorner<3, 3>() = dcm::from_rotation(change);
         return matrix;
     }
-    static Rotation best_remainder(const Products& products, const Rotation& turn) noexcept {
+    static Rotation best_remainder(const Products& products, const Rotation& change) noexcept {
         Eigen::Matrix<double, 16, 4> x;
         for (Index i = 0; i < 4; ++i) {
-            x.col(i) = (product_by(Vector4d::Unit(i)) * conjugation_by(turn)).reshaped();
+            x.col(i) = (product_by(Vector4d::Unit(i)) * conjugation_by(change)).reshaped();
         }
         const Eigen::Matrix<double, 16, 4> y = products.lazyProduct(x);
         return rotation(Eigensystem<4>(x.transpose().lazyProduct(y)).vectors.col(3));
     }
 
     Rotation remainder_;
-    Rotation turn_;
+    Rotation change_;
     double sum_ = 0.0;
     Step slope_;                            ///< halved
     Eigen::Matrix<double, 6, 6> curvature_; ///< halved, of the sum's negative
@@ -150,7 +151,7 @@ BothSides peak_from(const Products& products, BothSides sides) noexcept {
     return sides;
 }
 
-/// The turn that aligns the vectors sin(theta/2) cos(theta/2) n of the rotations from the first pair.
+/// The change of axes that aligns the vectors sin(theta/2) cos(theta/2) n of the rotations from the first pair.
 Rotation of_vectors(const Products& products) noexcept {
     const Matrix4d m = products.col(0).reshaped<Eigen::ColMajor>(4, 4); // of k q' times the product of their scalars
     const Davenport<double> k({m(1, 1), m(1, 2), m(1, 3), m(2, 1), m(2, 2), m(2, 3), m(3, 1), m(3, 2), m(3, 3)});
@@ -268,7 +269,7 @@ Alignment::Found Alignment::find_both() const {
     }
     // Errors alone give a curvature of about what is left over the root of the count.
     const double left = count - best.sum() + 64.0 * eps * count;
-    return {{first_known_ * best.remainder() * best.turn() * first_attitude_.inverse(), best.turn().inverse()},
+    return {{first_known_ * best.remainder() * best.change() * first_attitude_.inverse(), best.change().inverse()},
             best.least_curvature() * std::sqrt(count) > 4.0 * left};
 }
 

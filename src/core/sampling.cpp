@@ -91,8 +91,8 @@ Quaternion near_lock(Draws& draws, EulerSequence sequence, bool is_exact) {
     const double sign = draws.sign();
     Quaternion q{large.x, large.y, factor * little.x, factor * little.y}; // w, along i, along j and along the third
     if (!sequence.proper()) {
-        const double turn = (i + 1) % 3 == j ? sign : -sign; // by whether i, j and the third are right-handed
-        q = {q[0] - sign * q[2], q[1] - turn * q[3], q[2] + sign * q[0], q[3] + turn * q[1]};
+        const double handed = (i + 1) % 3 == j ? sign : -sign; // by whether i, j and the third are right-handed
+        q = {q[0] - sign * q[2], q[1] - handed * q[3], q[2] + sign * q[0], q[3] + handed * q[1]};
     } else if (sign < 0.0) {
         std::swap(q[0], q[2]);
         std::swap(q[1], q[3]);
@@ -189,13 +189,13 @@ void Sampler::run(std::span<const double> rows, std::span<double> out) {
 Quaternion Sampler::attitude_of(std::uint64_t row) const {
     static const auto sequences = EulerSequence::all();
     const SampleKind kind = settings_.kinds[row % settings_.kinds.size()];
-    const auto turn = static_cast<std::size_t>(row / settings_.kinds.size());
+    const auto round = static_cast<std::size_t>(row / settings_.kinds.size());
     Draws draws(settings_.seed, row, false);
     const bool is_exact = draws.one_in(8) && representation(conversion_.to().name).has_half_turns;
     if (kind == SampleKind::cube) {
-        return cube_[turn % cube_.size()];
+        return cube_[round % cube_.size()];
     }
-    Quaternion q = kind == SampleKind::lock ? near_lock(draws, sequences.at(turn % sequences.size()), is_exact)
+    Quaternion q = kind == SampleKind::lock ? near_lock(draws, sequences.at(round % sequences.size()), is_exact)
                                             : draws.unit_quaternion();
     if (kind == SampleKind::small) { // the tangent of half of the angle
         multiply(std::span(q).subspan(1), draws.distance(deepest));

@@ -113,21 +113,21 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
         return wrong(What::unknown_name, parts[0]);
     }
     Spec spec{.name = found->name};
-    auto rest = std::span(parts).subspan(1);
+    auto following = std::span(parts).subspan(1);
     if (found->takes_sequence) {
-        if (rest.empty()) {
+        if (following.empty()) {
             return wrong(What::no_sequence, text);
         }
-        const auto of_preset = meaning_of(rest[0], *found).sequence;
-        const auto sequence = of_preset ? of_preset : EulerSequence::parse(rest[0]);
+        const auto of_preset = meaning_of(following[0], *found).sequence;
+        const auto sequence = of_preset ? of_preset : EulerSequence::parse(following[0]);
         if (!sequence) {
-            return wrong(What::unknown_sequence, rest[0]);
+            return wrong(What::unknown_sequence, following[0]);
         }
         spec.sequence = *sequence;
         spec.has_own_columns = of_preset.has_value();
-        rest = rest.subspan(of_preset ? 0 : 1); // the word is read once more, as a preset
+        following = following.subspan(of_preset ? 0 : 1); // the word is read once more, as a preset
     }
-    for (const std::string_view part : rest) {
+    for (const std::string_view part : following) {
         if (const auto preset = std::ranges::find(presets(), part, &Project::text); preset != presets().end()) {
             if (spec.project != nullptr && spec.project != &*preset) {
                 return wrong(What::second_preset, part);
@@ -142,7 +142,7 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
         }
         spec.apply({*modifier});
     }
-    if (spec.scalar_last && std::ranges::count(rest, name_of(Modifier::wxyz)) != 0) {
+    if (spec.scalar_last && std::ranges::count(following, name_of(Modifier::wxyz)) != 0) {
         return wrong(What::two_orders, text);
     }
     return spec;

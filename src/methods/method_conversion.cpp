@@ -67,9 +67,9 @@ void put_in_range(const Spec& to, double* angles) noexcept {
 } // namespace
 
 MethodConversion::MethodConversion(const Conversion& own)
-    : own_(own), turned_(own.settings().left.is_identity() && own.settings().right.is_identity()
-                             ? std::nullopt
-                             : std::optional(Conversion(own.from(), Spec{}, change_of(own.settings())))) {}
+    : own_(own), rotated_(own.settings().left.is_identity() && own.settings().right.is_identity()
+                              ? std::nullopt
+                              : std::optional(Conversion(own.from(), Spec{}, change_of(own.settings())))) {}
 
 MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
     if (!method.serves(from().name, to().name)) {
@@ -119,8 +119,8 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
     }
     const std::span<const double> answers(numbers_of(fast_ ? 0 : 2).data(), count * rows * size);
     angles.resize(rows * count);
-    const auto turned = turned_ ? rotconv::run(*turned_, in) : std::vector<double>();
-    measure(turned_ ? turned : in, answers, count, angles);
+    const auto rotated = rotated_ ? rotconv::run(*rotated_, in) : std::vector<double>();
+    measure(rotated_ ? rotated : in, answers, count, angles);
 
     reports.clear();
     for (std::size_t i = 0, next = 0; i < rows; ++i) {
@@ -158,7 +158,7 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
 std::vector<double> MethodConversion::starting_numbers(std::span<const double> in) const {
     const bool is_inverted = from().passive != to().passive;
     // An attitude that was changed by --left or --right has no input numbers, nor has the inverse of two columns.
-    if (turned_ || (is_inverted && from().name == RepresentationId::two_column)) {
+    if (rotated_ || (is_inverted && from().name == RepresentationId::two_column)) {
         return rotconv::run({from(), {.name = from().name, .passive = to().passive}, change_of(own_.settings())}, in);
     }
     std::vector<double> numbers(in.size());
@@ -194,7 +194,7 @@ void MethodConversion::run_method(const Method& method, std::span<const double> 
 void MethodConversion::measure(std::span<const double> attitudes, std::span<const double> answers, std::size_t count,
                                std::span<double> angles) const {
     const KernelTable& kernels = kernel_table();
-    const Spec spec = turned_ ? Spec{} : from();
+    const Spec spec = rotated_ ? Spec{} : from();
     const std::size_t all = attitudes.size() / spec.size();
     AttitudeBatch<double> relative;
     std::array<double, batch_rows> sizes;

@@ -49,8 +49,8 @@ private:
                  std::span<double> angles) const;
 
     Conversion own_;
-    std::optional<Conversion> turned_; ///< to quaternions, if own_ turns the attitudes
-    std::optional<Conversion> fast_;   ///< the answer after own_'s, if all are wanted
+    std::optional<Conversion> rotated_; ///< to quaternions, if own_ rotates the attitudes
+    std::optional<Conversion> fast_;    ///< the answer after own_'s, if all are wanted
     std::vector<const Method*> published_;
 };
 

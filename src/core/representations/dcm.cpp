@@ -127,9 +127,9 @@ double defect_of_matrix(const double* matrix) noexcept {
     // The eigenvalues are s^2 - 1 for the singular values s, without cancellation: the roots of a cubic, as cosines of
     // a third of an angle (Smith 1961).
     const double mean = excess.trace() / 3.0;
-    const Matrix3d rest = excess - mean * Matrix3d::Identity();
-    const double size = std::sqrt(rest.squaredNorm() / 6.0);
-    const double cosine = size == 0.0 ? 0.0 : std::clamp(0.5 * (rest * (1.0 / size)).determinant(), -1.0, 1.0);
+    const Matrix3d deviator = excess - mean * Matrix3d::Identity();
+    const double size = std::sqrt(deviator.squaredNorm() / 6.0);
+    const double cosine = size == 0.0 ? 0.0 : std::clamp(0.5 * (deviator * (1.0 / size)).determinant(), -1.0, 1.0);
     return std::max(distance_from_one(mean - size * largest_root(-cosine)),
                     distance_from_one(mean + size * largest_root(cosine)));
 }
