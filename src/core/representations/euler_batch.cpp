@@ -243,11 +243,13 @@ struct Angles {
     }
 
     /// In Approximate. With Q = |q|, so that C^2 + S^2 = 2 Q^2, and r = max(C, S)/min(C, S):
-    /// - A sum of two components is off by 2^-103 Q, from the sum of their low parts, and in the exact kernel by 2^-97
-    /// Q
-    ///   where it is cleaned to 0. A vector of length C S is off by C + S times that, and by 2^-97 C S from what its
-    ///   own sums are cleaned of; its products' errors are far below. Together that turns it by less than 2^-95 r.
-    /// - angles_of() adds 2^-65 of the angle at most, degrees and whole turns 2^-102.
+    ///
+    /// A sum of two components is off by 2^-103 Q, from the sum of their low parts, and in the exact kernel by 2^-97 Q
+    /// where it is cleaned to 0. A vector of length C S is off by C + S times that, and by 2^-97 C S from what its own
+    /// sums are cleaned of; its products' errors are far below. Together that turns it by less than 2^-95 r.
+    ///
+    /// angles_of() adds 2^-65 of the angle at most, degrees and whole turns 2^-102.
+    ///
     /// An angle that rounds alike within all that has the exact kernel's number. An angle of 0 never does. It is the
     /// exact kernel's too where sums of components are exact: their products are then near enough for it to clean.
     template <class Axes> static void write_first_of(const Spec& spec, double lock_margin,
