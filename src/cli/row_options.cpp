@@ -288,7 +288,7 @@ void RowOptions::pair(RowsCommand& command, const Spec& reference) const {
     if (!is_paired()) {
         return;
     }
-    const stream::RowNumbers numbers = operations::attitude_numbers(reference, is_by_key());
+    const stream::RowNumbers numbers = operations::pair_numbers(operations::attitude_numbers(reference), paired_rows());
     const bool has_own_columns = reference_columns.given();
     const SelectedColumns selected =
         with_key({.list = (has_own_columns ? reference_columns : columns).text(),

@@ -20,7 +20,7 @@ void scatter(std::span<const double> from, std::size_t size, std::span<const std
 class Between {
 public:
     /// See of_pairs().
-    Between(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& reference,
+    Between(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& reference,
             const ConversionSettings& settings)
         : at_(std::move(at)), between_(std::move(between)), columns_(columns),
           reading_(
@@ -70,9 +70,9 @@ void Between::operator()(const stream::NumberRows& pairs, std::span<double> out,
             append(some.numbers, row.subspan(columns_.first_size, columns_.second_size));
         }
     }
-    const std::size_t size = at_.function.outputs;
+    const std::size_t size = out.size() / std::max<std::size_t>(count, 1);
     for (SomeRows* some : {&at_, &between_}) {
-        some->run(out, size, rest);
+        some->run(size, out, size, rest);
         for (const RowReport& report : some->reports) { // the row's own error comes before those of the neighbours
             RowReport& found = report_of(report.row, reports);
             found = found.error != Error::none && report.error == Error::none ? found : report;
@@ -118,21 +118,12 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
 
 } // namespace
 
-stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows) {
-    stream::RowNumbers numbers = attitude_numbers(first, rows.by_key);
-    if (!rows.paired) {
-        numbers.names = concatenated(numbers.names, names_of(second));
-        numbers.second = second;
-    }
-    return numbers;
-}
-
-RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns, const Spec& second,
+RowFunction of_pairs(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& second,
                      const ConversionSettings& settings) {
     if (columns.interpolates) {
         return Between(std::move(at), std::move(between), columns, second, settings);
     }
-    return std::move(at.run);
+    return at;
 }
 
 RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
@@ -140,13 +131,13 @@ RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
     return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
 }
 
-void SomeRows::run(std::span<double> to, std::size_t width, std::span<double> rest) {
-    out.resize(rows.size() * function.outputs);
+void SomeRows::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {
+    out.resize(rows.size() * size);
     out_rest.resize(rest.empty() ? 0 : out.size());
-    function.run({numbers, {}}, out, reports, out_rest);
-    scatter(out, function.outputs, rows, to, width);
+    function({numbers, {}}, out, reports, out_rest);
+    scatter(out, size, rows, to, width);
     if (!rest.empty()) {
-        scatter(out_rest, function.outputs, rows, rest, width);
+        scatter(out_rest, size, rows, rest, width);
     }
     std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
 }

@@ -24,34 +24,25 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
 /// The report on the row among reports in the order of the rows; an empty one is added if there is none.
 [[nodiscard]] RowReport& report_of(std::size_t row, std::vector<RowReport>& reports);
 
-/// The numbers of a row of the stream: of both attitudes, or of the first if the second comes from a reference.
-[[nodiscard]] stream::RowNumbers pair_numbers(const Spec& first, const Spec& second, const PairedRows& rows);
-
-/// A function of rows of two attitudes.
-struct PairFunction {
-    RowFunction run;
-    std::size_t outputs = 0; ///< numbers of each row of `out`, and of `rest`
-};
-
-/// The function of rows as they are read: with both neighbours, if the reference is interpolated. A row between
-/// neighbours that are a half-turn apart has the error past_half_turn.
+/// The function of rows of two attitudes as they are read: with both neighbours, if the reference is interpolated. A
+/// row between neighbours that are a half-turn apart has the error past_half_turn.
 /// @param at takes the second attitude as it is read, and `between` as a quaternion
 /// @param settings how neighbours are read
-[[nodiscard]] RowFunction of_pairs(PairFunction at, PairFunction between, const stream::PairColumns& columns,
+[[nodiscard]] RowFunction of_pairs(RowFunction at, RowFunction between, const stream::PairColumns& columns,
                                    const Spec& second, const ConversionSettings& settings);
 
 /// A function of some of the rows at hand.
 struct SomeRows {
-    explicit SomeRows(PairFunction of_pairs) : function(std::move(of_pairs)) {}
+    explicit SomeRows(RowFunction of_pairs) : function(std::move(of_pairs)) {}
 
     void clear() noexcept {
         rows.clear();
         numbers.clear();
     }
-    /// Puts the results in their places among rows of `width` numbers; `rest` may be empty.
-    void run(std::span<double> to, std::size_t width, std::span<double> rest = {});
+    /// Puts the results, of `size` numbers each, in their places among rows of `width` numbers; `rest` may be empty.
+    void run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest = {});
 
-    PairFunction function;
+    RowFunction function;
     std::vector<std::size_t> rows; ///< their indices among all rows
     std::vector<double> numbers;
     std::vector<double> out;

@@ -16,8 +16,6 @@ namespace {
 constexpr std::size_t numbers_of_pair = 9;
 constexpr double no_angle = std::numeric_limits<double>::quiet_NaN();
 
-PairFunction pair_function_of(const Comparison& comparison) { return {function_of(comparison), comparison.outputs()}; }
-
 /// Compares the rotations from each pair of attitudes to the N-th pair after it. Remembers N pairs.
 class RelativeComparison {
 public:
@@ -27,7 +25,7 @@ public:
               settings.reading.right = {};
               settings.reading.tolerance = any_defect;
               settings.attitudes = false;
-              return pair_function_of(Comparison({}, {}, settings));
+              return function_of(Comparison({}, {}, settings));
           }()) {}
 
     /// @param compared rows of an angle, nan if there is none, and both attitudes
@@ -53,7 +51,7 @@ public:
             }
             place = pair;
         }
-        rotations_.run(out, out_width);
+        rotations_.run(1, out, out_width);
         for (const RowReport& report : rotations_.reports) {
             RowReport& of_attitudes = report_of(report.row, reports);
             of_attitudes.diagnostics |= report.diagnostics;
@@ -82,9 +80,8 @@ Operation compare(const Comparison& comparison, const ComparisonRows& rows) {
     }
     settings.attitudes = rows.with_attitudes || rows.delta > 0;
     const Comparison compares(comparison.from(), reference, settings);
-    RowFunction function =
-        of_pairs(pair_function_of(compares), pair_function_of(Comparison(comparison.from(), Spec{}, settings)),
-                 rows.columns(comparison.from(), reference), reference, settings.reading);
+    RowFunction function = of_pairs(function_of(compares), function_of(Comparison(comparison.from(), Spec{}, settings)),
+                                    rows.columns(comparison.from(), reference), reference, settings.reading);
     const std::size_t width = rows.with_attitudes ? numbers_of_pair : 1;
     if (relative) {
         function = [pairs = std::move(function), room = std::vector<double>(), relative = *std::move(relative),
@@ -97,8 +94,8 @@ Operation compare(const Comparison& comparison, const ComparisonRows& rows) {
     }
     std::vector<std::string> names{"angle"};
     names.resize(width);
-    auto made = std::make_shared<RowsAtOnce>(std::move(function), pair_numbers(comparison.from(), reference, rows),
-                                             std::move(names));
+    auto made = std::make_shared<RowsAtOnce>(
+        std::move(function), pair_numbers(attitude_numbers(comparison.from()), rows, reference), std::move(names));
     made->unit = rows.unit;
     made->in_order = rows.delta > 0;
     return made;

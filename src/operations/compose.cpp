@@ -7,10 +7,10 @@ Operation compose(const Composition& composition, const PairedRows& rows, bool c
     const Spec& first = composition.first();
     const Spec& to = composition.to();
     const RowFunction between = function_of(Composition(first, Spec{}, to, composition.settings()));
-    return std::make_shared<RowsAtOnce>(of_pairs({function_of(composition), to.size()}, {between, to.size()},
-                                                 rows.columns(first, composition.second()), composition.second(),
-                                                 composition.settings()),
-                                        pair_numbers(first, composition.second(), rows), to, continuous);
+    return std::make_shared<RowsAtOnce>(
+        of_pairs(function_of(composition), between, rows.columns(first, composition.second()), composition.second(),
+                 composition.settings()),
+        pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
 } // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the functions free what they hold
 
 } // namespace rotconv::operations

@@ -33,10 +33,18 @@ void add_attitude(stream::RowOperation& operation, const Spec& to) {
     operation.attitudes.push_back(to);
 }
 
-stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key) {
-    return {.names = with_key ? concatenated({"key"}, names_of(spec)) : names_of(spec),
-            .attitude = spec,
-            .kept = with_key ? std::size_t{1} : 0};
+stream::RowNumbers attitude_numbers(const Spec& spec) { return {.names = names_of(spec), .attitude = spec}; }
+
+stream::RowNumbers pair_numbers(stream::RowNumbers numbers, const PairedRows& rows, const Spec& second) {
+    if (rows.by_key) {
+        numbers.names = concatenated({"key"}, numbers.names);
+        numbers.kept = 1;
+    }
+    if (!rows.paired) {
+        numbers.names = concatenated(numbers.names, names_of(second));
+        numbers.second = second;
+    }
+    return numbers;
 }
 
 Operation convert(const Conversion& conversion, bool continuous) {

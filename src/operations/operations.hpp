@@ -105,8 +105,7 @@ private:
     RowFunction function_;
 };
 
-/// The numbers of an attitude, perhaps after a key that passes through unchanged.
-[[nodiscard]] stream::RowNumbers attitude_numbers(const Spec& spec, bool with_key = false);
+[[nodiscard]] stream::RowNumbers attitude_numbers(const Spec& spec);
 
 /// The conversion of attitudes.
 [[nodiscard]] Operation convert(const Conversion& conversion, bool continuous);
@@ -162,6 +161,10 @@ struct PairedRows {
         return {first.size(), second.size(), interpolates};
     }
 };
+
+/// The numbers of a row: its own, after the key if there is one, and those of the second attitude if it is in the row.
+[[nodiscard]] stream::RowNumbers pair_numbers(stream::RowNumbers numbers, const PairedRows& rows,
+                                              const Spec& second = {});
 
 /// The products of pairs of attitudes.
 [[nodiscard]] Operation compose(const Composition& composition, const PairedRows& rows, bool continuous);

@@ -21,7 +21,7 @@ namespace {
 
 /// Rows of a key and a quaternion: their first fields.
 InputOptions keyed() {
-    return {.numbers = operations::attitude_numbers(Spec{}, true),
+    return {.numbers = operations::pair_numbers(operations::attitude_numbers({}), {.paired = true, .by_key = true}),
             .columns = std::get<ColumnList>(ColumnList::parse("1-5", 5)),
             .delimiter = Delimiter::character(',')};
 }
