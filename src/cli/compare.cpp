@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -44,18 +45,18 @@ struct CompareOptions final : RowOptions {
                                                {"both", AlignedSide::both},
                                                {"yaw", AlignedSide::yaw},
                                                {"first", AlignedSide::first}});
-        Check check{.format =
-                        one_of<Format>("format of compare", format,
-                                       {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}}),
-                    .limits = limits(),
+        const auto written = one_of<Format>("format of compare", format,
+                                            {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}});
+        AngleUnitName unit = degrees.given() ? in_degrees : AngleUnitName();
+        std::vector<stream::Note> notes;
+        std::vector<operations::PairLimit> limits = limits_of_within(unit, notes);
+        Check check{.format = written,
+                    .unit = unit,
                     .allow_failed = allow_failed.given(),
                     .least_pairs = least_pairs(),
                     .worst = count_of(worst, 1'000'000),
                     .rows = {{paired_rows()}},
                     .comparing = {.reading = attitude_settings()}};
-        check.unit = !check.limits.empty() ? check.limits[0].angle.unit
-                     : degrees.given()     ? in_degrees
-                                           : AngleUnitName();
         if (allow_unpaired.given()) {
             check.allow_unpaired = one_of<std::array<bool, 2>>(
                 "kind of rows for", allow_unpaired,
@@ -63,20 +64,18 @@ struct CompareOptions final : RowOptions {
         }
         const bool as_rows = check.format == Format::csv;
         ComparisonSettings& comparing = check.comparing;
-        comparing.per_radian = check.unit.per_radian;
-        std::vector<operations::PairLimit> pair_limits;
-        for (const CheckLimit& limit : check.limits) {
-            pair_limits.push_back({.angle = limit.angle.in(check.unit), .percent = limit.percent});
-            comparing.within = limit.is_of_all() ? pair_limits.back().angle : comparing.within;
+        comparing.per_radian = unit.per_radian;
+        for (const operations::PairLimit& limit : limits) {
+            comparing.within = limit.is_of_all() ? limit.angle : comparing.within;
         }
         const Comparison comparison(read, reference, comparing);
 
         operations::ComparisonRows& rows = check.rows;
         rows.with_attitudes = !as_rows;
         rows.delta = count_of(delta, 1'000'000);
-        rows.unit = check.unit.text;
+        rows.unit = unit.text;
         const auto pairs = std::make_shared<operations::PairFold>(
-            comparison, rows, std::max<std::size_t>(check.worst, 1), std::move(pair_limits));
+            comparison, rows, std::max<std::size_t>(check.worst, 1), std::move(limits));
         check.pairs = pairs;
         RowsCommand made = rows_command(operations::compare(comparison, rows));
         pair(made, reference);
@@ -85,7 +84,7 @@ struct CompareOptions final : RowOptions {
         made.options.fold = pairs;
         made.allow_failed = check.allow_failed;
         if (read.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees) {
-            tell_radians(check.limits, made);
+            std::ranges::copy(notes, std::back_inserter(made.notes));
         }
         check.digits = made.options.digits;
         check.file = made.has_values ? "argument" : made.input;
@@ -97,28 +96,44 @@ struct CompareOptions final : RowOptions {
     }
 
 private:
-    /// The limits of --within, each an ANGLE or ANGLE@PERCENT.
-    [[nodiscard]] std::vector<CheckLimit> limits() const {
-        std::vector<CheckLimit> all;
+    /// The percentage that a text is: above 0 and at most 100.
+    [[nodiscard]] static std::optional<double> percentage(std::string_view text) {
+        double percent = 0.0;
+        const bool is_number = stream::read_number(text, percent) == stream::NumberError::none;
+        return is_number && percent > 0.0 && percent <= 100.0 ? std::optional(percent) : std::nullopt;
+    }
+
+    /// The limits of --within, each an ANGLE or ANGLE@PERCENT. `unit` becomes that of the first. `notes` are on limits
+    /// without a unit, which are in radians also if the angles that are read are in degrees.
+    [[nodiscard]] std::vector<operations::PairLimit> limits_of_within(AngleUnitName& unit,
+                                                                      std::vector<stream::Note>& notes) const {
+        std::vector<operations::PairLimit> all;
         for (const std::string& text : within.texts) {
-            const std::size_t at = text.find('@');
+            const std::size_t at = std::min(text.find('@'), text.size());
             if (at == 0) {
                 throw Usage("{} {} has a percentage, and no angle before it", within.name(), quoted(text));
             }
-            CheckLimit limit{.angle = given_angle(within, text.substr(0, at), degrees.given()), .text = text};
-            if (at != std::string::npos) {
-                limit.percent_text = text.substr(at + 1);
-                if (stream::read_number(limit.percent_text, limit.percent) != stream::NumberError::none ||
-                    !(limit.percent > 0.0 && limit.percent <= 100.0)) {
-                    throw Usage("{} {}: {} is not a percentage above 0 and at most 100", within.name(), quoted(text),
-                                quoted(limit.percent_text));
-                }
+            const GivenAngle angle = given_angle(within, text.substr(0, at), degrees.given());
+            const std::string percent_text = at == text.size() ? "100" : text.substr(at + 1);
+            const auto percent = percentage(percent_text);
+            if (!percent) {
+                throw Usage("{} {}: {} is not a percentage above 0 and at most 100", within.name(), quoted(text),
+                            quoted(percent_text));
             }
-            if (const auto same = std::ranges::find(all, limit.percent, &CheckLimit::percent); same != all.end()) {
-                throw Usage("{} {} and {} are two limits for {} pairs", within.name(), same->angle.text,
-                            limit.angle.text, limit.is_of_all() ? "all" : fmt::format("{} in 100", limit.percent_text));
+            const bool is_of_all = *percent == 100.0;
+            if (const auto same = std::ranges::find(all, *percent, &operations::PairLimit::percent);
+                same != all.end()) {
+                throw Usage("{} {} and {} are two limits for {} pairs", within.name(), same->text, angle.text,
+                            is_of_all ? "all" : fmt::format("{} in 100", percent_text));
             }
-            all.push_back(std::move(limit));
+            if (angle.is_bare && angle.unit.text == "rad" && std::isfinite(angle.value)) {
+                notes.push_back({.kind = stream::Note::Kind::limit,
+                                 .text = fmt::format("{0} {1} is in radians, and the angles that are read are in "
+                                                     "degrees: {0} {2}deg{3}, or {2}rad{3}",
+                                                     within.name(), text, text.substr(0, at), text.substr(at))});
+            }
+            unit = all.empty() ? angle.unit : unit;
+            all.push_back({angle.text, is_of_all ? "max" : "p" + percent_text, angle.in(unit), *percent});
         }
         return all;
     }
@@ -133,26 +148,12 @@ private:
         if (!text.ends_with('%')) {
             return {.text = text, .pairs = count_of(min_pairs, 1'000'000'000'000'000)};
         }
-        double percent = 0.0;
-        if (stream::read_number(text.substr(0, text.size() - 1), percent) != stream::NumberError::none ||
-            !(percent > 0.0 && percent <= 100.0)) {
+        const auto percent = percentage(text.substr(0, text.size() - 1));
+        if (!percent) {
             throw Usage("{} {} must be a whole number from 1, or a percentage above 0 and at most 100%",
                         min_pairs.name(), quoted(text));
         }
-        return {.text = text, .percent = percent};
-    }
-
-    /// Notes limits without a unit, which are in radians also if the angles that are read are in degrees.
-    void tell_radians(const std::vector<CheckLimit>& limits, RowsCommand& made) const {
-        for (const auto& [angle, percent, percent_text, text] : limits) {
-            if (angle.is_bare && angle.unit.text == "rad" && std::isfinite(angle.value)) {
-                const auto at = std::min(text.find('@'), text.size());
-                made.notes.push_back({.kind = stream::Note::Kind::limit,
-                                      .text = fmt::format("{0} {1} is in radians, and the angles that are read are in "
-                                                          "degrees: {0} {2}deg{3}, or {2}rad{3}",
-                                                          within.name(), text, text.substr(0, at), text.substr(at))});
-            }
-        }
+        return {.text = text, .percent = *percent};
     }
 
     /// Has the command find the rotations of --align first.

@@ -14,24 +14,14 @@
 namespace rotconv::cli {
 namespace {
 
+using operations::PairLimit;
+
 /// The report and the verdict.
 class ComparisonReport {
 public:
     explicit ComparisonReport(const Check& check) : check_(check), pairs_(*check.pairs), unit_(check.unit.text) {
         if (check_.format == stream::Format::pretty && check_.digits.shortest()) {
             check_.digits.significant = 6;
-        }
-        for (std::size_t i = 0; i < check_.limits.size(); ++i) {
-            const CheckLimit& given = check_.limits[i];
-            Limit& limit = limits_.emplace_back(Limit{given, pairs_.limits()[i]});
-            limit.name = given.is_of_all() ? "max" : "p" + given.percent_text;
-            limit.text = given.angle.unit.text == unit_ ? given.angle.text : angle(given.angle.in(check_.unit));
-            limit.figure = has_pairs() ? figure_of(limit.counts) : 0.0;
-            if (!limit.counts.holds(pairs_.pairs())) {
-                limit.fault = fmt::format("{} {} is beyond {}, {} of {}, first at line {}", limit.name,
-                                          angle(limit.figure), limit.text, limit.counts.beyond,
-                                          counted(pairs_.pairs(), "pair"), limit.counts.first_beyond);
-            }
         }
     }
 
@@ -52,8 +42,8 @@ public:
                 print_error(found);
             }
         };
-        for (const Limit& limit : limits_) {
-            tell(is_csv && !limit.given.is_of_all() ? limit.fault : ""); // of which the rows do not tell
+        for (const PairLimit& limit : limits_) {
+            tell(is_csv && !limit.is_of_all() ? fault_of_limit(limit) : ""); // of which the rows do not tell
         }
         tell(is_csv || limits_.empty() ? few : "");
         Conclusion conclusion{.text = "", .holds = fault.empty()};
@@ -69,17 +59,11 @@ public:
     }
 
 private:
-    /// A limit, and what came of it.
-    struct Limit {
-        const CheckLimit& given;
-        const operations::PairLimit& counts;
-        std::string name{};  ///< of the figure that it limits
-        std::string text{};  ///< as it is given, or in the unit of the figures
-        double figure = 0.0; ///< 0 without a pair
-        std::string fault{}; ///< why it does not hold; empty if it does
-    };
-
     [[nodiscard]] bool has_pairs() const { return pairs_.pairs() > 0; }
+    /// The pair that differs most; an empty one without pairs.
+    [[nodiscard]] operations::WorstPair worst() const {
+        return has_pairs() ? *pairs_.worst().begin() : operations::WorstPair();
+    }
     [[nodiscard]] std::string number(double value) const { return stream::number_text(value, check_.digits); }
     /// The angle in the unit of the report.
     [[nodiscard]] double in_unit(double radians) const { return check_.unit.per_radian * radians; }
@@ -87,27 +71,36 @@ private:
     [[nodiscard]] std::string angle(double value) const { return fmt::format("{} {}", number(value), unit_); }
 
     /// What a limit is for, among the pairs.
-    [[nodiscard]] double figure_of(const operations::PairLimit& limit) const {
-        if (limit.percent == 100.0) {
-            return pairs_.worst().begin()->angle;
+    [[nodiscard]] double figure_of(const PairLimit& limit) const {
+        if (limit.is_of_all()) {
+            return worst().angle;
         }
         const double estimate = pairs_.angles().percentile(limit.percent); // which must not belie the count
         return limit.holds(pairs_.pairs()) ? std::min(estimate, limit.angle) : std::max(estimate, limit.angle);
     }
+    /// The angle of a limit as it is given, or in the unit of the figures.
+    [[nodiscard]] std::string text_of(const PairLimit& limit) const {
+        return limit.text.ends_with(fmt::format(" {}", unit_)) ? limit.text : angle(limit.angle);
+    }
     /// What pairs within all limits are like.
     [[nodiscard]] std::string figures_of_limits() const {
         std::string text;
-        for (const Limit& limit : limits_) {
-            text += fmt::format("{} {}, limit {}, ", limit.name, angle(limit.figure), limit.text);
+        for (const PairLimit& limit : limits_) {
+            text += fmt::format("{} {}, limit {}, ", limit.name, angle(figure_of(limit)), text_of(limit));
         }
         return text + counted(pairs_.pairs(), "pair");
+    }
+    /// Why a limit does not hold; empty if it does.
+    [[nodiscard]] std::string fault_of_limit(const PairLimit& limit) const {
+        return limit.holds(pairs_.pairs())
+                   ? ""
+                   : fmt::format("{} {} is beyond {}, {} of {}, first at line {}", limit.name, angle(figure_of(limit)),
+                                 text_of(limit), limit.beyond, counted(pairs_.pairs(), "pair"), limit.first_beyond);
     }
     /// Why too few pairs were compared; empty if there are enough.
     [[nodiscard]] std::string fault_of_count(const RowsResult& result) const {
         const LeastPairs& least = check_.least_pairs;
-        const auto pairs = static_cast<double>(result.answered);
-        const auto rows = static_cast<double>(result.rows);
-        if (result.answered >= least.pairs && 100.0 * pairs >= least.percent * rows * (1.0 - 0x1p-50)) {
+        if (result.answered >= least.pairs && operations::is_share(result.answered, least.percent, result.rows)) {
             return {};
         }
         return fmt::format("{} of {} compared (--min-pairs{})", result.answered,
@@ -117,7 +110,8 @@ private:
 
     /// What does not hold, `few` and others; empty if all does.
     [[nodiscard]] std::string fault_of(const RowsResult& result, const std::string& few) const {
-        std::vector<std::string> faults = mapped(limits_, [](const Limit& limit) { return limit.fault; });
+        std::vector<std::string> faults =
+            mapped(limits_, [this](const PairLimit& limit) { return fault_of_limit(limit); });
         faults.insert(has_pairs() ? faults.end() : faults.begin(), few);
         for (const std::size_t side : {0U, 1U}) {
             const std::size_t rows = result.unpaired.at(side).rows;
@@ -165,9 +159,9 @@ private:
     }
 
     /// The limit without a percentage, or null.
-    [[nodiscard]] const operations::PairLimit* limit_of_all() const {
-        const auto found = std::ranges::find_if(limits_, [](const Limit& limit) { return limit.given.is_of_all(); });
-        return found == limits_.end() ? nullptr : &found->counts;
+    [[nodiscard]] const PairLimit* limit_of_all() const {
+        const auto found = std::ranges::find_if(limits_, &PairLimit::is_of_all);
+        return found == limits_.end() ? nullptr : &*found;
     }
 
     [[nodiscard]] std::string in_lines(const RowsResult& result) const {
@@ -193,14 +187,13 @@ private:
             add("aligned", in_words(*check_.aligned));
         }
         if (has_pairs()) {
-            add("max", where(*pairs_.worst().begin()));
+            add("max", where(worst()));
             for (const auto& [name, value] : figures()) {
                 add(name, angle(value));
             }
-            for (const Limit& limit : limits_) {
-                const double percent = limit.given.percent;
-                if (percent != 50.0 && percent != 95.0 && !limit.given.is_of_all()) {
-                    add(limit.name, angle(limit.figure));
+            for (const PairLimit& limit : limits_) {
+                if (limit.percent != 50.0 && limit.percent != 95.0 && !limit.is_of_all()) {
+                    add(limit.name, angle(figure_of(limit)));
                 }
             }
         }
@@ -244,11 +237,11 @@ private:
         return json_object(object);
     }
     [[nodiscard]] JsonValue limits_in_json() const {
-        const auto limits = mapped(limits_, [this](const Limit& limit) {
-            return json_object({{"percent", limit.counts.percent},
-                                {"angle", limit.counts.angle},
-                                {"beyond", limit.counts.beyond},
-                                {"percentile", figure(limit.figure)}});
+        const auto limits = mapped(limits_, [this](const PairLimit& limit) {
+            return json_object({{"percent", limit.percent},
+                                {"angle", limit.angle},
+                                {"beyond", limit.beyond},
+                                {"percentile", figure(figure_of(limit))}});
         });
         return json_array(limits).unless(limits.empty());
     }
@@ -271,9 +264,8 @@ private:
     }
 
     [[nodiscard]] std::string in_json(const RowsResult& result, const JsonValue& verdict) const {
-        const operations::PairLimit* const of_all = limit_of_all();
-        const operations::PairLimit limit = of_all != nullptr ? *of_all : operations::PairLimit();
-        const operations::WorstPair worst = has_pairs() ? *pairs_.worst().begin() : operations::WorstPair();
+        const PairLimit* const of_all = limit_of_all();
+        const PairLimit limit = of_all != nullptr ? *of_all : PairLimit();
         std::vector<std::pair<std::string_view, JsonValue>> object{
             {"rows", pairs_.pairs()},
             {"unit", std::string(unit_)},
@@ -288,9 +280,9 @@ private:
             {"unpaired_file", result.unpaired[0].rows},
             {"unpaired_reference", result.unpaired[1].rows},
             {"failed", result.failed},
-            {"max", figure(worst.angle)},
-            {"max_line", JsonValue(worst.line).unless(!has_pairs())},
-            {"max_key", key(worst, 0).unless(!has_pairs())}};
+            {"max", figure(worst().angle)},
+            {"max_line", JsonValue(worst().line).unless(!has_pairs())},
+            {"max_key", key(worst(), 0).unless(!has_pairs())}};
         for (const auto& [name, value] : figures()) {
             object.emplace_back(name, figure(value));
         }
@@ -305,7 +297,7 @@ private:
     Check check_;
     const operations::PairFold& pairs_;
     std::string_view unit_; ///< of angles
-    std::vector<Limit> limits_;
+    const std::vector<PairLimit>& limits_ = pairs_.limits();
 };
 
 } // namespace

@@ -30,16 +30,6 @@ using FoundRotations = std::vector<FoundRotation>;
 /// @param found rotations of attitudes that were rotated as `given`
 [[nodiscard]] FoundRotations found_rotations(const ConstantRotations& found, const ConversionSettings& given);
 
-/// An angle that `percent` in 100 pairs must not exceed.
-struct CheckLimit {
-    GivenAngle angle{};
-    double percent = 100.0;
-    std::string percent_text = "100"; ///< as it is given
-    std::string text{};               ///< both as they are given
-
-    [[nodiscard]] bool is_of_all() const noexcept { return percent == 100.0; }
-};
-
 /// How many pairs must have been compared.
 struct LeastPairs {
     std::string text{}; ///< as it is given; empty: by default
@@ -50,7 +40,6 @@ struct LeastPairs {
 /// What is to be told of the pairs, and what they must hold to.
 struct Check {
     stream::Format format = stream::Format::pretty;
-    std::vector<CheckLimit> limits{};
     AngleUnitName unit{};                 ///< of the angles that are told
     std::array<bool, 2> allow_unpaired{}; ///< rows of FILE, of REFERENCE
     bool allow_failed = false;

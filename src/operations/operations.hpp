@@ -190,17 +190,23 @@ struct WorstPair {
     }
 };
 
+/// Whether a part of all is at least so many in 100 of them.
+[[nodiscard]] inline bool is_share(std::size_t part, double percent, std::size_t all) noexcept {
+    // The product may be rounded up from a whole number.
+    return 100.0 * static_cast<double>(part) >= percent * static_cast<double>(all) * (1.0 - 0x1p-50);
+}
+
 /// An angle that `percent` of the pairs must not exceed, and the pairs that do.
 struct PairLimit {
-    double angle = 0.0;
+    std::string text{}; ///< the angle as it is given, with its unit
+    std::string name{}; ///< of the figure that it limits: max, or such as p95
+    double angle = 0.0; ///< in the unit of the pairs' angles
     double percent = 100.0;
     std::size_t beyond = 0;
     std::size_t first_beyond = 0; ///< the first of their lines
 
-    [[nodiscard]] bool holds(std::size_t pairs) const noexcept {
-        // The product may be rounded up from a whole number.
-        return 100.0 * static_cast<double>(pairs - beyond) >= percent * static_cast<double>(pairs) * (1.0 - 0x1p-50);
-    }
+    [[nodiscard]] bool is_of_all() const noexcept { return percent == 100.0; }
+    [[nodiscard]] bool holds(std::size_t pairs) const noexcept { return is_share(pairs - beyond, percent, pairs); }
 };
 
 /// The statistics of pairs, without those that have no angle.
