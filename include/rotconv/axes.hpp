@@ -43,4 +43,7 @@ struct AxesError {
 /// the letters of TO are FROM's own axes.
 [[nodiscard]] std::variant<AxesChange, AxesError> parse_axes(std::string_view text);
 
+/// A rotation that moves and negates axes alone as a change of axes, such as "xyz:yx-z"; empty for other rotations.
+[[nodiscard]] std::string axes_text(const Rotation& change);
+
 } // namespace rotconv

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include <rotconv/dcm.hpp>
+#include <rotconv/axes.hpp>
 #include <rotconv/identification.hpp>
 #include <rotconv/quaternion.hpp>
 
@@ -49,16 +49,7 @@ std::string option_of(const Rotation& rotation, std::string_view axes, const Rot
     if (rotation.is_identity()) {
         return {};
     }
-    std::string named(axes);
-    const Dcm matrix = dcm::from_rotation(change);
-    if (axes.empty() && (matrix.array().abs() == 1.0).count() == 3) {
-        named = "xyz:"; // where each of the new axes points, in the old ones
-        for (Eigen::Index i = 0; i < 9; ++i) {
-            if (const double entry = matrix(i / 3, i % 3); entry != 0.0) {
-                named += fmt::format("{}{}", entry < 0.0 ? "-" : "", static_cast<char>('x' + i % 3));
-            }
-        }
-    }
+    const std::string named = axes.empty() ? axes_text(change) : std::string(axes);
     const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
     return named.empty() ? fmt::format(" {} 'quat: {} {} {} {}'", side, q.w(), q.x(), q.y(), q.z())
                          : fmt::format(" {} {}", axes_option, named);

@@ -78,4 +78,18 @@ std::variant<AxesChange, AxesError> parse_axes(std::string_view text) {
     return AxesChange{axes[1] * axes[0].transpose(), axes[0].determinant() < 0.0, axes[1].determinant() < 0.0};
 }
 
+std::string axes_text(const Rotation& change) {
+    const Dcm matrix = dcm::from_rotation(change);
+    if ((matrix.array() != matrix.array().round()).any()) {
+        return {};
+    }
+    std::string text = "xyz:"; // where each of the new axes points, in the old ones
+    for (Eigen::Index i = 0; i < 9; ++i) {
+        const double entry = matrix(i / 3, i % 3);
+        text += entry < 0.0 ? "-" : "";
+        text += entry != 0.0 ? std::string(1, static_cast<char>('x' + i % 3)) : "";
+    }
+    return text;
+}
+
 } // namespace rotconv

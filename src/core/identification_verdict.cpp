@@ -87,12 +87,6 @@ const std::vector<NamedAxes>& named_axes() {
     return axes;
 }
 
-/// Whether it moves and negates axes alone.
-bool is_of_axes(const Rotation& rotation) noexcept {
-    const Dcm matrix = dcm::from_rotation(rotation);
-    return (matrix.array() == matrix.array().round()).all();
-}
-
 /// sin(theta/2) cos(theta/2) n of the rotation from a to b in body axes: whatever the signs of the quaternions.
 Eigen::Vector3d relative_vector(const Rotation& a, const Rotation& b) noexcept {
     const Rotation relative = a.inverse() * b;
@@ -376,8 +370,8 @@ Candidate Identification::as_written(const Candidate& candidate) const {
     for (const auto& [name, own] : plain) {
         const ConstantRotations exact = constant_rotations(AlignedSide::both, own, meaning);
         const ConstantRotations named = with_named_axes(exact, AlignedSide::reference, own, meaning);
-        const bool is_named =
-            is_of_axes(named.left) && is_of_axes(named.right) && largest_angle(named, own, meaning).angle <= rounding;
+        const bool is_named = !axes_text(named.left).empty() && !axes_text(named.right).empty() &&
+                              largest_angle(named, own, meaning).angle <= rounding;
         const ConstantRotations& constant = is_named ? named : exact;
         Candidate made = with(name);
         const auto& [left, right] = constant;

@@ -121,6 +121,7 @@ TEST_CASE(
                 const double sign = m.determinant();
                 CHECK(change.changes_hand() == (sign < 0.0));
                 CHECK(dcm::from_rotation(change.rotation().rotation) == sign * m);
+                CHECK(axes(axes_text(change.rotation().rotation)).matrix == sign * m);
             }
         }
     }
