@@ -318,8 +318,8 @@ std::string contents_advice(const std::string& path) {
     if (!row.has_numbers) {
         return fmt::format("; {} does not begin with a row of numbers", quoted(path));
     }
-    const auto names =
-        preamble.names().empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : preamble.names();
+    const std::vector<std::string>& header = preamble.layout().names;
+    const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
     std::string told =
         fmt::format("; {} has {}: {}", quoted(path), counted(row.fields.size(), "column"), numbered(names));
     for (const char* spec : {"quat", "dcm", "rpy"}) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <ranges>
 #include <utility>
 #include <variant>
 
@@ -53,76 +53,65 @@ bool begins_json(std::string_view text) noexcept {
 /// The decision on one list of lines.
 class Decision {
 public:
-    Decision(const std::vector<Line>& lines, const InputOptions& options) : lines_(lines), options_(options) {}
+    Decision(std::span<const Line> lines, const InputOptions& options) : lines_(lines), options_(options) {}
 
     /// The last line is the header where it is_header(), or where the options want one. Otherwise, or where a wanted
     /// one has numbers for names, the last comment before it is, if it may be one: see comment_of().
     [[nodiscard]] Beginning by_index() const {
         const Line& row = lines_.back();
         if (is_json(row)) {
-            return error({.what = StreamError::What::json}, lines_.size() - 1);
+            return error({.what = StreamError::What::json}, row);
         }
         HeaderLine fields(row, delimiter_of(row.text));
         const bool is_wanted = options_.header == HeaderMode::yes;
         const bool looks_like_one = is_header(fields);
         if (is_wanted ? are_numbers(fields) : !looks_like_one) {
             if (auto comment = comment_of(fields)) {
-                return {.is_decided = true, .header = std::move(comment), .is_data = true};
+                return {.header = std::move(comment), .is_data = true};
             }
         }
         if (is_wanted || looks_like_one) {
-            return {.is_decided = true, .header = fields.begins_with_mark() ? fields.without_mark() : fields};
+            return {.header = fields.begins_with_mark() ? fields.without_mark() : fields};
         }
-        return {.is_decided = true, .is_data = true};
+        return {.is_data = true};
     }
 
     /// The header is the last line that has all names. The last line itself may be the header with `is_end`, and is
     /// otherwise the first data row.
-    [[nodiscard]] Beginning by_name(bool is_end) const {
+    [[nodiscard]] std::optional<Beginning> by_name(bool is_end) const {
         const Line& row = lines_.back();
         std::optional<Delimiter> delimiter;
+        std::span<const Line> candidates = lines_;
         if (!is_end) {
             if (has_all(find_names(row, {}).second)) {
-                return {};
+                return std::nullopt;
             }
+            candidates = candidates.first(candidates.size() - 1);
             const Delimiter own = delimiter_of(row.text);
             if (HeaderLine(row, own).fields.size() > 1) { // otherwise it does not show the delimiter
                 delimiter = own;
             }
         }
-        std::optional<std::pair<HeaderLine, Lookup>> last;
-        std::size_t at = 0;
-        for (std::size_t i = 0; i + (is_end ? 0 : 1) < lines_.size(); ++i) {
-            if (is_blank(lines_[i].text)) {
-                continue;
-            }
+        for (const Line& line : std::views::reverse(candidates)) {
             // A comment is split by the delimiter of the data, so that prose is not taken for names.
-            auto found = find_names(lines_[i], options_.is_comment(lines_[i].text) ? delimiter : std::nullopt);
-            if (has_all(found.second)) {
-                last = std::move(found);
-                at = i;
+            auto [header, found] = find_names(line, options_.is_comment(line.text) ? delimiter : std::nullopt);
+            if (const auto* positions = std::get_if<std::vector<std::size_t>>(&found)) {
+                return Beginning{.header = std::move(header), .is_data = !is_end, .positions = *positions};
+            }
+            if (has_all(found)) {
+                return error({.what = StreamError::What::columns, .column = std::get<ColumnError>(found)}, line,
+                             is_end);
             }
         }
-        if (!last) {
-            if (is_end) {
-                return {};
-            }
-            return is_json(row) ? error({.what = StreamError::What::json}, lines_.size() - 1) : lacking(row);
+        if (is_end) {
+            return std::nullopt;
         }
-        auto& [header, found] = *last;
-        if (const auto* ambiguous = std::get_if<ColumnError>(&found)) {
-            return error({.what = StreamError::What::columns, .column = *ambiguous}, at, is_end);
-        }
-        return {.is_decided = true,
-                .header = std::move(header),
-                .is_data = !is_end,
-                .positions = std::get<std::vector<std::size_t>>(std::move(found))};
+        return is_json(row) ? error({.what = StreamError::What::json}, row) : lacking(row);
     }
 
 private:
-    static Beginning error(StreamError error, std::size_t line, bool is_end = false) {
-        error.place.line = line;
-        return {.is_data = !is_end, .error = std::move(error)};
+    static Beginning error(StreamError error, const Line& line, bool is_end = false) {
+        return {.is_data = !is_end, .error = std::move(error), .error_line = line};
     }
 
     [[nodiscard]] Delimiter delimiter_of(std::string_view row) const noexcept {
@@ -139,19 +128,9 @@ private:
 
     /// The texts of the selected fields; nothing if a field is missing.
     [[nodiscard]] std::optional<std::vector<std::string>> selected(const HeaderLine& header) const {
-        if (options_.columns.empty()) {
-            auto names = header.names();
-            names.resize(header.width());
-            return count() == 0 || names.size() == count() ? std::optional(std::move(names)) : std::nullopt;
-        }
-        std::vector<std::string> texts;
-        for (const std::size_t position : options_.columns.positions()) {
-            if (position >= header.fields.size()) {
-                return std::nullopt;
-            }
-            texts.push_back(header.name(position));
-        }
-        return texts;
+        auto texts = header.names_at(options_.columns.positions());
+        const bool are_all = !options_.columns.empty() || count() == 0 || texts->size() == count();
+        return are_all ? texts : std::nullopt;
     }
 
     [[nodiscard]] bool are_numbers(const HeaderLine& row) const {
@@ -262,24 +241,21 @@ private:
                 break;
             }
         }
-        return error({.what = StreamError::What::columns, .column = std::move(column)}, lines_.size() - 1);
+        return error({.what = StreamError::What::columns, .column = std::move(column)}, line);
     }
 
-    const std::vector<Line>& lines_;
+    std::span<const Line> lines_;
     const InputOptions& options_;
 };
 
 } // namespace
 
-Beginning decide(const std::vector<Line>& lines, const InputOptions& options, bool is_end) {
-    if (lines.empty()) {
-        return {};
-    }
+std::optional<Beginning> decide(std::span<const Line> lines, const InputOptions& options, bool is_end) {
     const Decision decision(lines, options);
-    if (options.columns.has_names()) {
-        return decision.by_name(is_end);
+    if (lines.empty() || (is_end && !options.columns.has_names())) {
+        return std::nullopt;
     }
-    return is_end ? Beginning{} : decision.by_index();
+    return options.columns.has_names() ? decision.by_name(is_end) : decision.by_index();
 }
 
 } // namespace rotconv::stream

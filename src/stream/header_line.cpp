@@ -54,4 +54,19 @@ std::vector<std::string> HeaderLine::names() const {
     return names;
 }
 
+std::optional<std::vector<std::string>> HeaderLine::names_at(const std::vector<std::size_t>& positions) const {
+    std::vector<std::string> found;
+    if (positions.empty()) {
+        found = names();
+        found.resize(width());
+    }
+    for (const std::size_t position : positions) {
+        if (position >= fields.size()) {
+            return std::nullopt;
+        }
+        found.push_back(name(position));
+    }
+    return found;
+}
+
 } // namespace rotconv::stream

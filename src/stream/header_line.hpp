@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,8 @@ struct HeaderLine {
     [[nodiscard]] std::size_t width() const { return delimiter.count(fields); }
     [[nodiscard]] std::string name(std::size_t at) const;
     [[nodiscard]] std::vector<std::string> names() const;
+    /// The names at these positions, or nothing if one is missing; without positions, the first width() names.
+    [[nodiscard]] std::optional<std::vector<std::string>> names_at(const std::vector<std::size_t>& positions) const;
 
     Line line;
     std::string_view prefix; ///< the mark and the blanks before the first name

@@ -75,12 +75,11 @@ bool is_json_number(std::string_view text) noexcept {
     return text.empty();
 }
 
-JsonKeys::JsonKeys(const std::vector<std::string>& names, const std::vector<std::string_view>& taken,
+JsonKeys::JsonKeys(const std::vector<std::string>& names, const std::vector<std::string>& taken,
                    const std::function<bool(std::size_t)>& is_written)
     : keys_(names.size()) {
     // Compared as they are written: names that differ in bytes that are not UTF-8 may become the same.
-    std::unordered_set<std::string> used;
-    std::ranges::transform(taken, std::inserter(used, used.end()), json_string);
+    std::unordered_set<std::string> used(taken.begin(), taken.end());
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::string key = json_string(names[i]);
         if (!names[i].empty() && is_written(i) && is_free(key, i, names.size()) && used.insert(key).second) {

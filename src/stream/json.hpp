@@ -23,9 +23,9 @@ public:
     /// Keys without a header.
     JsonKeys() = default;
     /// @param names the header's
-    /// @param taken the result's keys
+    /// @param taken the result's keys, in quotes
     /// @param is_written whether a field is written
-    JsonKeys(const std::vector<std::string>& names, const std::vector<std::string_view>& taken,
+    JsonKeys(const std::vector<std::string>& names, const std::vector<std::string>& taken,
              const std::function<bool(std::size_t)>& is_written);
 
     /// Appends the key of field `at`, from 0, of a row of `count` fields, with its quotes.

@@ -38,6 +38,8 @@ struct Layout {
     JsonKeys keys{};                       ///< keys of the other fields, with Format::json
     std::string line_end = "\n";           ///< the line end of a last row that has none
     std::vector<std::string> kept_names{}; ///< the result's, as in the header; see RowOperation::keeps_names
+    std::vector<std::string> names{};      ///< all names of the header; empty without a header
+    std::size_t name_count = 0;            ///< how many names there are, without empty ones at the end
     std::vector<Note> notes{};             ///< about the header and the first row, or about comments alone
 
     /// Sets the fields that hold the numbers: the chosen ones, or the whole row if none is chosen. The result does not

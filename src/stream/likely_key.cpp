@@ -4,12 +4,13 @@
 
 namespace rotconv::stream {
 
-LikelyKey::LikelyKey(const std::array<Side, 2>& sides) : sides_(sides) {
+LikelyKey::LikelyKey(const std::array<const Layout*, 2>& layouts) : layouts_(layouts) {
     const auto is_free = [this](std::size_t side, std::size_t at) {
-        const std::vector<std::size_t>& positions = sides_.at(side).layout->positions;
+        const std::vector<std::size_t>& positions = layouts_.at(side)->positions;
         return !positions.empty() && std::ranges::count(positions, at) == 0;
     };
-    const auto& [names, others] = std::array{*sides[0].names, *sides[1].names};
+    const std::vector<std::string>& names = layouts[0]->names;
+    const std::vector<std::string>& others = layouts[1]->names;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto j = static_cast<std::size_t>(std::ranges::find(others, names[i]) - others.begin());
         if (j < others.size() && !names[i].empty() && is_free(0, i) && is_free(1, j)) {
@@ -22,7 +23,7 @@ LikelyKey::LikelyKey(const std::array<Side, 2>& sides) : sides_(sides) {
 }
 
 std::string_view LikelyKey::field(std::size_t side, std::string_view row, std::size_t at) {
-    const Delimiter delimiter = sides_.at(side).layout->delimiter;
+    const Delimiter delimiter = layouts_.at(side)->delimiter;
     if (at == 0 && !row.empty() && row.front() != '"' && row.front() != ' ') { // as most keys stand
         const auto ends = [delimiter](char c) { return c == delimiter.text() || (c == '\t' && delimiter.is_blanks()); };
         return {row.begin(), std::ranges::find_if(row, ends)};
@@ -43,7 +44,7 @@ void LikelyKey::add(const std::array<std::string_view, 2>& rows) {
         }
         bool increases = true;
         for (const std::size_t side : {0U, 1U}) {
-            const ReadKey time = read_key(sides_.at(side).layout->delimiter.text_of(texts.at(side)));
+            const ReadKey time = read_key(layouts_.at(side)->delimiter.text_of(texts.at(side)));
             increases = increases && time.error == KeyError::none && (pairs_ == 1 || time.value > column.last.at(side));
             column.last.at(side) = time.value;
         }

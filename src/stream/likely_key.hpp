@@ -16,14 +16,8 @@ namespace rotconv::stream {
 /// streams, and differs between the rows of a pair.
 class LikelyKey {
 public:
-    /// The rows and the names of one stream.
-    struct Side {
-        const Layout* layout = nullptr;
-        const std::vector<std::string>* names = nullptr; ///< empty without a header
-    };
-
     /// Looks at columns of the same name, otherwise at the first column of both; selected columns are left out.
-    explicit LikelyKey(const std::array<Side, 2>& sides);
+    explicit LikelyKey(const std::array<const Layout*, 2>& layouts);
 
     void add(const std::array<std::string_view, 2>& rows);
     /// The column as --key takes it, once it is found.
@@ -40,7 +34,7 @@ private:
     /// After so many pairs only one in 16 is looked at, which finds a lost row as well and costs nothing.
     static constexpr std::size_t close_pairs = 64;
 
-    std::array<Side, 2> sides_;
+    std::array<const Layout*, 2> layouts_;
     std::vector<Column> columns_;
     /// A field of a row; empty where it is missing.
     [[nodiscard]] std::string_view field(std::size_t side, std::string_view row, std::size_t at);

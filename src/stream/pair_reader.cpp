@@ -173,8 +173,7 @@ void PairReader::pair(Job& job, bool is_between) {
     const Waiting& other = references_.waiting.front();
     if (!pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
         if (!any_pair_) {
-            likely_key_.emplace(std::array<LikelyKey::Side, 2>{
-                {{rows_.layout(), &rows_.blocks.names()}, {references_.layout(), &references_.blocks.names()}}});
+            likely_key_.emplace(std::array{rows_.layout(), references_.layout()});
         }
         likely_key_->add({first.line.text, other.line.text});
     }

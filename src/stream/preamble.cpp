@@ -28,15 +28,13 @@ bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
         const Line current = next_line(after);
         const std::string_view whole = text.substr(0, text.size() - after.size());
         bool is_data = options_->is_row(current.text);
-        if (is_data) {
-            std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
-            only_comments_ = false;
-        } else if (only_comments_ && layout_.notes.empty() && options_->is_comment(current.text)) {
-            add_notes({.comment = current.text}, line);
+        if (comment_.empty() && options_->is_comment(current.text)) {
+            comment_ = current.text;
+            comment_line_ = line;
         }
         if (!header_done_) {
             hold(whole);
-            is_data = is_data && follow(decide(lines(), *options_, false), output);
+            is_data = is_data && find_header(false, output);
             limit(output);
         } else if (!is_data) {
             pass(whole, output);
@@ -60,12 +58,14 @@ void Preamble::finish(Output& output, bool at_end) {
     if (has_row_) {
         return;
     }
-    if (at_end && !header_done_ && !held_.empty()) {
-        follow(decide(lines(), *options_, true), output);
+    if (at_end && !header_done_) {
+        find_header(true, output);
     }
     release(held_.size(), output);
     if (at_end && header_line_ > 0) {
         add_notes({.only_header = true}, header_line_);
+    } else if (at_end && !comment_.empty()) {
+        add_notes({.comment = comment_}, comment_line_);
     }
     if (at_end && !error_) {
         set_layout(nullptr, 0, output);
@@ -84,7 +84,7 @@ void Preamble::hold(std::string_view line) {
     }
 }
 
-std::vector<Line> Preamble::lines() const {
+std::vector<Line> Preamble::held_lines() const {
     std::vector<Line> lines;
     for (std::string_view text = held_; !text.empty();) {
         if (const Line line = next_line(text); !is_blank(line.text)) {
@@ -98,26 +98,29 @@ std::size_t Preamble::number_of(const Line& line) const {
     return held_line_ + static_cast<std::size_t>(std::count(held_.data(), line.text.data(), '\n'));
 }
 
-bool Preamble::follow(const Beginning& beginning, Output& output) {
-    if (!beginning.is_decided && !beginning.error) {
+bool Preamble::find_header(bool is_end, Output& output) {
+    const std::vector<Line> lines = held_lines();
+    const std::optional<Beginning> beginning = decide(lines, *options_, is_end);
+    if (!beginning) {
         return false;
     }
-    if (beginning.error) {
-        error_ = beginning.error;
-        error_->place.line = number_of(lines()[error_->place.line]);
+    if (beginning->error) {
+        error_ = beginning->error;
+        error_->place.line = number_of(beginning->error_line);
     }
-    if (!beginning.positions.empty()) {
-        layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
+    if (!beginning->positions.empty()) {
+        layout_.select(beginning->positions, options_->numbers.names.size(), options_->numbers.kept);
     }
-    if (beginning.is_data) { // the row is converted, not copied
-        const auto last = lines().back();
-        held_.resize(held_.size() - last.text.size() - last.end.size());
+    if (beginning->is_data) { // the row is converted, not copied
+        held_.resize(held_.size() - lines.back().text.size() - lines.back().end.size());
     }
-    if (beginning.header) {
-        const HeaderLine& header = *beginning.header;
+    if (beginning->header) {
+        const HeaderLine& header = *beginning->header;
         const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
         header_line_ = number_of(header.line);
-        add_notes_on_names(header, header_line_);
+        if (const auto names = header.names_at(layout_.positions); names && names->size() == layout_.count) {
+            add_notes({.names = *names, .header = header.names()}, header_line_);
+        }
         if (error_) {
             held_.clear();
             return false;
@@ -127,15 +130,15 @@ bool Preamble::follow(const Beginning& beginning, Output& output) {
         if (is_written()) {
             write_header(output.bytes, *written_, layout_, header);
         }
-        names_ = header.names();
-        name_count_ = header.width();
+        layout_.names = header.names();
+        layout_.name_count = header.width();
         held_.erase(0, begin + header.line.text.size() + header.line.end.size());
     }
-    if (beginning.is_decided) {
+    if (!error_) {
         header_done_ = true;
         release(held_.size(), output);
     }
-    return beginning.is_data && !error_;
+    return beginning->is_data && !error_;
 }
 
 void Preamble::pass(std::string_view text, Output& output) const {
@@ -162,7 +165,7 @@ void Preamble::limit(Output& output) {
         return;
     }
     if (options_->columns.has_names()) {
-        follow(decide(lines(), *options_, true), output);
+        find_header(true, output);
     }
     if (!header_done_ && !error_) {
         release(is_too_much(held_.size() - comment_end_) ? held_.size() : comment_begin_, output);
@@ -183,21 +186,6 @@ void Preamble::add_notes(const Said& said, std::size_t line) {
     }
 }
 
-void Preamble::add_notes_on_names(const HeaderLine& header, std::size_t line) {
-    Said said{.header = header.names()};
-    if (layout_.positions.empty()) {
-        said.names.assign(said.header.begin(), said.header.begin() + static_cast<std::ptrdiff_t>(header.width()));
-    }
-    for (const std::size_t position : layout_.positions) {
-        if (position < header.fields.size()) {
-            said.names.push_back(header.name(position));
-        }
-    }
-    if (said.names.size() == layout_.count) {
-        add_notes(said, line);
-    }
-}
-
 void Preamble::keep_names(const HeaderLine& header) {
     if (written_ == nullptr || !written_->operation->keeps_names) {
         return;
@@ -207,12 +195,9 @@ void Preamble::keep_names(const HeaderLine& header) {
         const std::size_t at = layout_.positions.empty() ? i : layout_.positions[i];
         layout_.kept_names.emplace_back(at < header.fields.size() ? trimmed(header.fields[at]) : "");
     }
-    std::set<std::string> keys;
-    for (const std::string_view column : result_columns(*written_, layout_)) {
-        if (!keys.insert(json_string(header.delimiter.unquoted(column))).second && written_->format == Format::json) {
-            layout_.kept_names.clear(); // a key must not occur twice
-            return;
-        }
+    const auto keys = result_keys(*written_, layout_, header.delimiter);
+    if (written_->format == Format::json && std::set(keys.begin(), keys.end()).size() < keys.size()) {
+        layout_.kept_names.clear(); // a key must not occur twice
     }
 }
 
@@ -238,12 +223,8 @@ void Preamble::set_layout(const Line* row, std::size_t number, Output& output) {
     }
     write_added_header(output.bytes, *written_, layout_);
     if (written_->format == Format::json) {
-        std::vector<std::string> taken;
-        for (const std::string_view column : result_columns(*written_, layout_)) {
-            taken.push_back(layout_.delimiter.unquoted(column));
-        }
-        layout_.keys =
-            JsonKeys(names_, {taken.begin(), taken.end()}, [this](std::size_t at) { return !layout_.replaces(at); });
+        layout_.keys = JsonKeys(layout_.names, result_keys(*written_, layout_, layout_.delimiter),
+                                [this](std::size_t at) { return !layout_.replaces(at); });
     }
 }
 

@@ -28,19 +28,15 @@ public:
     void finish(Output& output, bool at_end);
 
     [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
-    /// The header's names; empty without a header.
-    [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
-    /// The number of names, without empty ones at the end.
-    [[nodiscard]] std::size_t name_count() const noexcept { return name_count_; }
     [[nodiscard]] const std::optional<StreamError>& error() const noexcept { return error_; }
 
 private:
     void hold(std::string_view line);
     /// The lines that are held, without blank ones.
-    [[nodiscard]] std::vector<Line> lines() const;
+    [[nodiscard]] std::vector<Line> held_lines() const;
     [[nodiscard]] std::size_t number_of(const Line& line) const;
-    /// Follows a decision. @return whether the last line is data, and no longer held
-    bool follow(const Beginning& beginning, Output& output);
+    /// Decides on the held lines, see decide(). @return whether the last line is data, and no longer held
+    bool find_header(bool is_end, Output& output);
     [[nodiscard]] bool is_written() const noexcept { return written_ != nullptr && written_->writes_all_lines(); }
     /// Writes text unchanged.
     void pass(std::string_view text, Output& output) const;
@@ -50,7 +46,6 @@ private:
     void limit(Output& output);
     /// Adds the notes on what the input says, or ends the run.
     void add_notes(const Said& said, std::size_t line);
-    void add_notes_on_names(const HeaderLine& header, std::size_t line);
     /// Gives the result the names of the last selected columns, if the operation keeps names.
     void keep_names(const HeaderLine& header);
     /// Sets what is known of the layout from the first row of text on; from here on it is final.
@@ -63,14 +58,13 @@ private:
     std::optional<StreamError> error_;
     bool header_done_;
     bool has_row_ = false;
-    bool only_comments_ = true; ///< there were only comments and blank lines so far
+    std::string comment_; ///< the first comment
+    std::size_t comment_line_ = 0;
     std::string held_;
     std::size_t held_line_ = 1;     ///< the number of the first line that is held
     std::size_t comment_begin_ = 0; ///< where the last comment among the held lines begins
     std::size_t comment_end_ = 0;
-    std::size_t blank_ = 0; ///< bytes of blank lines after that comment
-    std::vector<std::string> names_;
-    std::size_t name_count_ = 0;
+    std::size_t blank_ = 0;       ///< bytes of blank lines after that comment
     std::size_t header_line_ = 0; ///< the header's line; 0: there is none
 };
 

@@ -42,8 +42,6 @@ public:
         return side == Side::stream ? &preamble_.layout() : nullptr;
     }
     [[nodiscard]] std::array<RowWidth, 2> widths() const override { return {width_}; }
-    /// The header's names; empty without a header.
-    [[nodiscard]] const std::vector<std::string>& names() const noexcept { return preamble_.names(); }
 
 private:
     static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
@@ -60,11 +58,11 @@ private:
                 continue;
             }
             width_ = {preamble_.layout().delimiter.count(parts.fields), line};
-            if (options_->columns.has_names() && preamble_.name_count() != width_.fields) {
+            if (options_->columns.has_names() && preamble_.layout().name_count != width_.fields) {
                 error_ = {.what = StreamError::What::columns, .place = {line}};
                 error_->column = {.what = ColumnError::What::other_width,
                                   .text = std::string(row),
-                                  .count = preamble_.name_count(),
+                                  .count = preamble_.layout().name_count,
                                   .fields = width_.fields};
                 job.text = job.text.substr(0, static_cast<std::size_t>(row.data() - job.text.data()));
             }

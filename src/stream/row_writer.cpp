@@ -131,8 +131,7 @@ std::string label_of(const Spec& spec) {
     return is_project ? std::string(spec.project->text) : spec.text();
 }
 
-} // namespace
-
+/// The columns of the result, its diagnostics and its partner, if they are written. Views into the arguments.
 std::vector<std::string_view> result_columns(const Options& options, const Layout& layout) {
     const RowOperation& operation = *options.operation;
     const auto& names = layout.kept_names.empty() ? operation.names : layout.kept_names;
@@ -147,6 +146,16 @@ std::vector<std::string_view> result_columns(const Options& options, const Layou
         columns.insert(columns.end(), partner_names.begin(), partner_names.end());
     }
     return columns;
+}
+
+} // namespace
+
+std::vector<std::string> result_keys(const Options& options, const Layout& layout, Delimiter delimiter) {
+    std::vector<std::string> keys;
+    for (const std::string_view column : result_columns(options, layout)) {
+        keys.push_back(json_string(delimiter.unquoted(column)));
+    }
+    return keys;
 }
 
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header) {
@@ -183,14 +192,11 @@ RowWriter::RoundedEnd RowWriter::rounded(const OpenEnd& range) const {
 }
 
 RowWriter::RowWriter(const Options& options, const Layout& layout)
-    : options_(&options), layout_(&layout),
+    : options_(&options), layout_(&layout), json_keys_(result_keys(options, layout, layout.delimiter)),
       is_plain_(options.format == Format::csv && !options.diagnostic_columns && !options.pairing) {
     if (!options.digits.shortest() && !options.operation->is_continuous) {
         std::ranges::transform(options.operation->open_ends, std::back_inserter(open_ends_),
                                [this](const OpenEnd& range) { return rounded(range); });
-    }
-    for (const std::string_view name : result_columns(options, layout)) {
-        json_keys_.push_back(json_string(layout.delimiter.unquoted(name)) + ": ");
     }
 }
 
@@ -301,6 +307,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     const auto key = [&] {
         begin_member();
         append(to, *next_key++);
+        append(to, ": ");
     };
     const auto other = [&](std::size_t i) {
         begin_member();

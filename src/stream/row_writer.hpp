@@ -27,8 +27,8 @@ struct ConvertedRow {
     std::string_view partner{}; ///< the fields partner_names, each after a delimiter
 };
 
-/// The columns of the result, its diagnostics and its partner, if they are written. Views into the arguments.
-[[nodiscard]] std::vector<std::string_view> result_columns(const Options& options, const Layout& layout);
+/// The columns of the result as keys of JSON, in quotes. `delimiter`: that of the header.
+[[nodiscard]] std::vector<std::string> result_keys(const Options& options, const Layout& layout, Delimiter delimiter);
 
 /// Writes the header with the result's columns in their place.
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header);
@@ -61,7 +61,7 @@ private:
 
     const Options* options_;
     const Layout* layout_;
-    std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes, with a colon
+    std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes
     /// An open end as rounded numbers may show it.
     struct RoundedEnd {
         OpenEnd range{};
