@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <utility>
 #include <variant>
 
@@ -81,18 +80,17 @@ public:
     [[nodiscard]] std::optional<Beginning> by_name(bool is_end) const {
         const Line& row = lines_.back();
         std::optional<Delimiter> delimiter;
-        std::span<const Line> candidates = lines_;
         if (!is_end) {
             if (has_all(find_names(row, {}).second)) {
                 return std::nullopt;
             }
-            candidates = candidates.first(candidates.size() - 1);
             const Delimiter own = delimiter_of(row.text);
             if (HeaderLine(row, own).fields.size() > 1) { // otherwise it does not show the delimiter
                 delimiter = own;
             }
         }
-        for (const Line& line : std::views::reverse(candidates)) {
+        for (std::size_t i = lines_.size() - (is_end ? 0 : 1); i-- > 0;) {
+            const Line& line = lines_[i];
             // A comment is split by the delimiter of the data, so that prose is not taken for names.
             auto [header, found] = find_names(line, options_.is_comment(line.text) ? delimiter : std::nullopt);
             if (const auto* positions = std::get_if<std::vector<std::size_t>>(&found)) {
@@ -157,17 +155,12 @@ private:
         return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
     }
 
-    /// The last comment; an empty line if there is none.
-    [[nodiscard]] Line last_comment() const {
+    /// The last comment, or an empty line, split as the row is. If blanks part the row, it is split at its commas if
+    /// that gives as many fields.
+    [[nodiscard]] HeaderLine above(const HeaderLine& row) const {
         const auto found = std::find_if(lines_.rbegin(), lines_.rend(),
                                         [this](const Line& line) { return options_.is_comment(line.text); });
-        return found == lines_.rend() ? Line{} : *found;
-    }
-
-    /// The last comment, split as the row is. If blanks part the row, it is split at its commas if that gives as many
-    /// fields.
-    [[nodiscard]] HeaderLine above(const HeaderLine& row) const {
-        const Line comment = last_comment();
+        const Line comment = found == lines_.rend() ? Line{} : *found;
         HeaderLine with_commas(comment, Delimiter::character(','), options_.comment);
         return row.delimiter.is_blanks() && with_commas.width() == row.width()
                    ? with_commas

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 
+#include "../core/text.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
@@ -17,7 +18,7 @@ bool is_digits(std::string_view text) noexcept {
 }
 
 /// Reads a 1-based index, at most the number of fields that a line can hold.
-std::optional<std::size_t> read_index(std::string_view text) noexcept {
+std::optional<std::size_t> index_of(std::string_view text) noexcept {
     std::size_t value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     constexpr std::size_t most = std::size_t{4} << 20U;
@@ -42,10 +43,8 @@ std::optional<ColumnError> find_twice(const std::vector<std::size_t>& positions)
 std::variant<ColumnList, ColumnError> ColumnList::parse(std::string_view list, std::size_t count) {
     ColumnList made;
     std::size_t counted = 0;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t comma = std::min(list.find(',', begin), list.size());
-        const std::string_view item = trimmed(list.substr(begin, comma - begin));
-        begin = comma + 1;
+    for (const std::string_view part : split(list, ',')) {
+        const std::string_view item = trimmed(part);
         const auto dash = item.find('-');
         const std::string_view from = item.substr(0, dash);
         const std::string_view to = dash == std::string_view::npos ? from : item.substr(dash + 1);
@@ -61,8 +60,8 @@ std::variant<ColumnList, ColumnError> ColumnList::parse(std::string_view list, s
             }
             continue;
         }
-        const auto first = read_index(from);
-        const auto last = read_index(to);
+        const auto first = index_of(from);
+        const auto last = index_of(to);
         if (!first || !last || *first > *last) {
             return ColumnError{What::not_an_item, std::string(item)};
         }

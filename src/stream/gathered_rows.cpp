@@ -1,17 +1,12 @@
 #include "gathered_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <utility>
 
 namespace rotconv::stream {
-namespace {
-
-/// The row of a pair, with what stands behind it in the text of its block.
-std::string_view with_room(std::string_view row) noexcept { return {row.data(), row.size() + RowReader::room_behind}; }
-
-} // namespace
 
 GatheredRows::GatheredRows(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout), readers_{RowReader(options.input, layout)} {
@@ -51,21 +46,17 @@ void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t
         Row& row = rows_.emplace_back(next_row(text, width), line++);
         row.passes = width == 0 && !options_->input.is_row(row.line.text);
         if (!row.passes) {
-            read(row);
+            take(row);
         }
-        if (row.error != Row::no_error && options_->on_error == OnError::stop) {
+        if (row.error != nullptr && options_->on_error == OnError::stop) {
             return;
         }
     }
 }
 
-void GatheredRows::add(const Row& pair, const std::vector<RowError>& errors_of_pairs) {
-    Row& row = rows_.emplace_back(pair);
-    if (row.error != Row::no_error) {
-        errors_.push_back(errors_of_pairs[row.error]);
-        row.error = errors_.size() - 1;
-    } else if (!row.passes) {
-        read(row);
+void GatheredRows::add(const Row& pair) {
+    if (Row& row = rows_.emplace_back(pair); row.has_numbers()) {
+        take(row);
     }
 }
 
@@ -88,19 +79,16 @@ const char* GatheredRows::drop_from(std::size_t index) {
     return begin;
 }
 
-void GatheredRows::read(Row& row) {
+void GatheredRows::take(Row& row) {
     const std::size_t first_number = parts_.numbers.size();
     const std::size_t first_kept = parts_.kept.size();
     const std::size_t first_key = parts_.keys.size();
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
-    const bool is_pair = row.partner.number > 0; // a single row is scanned by gather()
-    const auto scanned = is_pair ? readers_[0].scan(with_room(row.line.text), parts_) : std::nullopt;
-    row.numbers = scanned ? scanned->numbers : std::string_view();
-    const bool is_own_read = scanned || readers_[0].read(row.line.text, parts_);
+    const bool is_pair = row.partner.number > 0;
+    const bool is_own_read = take_line(row.line.text, {row.number}, is_pair);
     row.field_count = parts_.fields.size() - row.first_field;
-    parts_.error.place = {row.number};
-    if (is_own_read && (!is_pair || read_partner(row))) {
+    if (is_own_read && (!is_pair || take_partner(row))) {
         lines_.push_back(row.number);
         if (is_pair) {
             reference_lines_.push_back(row.partner.number);
@@ -110,12 +98,11 @@ void GatheredRows::read(Row& row) {
     parts_.numbers.resize(first_number);
     parts_.kept.resize(first_kept);
     parts_.keys.resize(first_key);
-    row.error = errors_.size();
-    errors_.push_back(std::move(parts_.error));
+    row.error = &errors_.emplace_back(std::move(parts_.error));
 }
 
-bool GatheredRows::read_partner(const Row& row) {
-    if (!read(row.partner)) {
+bool GatheredRows::take_partner(const Row& row) {
+    if (!take_line(row.partner.text, {row.partner.number, Side::reference}, true)) {
         return false;
     }
     if (!options_->pairing->interpolates) {
@@ -123,7 +110,7 @@ bool GatheredRows::read_partner(const Row& row) {
     }
     const std::size_t kept = parts_.kept.size();
     const std::size_t keys = parts_.keys.size();
-    if (!read(row.later)) {
+    if (!take_line(row.later.text, {row.later.number, Side::reference}, true)) {
         return false;
     }
     parts_.numbers.push_back(row.fraction);
@@ -132,16 +119,49 @@ bool GatheredRows::read_partner(const Row& row) {
     return true;
 }
 
-bool GatheredRows::read(const Partner& partner) {
-    const RowReader& reader = readers_[1];
-    const bool is_read = reader.scan(with_room(partner.text), parts_) || reader.read(partner.text, parts_);
-    parts_.error.place = {partner.number, Side::reference};
+bool GatheredRows::take_line(std::string_view text, Place place, bool of_pair) {
+    const RowReader& reader = readers_[index_of(place.side)];
+    const bool is_scanned = of_pair && reader.scan({text.data(), text.size() + RowReader::room_behind}, parts_);
+    const bool is_read = is_scanned || reader.read(text, parts_); // gather() has scanned a line that is not of a pair
+    parts_.error.place = place;
     return is_read;
 }
 
-std::span<const double> GatheredRows::numbers_of(const Row& row) const noexcept {
-    const std::size_t size = parts_.numbers.size() / lines_.size();
-    return std::span<const double>(parts_.numbers).subspan(row.index * size, size);
+RowError GatheredRows::error_of(const Row& row, const RowReport& report, std::string_view given) const {
+    if (row.error != nullptr) {
+        return *row.error;
+    }
+    if (row.fraction > 0.0 && report.error == Error::past_half_turn) {
+        return {.place = {row.number}, .what = RowError::What::no_partner, .text = std::string(given)};
+    }
+    const Side side = report.of_reference && row.partner.number > 0 ? Side::reference : Side::stream;
+    const Partner& at = side == Side::stream ? Partner{given, row.number} : report.of_later ? row.later : row.partner;
+    return {.place = {at.number, side},
+            .what = RowError::What::attitude,
+            .text = reader(side).selected_text(at.text),
+            .error = report.error,
+            .defect = report.defect,
+            .norm = report.error == Error::defect ? norm_of(row, report) : 0.0};
+}
+
+double GatheredRows::norm_of(const Row& row, const RowReport& report) const {
+    if (report.of_reference && row.partner.number == 0) {
+        return 0.0; // the second attitude of a row
+    }
+    const RowNumbers& read = report.of_reference ? options_->pairing->reference.numbers : options_->input.numbers;
+    if (!read.attitude || read.attitude->name != RepresentationId::quat) {
+        return 0.0;
+    }
+    const PairColumns columns{.first_size = layout_->count - read.kept, .second_size = 4};
+    const std::size_t first = report.of_later ? columns.later() : report.of_reference ? columns.first_size : 0;
+    const std::size_t size = parts_.numbers.size() / lines_.size(); // with the partner's
+    const auto q = std::span<const double>(parts_.numbers).subspan(row.index * size + first, 4);
+    const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
+    double squares = 0.0; // scaled, so that they neither overflow nor underflow
+    for (const double number : q) {
+        squares += (number / largest) * (number / largest);
+    }
+    return largest * std::sqrt(squares);
 }
 
 void GatheredRows::split(Row& row) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,8 +28,8 @@ public:
     void clear() noexcept;
     /// Takes rows off the text, up to `most_rows` and `most_bytes`; with OnError::stop none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes);
-    /// Reads a row and its partner.
-    void add(const Row& pair, const std::vector<RowError>& errors_of_pairs);
+    /// Reads a row and its partner, unless the row has an error.
+    void add(const Row& pair);
     /// Takes the numbers of rows off doubles that are nothing else, up to `most_rows`; there are no rows() then.
     void gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows);
     /// Drops the rows from that index on, which are left to a later batch.
@@ -37,13 +38,12 @@ public:
 
     [[nodiscard]] std::vector<Row>& rows() noexcept { return rows_; }
     [[nodiscard]] bool has_error() const noexcept { return !errors_.empty(); }
-    [[nodiscard]] const RowError& error_of(const Row& row) const { return errors_[row.error]; }
+    /// The error of a row without a result. `given`: the row as it was read.
+    [[nodiscard]] RowError error_of(const Row& row, const RowReport& report, std::string_view given) const;
     /// The numbers of the rows that have them.
     [[nodiscard]] NumberRows numbers() const noexcept {
         return {parts_.numbers, lines_, parts_.kept, parts_.keys, reference_lines_};
     }
-    /// The numbers of a row, followed by its partner's.
-    [[nodiscard]] std::span<const double> numbers_of(const Row& row) const noexcept;
     /// How many rows have numbers.
     [[nodiscard]] std::size_t count() const noexcept { return lines_.size(); }
     /// Looks for the fields of a row, unless they are known. A binary row's fields are its numbers' bytes, or their
@@ -59,18 +59,22 @@ public:
     [[nodiscard]] const RowReader& reader(Side side) const noexcept { return readers_[index_of(side)]; }
 
 private:
-    void read(Row& row);
-    /// Reads the numbers from the reference; see PairColumns.
-    [[nodiscard]] bool read_partner(const Row& row);
-    [[nodiscard]] bool read(const Partner& partner);
+    /// Adds the numbers of a row and its partner, or the error.
+    void take(Row& row);
+    /// Adds the numbers from the reference; see PairColumns.
+    [[nodiscard]] bool take_partner(const Row& row);
+    /// Adds the numbers of one line of either stream. The text of a line `of_pair` is in a PairBlock.
+    [[nodiscard]] bool take_line(std::string_view text, Place place, bool of_pair);
     void split_doubles(Row& row);
+    /// The norm of the quaternion that the report is about; 0 if the attitude is not a quaternion.
+    [[nodiscard]] double norm_of(const Row& row, const RowReport& report) const;
 
     const Options* options_;
     const Layout* layout_;
     std::vector<RowReader> readers_; ///< by Side
     std::vector<Row> rows_;
     RowParts parts_;
-    std::vector<RowError> errors_;
+    std::deque<RowError> errors_;    ///< they stay in their place
     std::vector<std::size_t> lines_; ///< those of the rows with numbers
     std::vector<std::size_t> reference_lines_;
     Buffer made_; ///< the text of a binary row

@@ -22,18 +22,16 @@ struct Partner {
 
 /// A row of a stream, perhaps with the row of the reference that it is compared with.
 struct Row {
-    static constexpr std::size_t no_error = static_cast<std::size_t>(-1);
-
-    // Without a constructor all bytes would be cleared first, which takes longer than the rest.
+    // Without a constructor all bytes would be cleared first, which takes longer than what it does.
     explicit Row(const Line& line_ = {}, std::size_t number_ = 0) noexcept : line(line_), number(number_) {}
 
     Line line;
-    std::size_t number;           ///< the line's; 0 if there is only a row of the reference
-    Partner partner{};            ///< the row of the reference
-    Partner later{};              ///< the next row of the reference, if the partner is interpolated
-    double fraction = 0.0;        ///< where the row's key is between theirs, from 0 to 1
-    bool passes = false;          ///< blank or comment: goes out as it is
-    std::size_t error = no_error; ///< index of the error, for a row without numbers
+    std::size_t number;              ///< the line's; 0 if there is only a row of the reference
+    Partner partner{};               ///< the row of the reference
+    Partner later{};                 ///< the next row of the reference, if the partner is interpolated
+    double fraction = 0.0;           ///< where the row's key is between theirs, from 0 to 1
+    bool passes = false;             ///< blank or comment: goes out as it is
+    const RowError* error = nullptr; ///< why it has no numbers
     // Set when the row is read:
     std::string_view numbers{}; ///< their text, if the row was scanned without looking for fields
     std::size_t first_field = 0;
@@ -41,13 +39,13 @@ struct Row {
     std::size_t index = 0; ///< its place among the rows with numbers
 
     [[nodiscard]] bool is_scanned() const noexcept { return numbers.data() != nullptr; }
-    [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == no_error; }
+    [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == nullptr; }
 };
 
 /// Pairs of rows, in the order of the stream.
 struct PairBlock {
     std::vector<Row> rows;                            ///< in pairs, or alone if the key has an error
-    std::vector<RowError> errors;                     ///< Row::error is an index of these
+    std::vector<std::unique_ptr<RowError>> errors;    ///< what Row::error points to, or null
     std::vector<std::shared_ptr<const Buffer>> texts; ///< hold the rows, with RowReader::room_behind
     std::size_t bytes = 0;                            ///< size of the rows
 
@@ -62,16 +60,15 @@ struct PairBlock {
 /// A block on its way from the input to the output.
 struct Job {
     IoBlock block;
-    std::string_view text;            ///< its data rows
-    std::size_t line = 1;             ///< the line of the first data row
-    PairBlock pairs;                  ///< instead of data rows, if two streams are read side by side
+    PairBlock pairs;                  ///< instead of a block, if two streams are read side by side
     std::array<RowWidth, 2> widths{}; ///< see JobReader
     Output output;
     bool ran_in_order = false; ///< see Ordered
     bool done = false;
 
-    /// The bytes that were read.
+    /// The bytes of its rows.
     [[nodiscard]] std::size_t size() const noexcept { return block.text.size() + pairs.bytes; }
+    [[nodiscard]] bool has_rows() const noexcept { return !block.text.empty() || !pairs.rows.empty(); }
 };
 
 /// The source of a run's jobs. Used by one thread at a time.

@@ -22,7 +22,7 @@ std::string_view leading_digits(std::string_view text) noexcept {
 }
 
 /// The number after the e, bounded; nothing if there is none.
-std::optional<std::int64_t> read_power(std::string_view text) noexcept {
+std::optional<std::int64_t> exponent_of(std::string_view text) noexcept {
     constexpr std::int64_t bound = std::int64_t{1} << 60U; // twice it, and the length of a text, fit 64 bits
     text.remove_prefix(text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
     std::int64_t power = 0;
@@ -35,7 +35,7 @@ std::optional<std::int64_t> read_power(std::string_view text) noexcept {
 }
 
 /// Rounds 0.DIGITS times 10^point to whole units.
-ReadKey read_digits(std::string_view digits, std::int64_t point, int power) {
+ReadKey rounded_units(std::string_view digits, std::int64_t point, int power) {
     const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
     digits.remove_prefix(zeros);
     point -= static_cast<std::int64_t>(zeros);
@@ -62,7 +62,7 @@ ReadKey read_digits(std::string_view digits, std::int64_t point, int power) {
     return {.value = {units}};
 }
 
-ReadKey read_decimal(std::string_view text, int power) {
+ReadKey decimal_key(std::string_view text, int power) {
     const bool is_negative = text.starts_with('-');
     text.remove_prefix(is_negative || text.starts_with('+') ? 1 : 0);
     const std::string_view whole = leading_digits(text);
@@ -71,19 +71,19 @@ ReadKey read_decimal(std::string_view text, int power) {
     const std::string_view fraction = leading_digits(text.substr(has_point ? 1 : 0));
     text.remove_prefix(fraction.size() + (has_point ? 1 : 0));
     const auto exponent = text.empty()                       ? std::optional<std::int64_t>(0)
-                          : text[0] == 'e' || text[0] == 'E' ? read_power(text.substr(1))
+                          : text[0] == 'e' || text[0] == 'E' ? exponent_of(text.substr(1))
                                                              : std::nullopt;
     if (!exponent || (whole.empty() && fraction.empty())) {
         return {.error = KeyError::not_a_number};
     }
     const auto point = static_cast<std::int64_t>(whole.size()) + *exponent;
-    ReadKey key = read_digits(fraction.empty() ? whole : std::string(whole).append(fraction), point, power);
+    ReadKey key = rounded_units(fraction.empty() ? whole : std::string(whole).append(fraction), point, power);
     key.value.units = is_negative ? -key.value.units : key.value.units;
     return key;
 }
 
 /// Reads a text that begins with a date, in the form 0000-00-00 or 0000-000 where 0 stands for any digit.
-ReadKey read_iso(std::string_view text, std::string_view form) {
+ReadKey time_key(std::string_view text, std::string_view form) {
     using namespace std::chrono;
     const std::size_t hour = form.starts_with("0000-00-00") ? 11 : 9;
     if (form.size() < hour || form[hour - 1] == ' ') {
@@ -111,7 +111,7 @@ ReadKey read_iso(std::string_view text, std::string_view form) {
     }
     const seconds whole = (sys_days(date) + later).time_since_epoch() + hours(number(hour, 2)) +
                           minutes(number(hour + 3, 2)) + seconds(second);
-    ReadKey key = has_fraction ? read_digits(fraction.substr(1), 0, 0) : ReadKey();
+    ReadKey key = has_fraction ? rounded_units(fraction.substr(1), 0, 0) : ReadKey();
     key.value.units += Int128{whole.count()} * 1'000'000'000'000'000'000; // forward from it, also before 1970
     return key;
 }
@@ -154,17 +154,17 @@ double ratio(KeyDistance a, KeyDistance b) {
 
 ReadKey read_key(std::string_view text, int power) {
     text = trimmed(text);
-    ReadKey key = read_decimal(text, power);
+    ReadKey key = decimal_key(text, power);
     if (key.error != KeyError::not_a_number) {
         return key;
     }
     std::string form(text); // 0 for any digit
     std::ranges::replace_if(form, is_digit, '0');
-    return form.starts_with("0000-00-00") || form.starts_with("0000-000") ? read_iso(text, form) : key;
+    return form.starts_with("0000-00-00") || form.starts_with("0000-000") ? time_key(text, form) : key;
 }
 
 KeyDistance read_distance(std::string_view text) {
-    const ReadKey key = read_decimal(trimmed(text), 0);
+    const ReadKey key = decimal_key(trimmed(text), 0);
     return {key.error == KeyError::too_large ? ~Uint128{0}
                                              : static_cast<Uint128>(std::max(key.value.units, Int128{0}))};
 }

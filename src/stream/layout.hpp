@@ -59,13 +59,17 @@ struct Layout {
         first_field = positions.empty() ? 0 : std::ranges::min(positions);
         number_of_field.assign(count, count);
         for (std::size_t i = 0; i < number_of_field.size(); ++i) {
-            const std::size_t place = positions.empty() ? i : positions[i] - first_field;
+            const std::size_t place = position(i) - first_field;
             if (place >= count || number_of_field[place] != count || (i < kept && place != i)) {
                 number_of_field.clear();
                 return;
             }
             number_of_field[place] = i;
         }
+    }
+    /// The position of the field that holds a number.
+    [[nodiscard]] std::size_t position(std::size_t number) const noexcept {
+        return positions.empty() ? number : positions[number];
     }
     [[nodiscard]] bool replaces(std::size_t field) const noexcept {
         return !appends && std::ranges::binary_search(replaced, field);

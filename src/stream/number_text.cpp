@@ -81,8 +81,8 @@ Digits16 split(std::uint64_t first, std::uint64_t second) noexcept {
 char* write_digits(char* to, std::uint64_t digits, int point, bool negative) noexcept {
     constexpr std::uint64_t half = powers_of_ten[8];
     const auto first = static_cast<char>('0' + digits / powers_of_ten[16]);
-    const std::uint64_t rest = digits % powers_of_ten[16];
-    const auto [others, count] = split(rest / half, rest % half);
+    const std::uint64_t sixteen = digits % powers_of_ten[16];
+    const auto [others, count] = split(sixteen / half, sixteen % half);
 
     *to = '-';
     to += negative ? 1 : 0;

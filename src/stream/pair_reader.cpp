@@ -16,15 +16,15 @@ constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
 } // namespace
 
-void PairReader::Stream::read_block(Job& job) {
+void PairReader::Stream::take_block(Job& job) {
     ended = !blocks.read(job);
-    if (const std::size_t size = job.text.size(); size > 0) {
+    auto& [bytes, block_text, first_line] = job.block;
+    if (const std::size_t size = block_text.size(); size > 0) {
         auto text = std::make_shared<Buffer>();
-        Buffer& bytes = job.block.bytes;
         if (2 * size < bytes.capacity()) { // it may wait, and should not hold much memory that is empty
-            append(*text, job.text);
+            append(*text, block_text);
         } else {
-            bytes.resize(static_cast<std::size_t>(job.text.data() - bytes.data()) + size);
+            bytes.resize(static_cast<std::size_t>(block_text.data() - bytes.data()) + size);
             *text = std::move(bytes);
         }
         const std::size_t end = text->size();
@@ -32,10 +32,9 @@ void PairReader::Stream::read_block(Job& job) {
         std::fill(text->begin() + end, text->end(), '\0'); // none of the input's bytes
         unread = {text->data() + end - size, size};
         texts.push_back(std::move(text));
-        line = job.line;
-        job.text = {};
+        line = first_line;
     }
-    job.block.text = {};
+    block_text = {};
 }
 
 void PairReader::Stream::take_line() {
@@ -66,6 +65,7 @@ void PairReader::Stream::find_key(Waiting& row) {
         range = {range ? range->first : key.value, key.value};
         return;
     }
+    parts.error.place = {row.number, side};
     row.error = std::make_unique<RowError>(std::move(parts.error));
 }
 
@@ -83,15 +83,29 @@ PairReader::At PairReader::Stream::look(std::size_t ahead) {
 }
 
 void PairReader::Stream::drop_row(bool is_paired) {
-    if (!is_paired && unpaired.rows++ == 0) {
-        unpaired.first_line = waiting.front().number;
+    if (!is_paired) {
+        unpaired.add({1, waiting.front().number});
     }
+    dispose_row();
+    drop_line();
+}
+
+void PairReader::Stream::fail_row(RowError::What what) {
+    Waiting& row = waiting.front();
+    const std::string_view text = row.line.text;
+    row.error = std::make_unique<RowError>(
+        RowError{.place = {row.number, side},
+                 .what = what,
+                 .text = options->width == 0 ? std::string(text) : reader.selected_text(text)});
+    dispose_row();
+}
+
+void PairReader::Stream::dispose_row() {
+    --rows_waiting;
     if (by_key) {
         disposed = keys.front();
         keys.pop_front();
     }
-    drop_line();
-    --rows_waiting;
 }
 
 void PairReader::Stream::drop_line() {
@@ -110,8 +124,8 @@ void PairReader::Stream::hold(std::size_t count, PairBlock& pairs) {
 }
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
-    : pairing_(&*options.pairing), rows_(source, options.input, &options, pairing_->by_key, block_size),
-      references_(reference, pairing_->reference, nullptr, pairing_->by_key, block_size) {}
+    : pairing_(&*options.pairing), rows_(Side::stream, source, options, block_size),
+      references_(Side::reference, reference, options, block_size) {}
 
 bool PairReader::read(Job& job) {
     rows_.held = references_.held = 0;
@@ -133,7 +147,7 @@ bool PairReader::read(Job& job) {
             if ((has_read || rows > 0) && !dry_->blocks.is_ready()) {
                 return true;
             }
-            dry_->read_block(dry_ == &rows_ ? job : reference_job_);
+            dry_->take_block(dry_ == &rows_ ? job : reference_job_);
             has_read = true;
         }
     }
@@ -143,24 +157,18 @@ bool PairReader::read(Job& job) {
 void PairReader::hand_on_alone(Job& job, bool of_both) {
     PairBlock& pairs = job.pairs;
     for (Stream* stream : {&rows_, &references_}) {
-        const bool of_reference = stream == &references_;
-        if (of_reference && !of_both) {
+        const bool is_own = stream == &rows_;
+        if (!is_own && !of_both) {
             return;
         }
         while (!stream->waiting.empty() && !stream->waiting.front().has_key()) {
             Waiting& first = stream->waiting.front();
-            const std::size_t error = first.error ? pairs.errors.size() : Row::no_error;
-            if (first.error) {
-                first.error->place = {first.number, of_reference ? Side::reference : Side::stream};
-                pairs.errors.push_back(std::move(*first.error));
-            }
-            if (!of_reference) {
-                Row& row = pairs.rows.emplace_back(first.line, first.number);
+            if (is_own || first.error) {
+                Row& row = pairs.rows.emplace_back(is_own ? Row(first.line, first.number) : Row());
                 row.passes = first.passes;
-                row.error = error;
+                row.error = first.error.get();
+                pairs.errors.push_back(std::move(first.error));
                 stream->hold(1, pairs);
-            } else if (!first.passes) {
-                pairs.rows.emplace_back().error = error;
             }
             pairs.bytes += first.line.text.size() + 1;
             stream->drop_line();
@@ -196,7 +204,7 @@ void PairReader::pair(Job& job, bool is_between) {
     }
 }
 
-void PairReader::drop_alone(Job& job, Stream& stream) {
+void PairReader::drop_alone(Stream& stream) {
     if (&stream == &rows_ && pairing_->by_key && !pairing_->interpolates) {
         if (!references_.keys.empty()) {
             compare_distance(distance(references_.keys[0], rows_.keys[0]));
@@ -205,19 +213,11 @@ void PairReader::drop_alone(Job& job, Stream& stream) {
             compare_distance(distance(rows_.keys[0], *references_.disposed));
         }
     }
-    const bool fails = &stream == &rows_ && pairing_->needs_partner;
-    if (fails) {
-        const Waiting& first = stream.waiting.front();
-        Row& row = job.pairs.rows.emplace_back(first.line, first.number);
-        row.error = job.pairs.errors.size();
-        job.pairs.errors.push_back({.place = {first.number},
-                                    .what = RowError::What::no_partner,
-                                    .text = stream.options->width == 0 ? std::string(first.line.text)
-                                                                       : stream.reader.selected_text(first.line.text)});
-        job.pairs.bytes += first.line.text.size() + 1;
-        stream.hold(1, job.pairs);
+    if (&stream == &rows_ && pairing_->needs_partner) {
+        stream.fail_row(RowError::What::no_partner);
+    } else {
+        stream.drop_row(false);
     }
-    stream.drop_row(fails);
 }
 
 void PairReader::compare_distance(KeyDistance found) { nearest_ = std::min(nearest_.value_or(found), found); }
@@ -228,7 +228,7 @@ PairReader::Stream* PairReader::match(Job& job, At row, At reference) {
         if (row == At::end) {
             references_.drop_row(interpolates);
         } else {
-            drop_alone(job, rows_);
+            drop_alone(rows_);
         }
         return nullptr;
     }
@@ -239,8 +239,10 @@ PairReader::Stream* PairReader::match(Job& job, At row, At reference) {
     const bool is_before = rows_.keys[0] < references_.keys[0];
     Stream& low = is_before ? rows_ : references_;
     const Stream& high = is_before ? references_ : rows_;
-    if (interpolates ? is_before : is_alone(low, high)) {
-        drop_alone(job, low);
+    const KeyDistance apart = distance(low.keys[0], high.keys[0]);
+    const bool has_other = high.disposed && distance(low.keys[0], *high.disposed) <= apart; // that is no farther away
+    if (interpolates ? is_before : apart > pairing_->within || has_other) {
+        drop_alone(low);
         return nullptr;
     }
     const At next = low.look(1);
@@ -248,28 +250,22 @@ PairReader::Stream* PairReader::match(Job& job, At row, At reference) {
         return &low;
     }
     if (next == At::too_far) {
-        error_ = StreamError{.what = StreamError::What::far_key,
-                             .place = {low.waiting.front().number, is_before ? Side::stream : Side::reference}};
+        error_ = StreamError{.what = StreamError::What::far_key, .place = {low.waiting.front().number, low.side}};
     } else if (interpolates) {
         match_between(job, next);
-    } else if (next == At::row && distance(low.keys[1], high.keys[0]) < distance(low.keys[0], high.keys[0])) {
-        drop_alone(job, low); // the next row is nearer
+    } else if (next == At::row && distance(low.keys[1], high.keys[0]) < apart) {
+        drop_alone(low); // the next row is nearer
     } else {
         pair(job);
     }
     return nullptr;
 }
 
-bool PairReader::is_alone(const Stream& low, const Stream& high) const {
-    const KeyDistance ahead = distance(low.keys[0], high.keys[0]);
-    return ahead > pairing_->within || (high.disposed && distance(low.keys[0], *high.disposed) <= ahead);
-}
-
 void PairReader::match_between(Job& job, At next) {
     if (next == At::end) {
         error_ = reference_error(); // the next row may exist, and was not read
         if (!error_) {
-            drop_alone(job, rows_);
+            drop_alone(rows_);
         }
     } else if (references_.keys[1] <= rows_.keys[0]) {
         references_.drop_row(true);
@@ -277,7 +273,7 @@ void PairReader::match_between(Job& job, At next) {
         pair(job, true);
     } else {
         compare_distance(apart);
-        drop_alone(job, rows_);
+        drop_alone(rows_);
     }
 }
 

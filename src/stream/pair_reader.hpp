@@ -51,8 +51,9 @@ private:
         std::size_t number = 0;
         bool passes = false;
         bool ends_text = false;            ///< it is the last line of a text
-        std::unique_ptr<RowError> error{}; ///< why it has no key
+        std::unique_ptr<RowError> error{}; ///< why it has no key or no partner
 
+        /// Otherwise it needs no partner.
         [[nodiscard]] bool has_key() const noexcept { return !passes && !error; }
     };
 
@@ -61,25 +62,30 @@ private:
 
     /// One of the two streams.
     struct Stream {
-        Stream(Source& source, const InputOptions& given, const Options* written, bool with_keys,
-               std::size_t block_size)
-            : options(&given), by_key(with_keys), blocks(source, given, written, block_size), reader(given, *layout()) {
-        }
+        Stream(Side which, Source& source, const Options& all, std::size_t block_size)
+            : side(which), options(which == Side::stream ? &all.input : &all.pairing->reference),
+              by_key(all.pairing->by_key), blocks(source, *options, which == Side::stream ? &all : nullptr, block_size),
+              reader(*options, *layout()) {}
 
         [[nodiscard]] const Layout* layout() const { return blocks.layout(Side::stream); }
         /// Whether the `ahead`-th next row is at hand; takes lines off the text until it is.
         At look(std::size_t ahead);
         /// Reads a block into the job, and takes it over.
-        void read_block(Job& job);
+        void take_block(Job& job);
         void take_line();
         void find_key(Waiting& row);
+        /// Leaves the next row to be handed on with an error.
+        void fail_row(RowError::What what);
         void drop_row(bool is_paired);
+        /// Takes the next row out of those that may be paired.
+        void dispose_row();
         void drop_line();
         /// Lets the pairs hold the first texts for as long as their rows are used.
         void hold(std::size_t count, PairBlock& pairs);
         [[nodiscard]] bool is_done() const { return ended && unread.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !unread.empty() || blocks.is_ready(); }
 
+        Side side;
         const InputOptions* options;
         bool by_key; ///< the key is the first selected column
         RowBlocks blocks;
@@ -102,14 +108,12 @@ private:
     /// Pairs the first rows of both streams, or drops one of them.
     /// @return the stream whose next row must be known first, or null
     Stream* match(Job& job, At row, At reference);
-    /// Whether the row with the lower key has no partner, because the other is too far from it or has a nearer one.
-    [[nodiscard]] bool is_alone(const Stream& low, const Stream& high) const;
     /// Pairs or drops a row after the first row of the reference, whose next row is at hand as `next` says.
     void match_between(Job& job, At next);
     /// Pairs the first rows. `is_between`: the row lies between the first two of the reference.
     void pair(Job& job, bool is_between = false);
     /// Drops the stream's next row, which has no partner.
-    void drop_alone(Job& job, Stream& stream);
+    void drop_alone(Stream& stream);
     void compare_distance(KeyDistance found);
     [[nodiscard]] std::optional<StreamError> reference_error() const;
     /// Hands on lines that need no partner: comments, blank lines, rows whose key is at fault. `of_both`: also the

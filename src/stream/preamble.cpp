@@ -28,7 +28,7 @@ bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
         const Line current = next_line(after);
         const std::string_view whole = text.substr(0, text.size() - after.size());
         bool is_data = options_->is_row(current.text);
-        if (comment_.empty() && options_->is_comment(current.text)) {
+        if (comment_.empty() && !is_data && !is_blank(current.text)) {
             comment_ = current.text;
             comment_line_ = line;
         }
@@ -192,7 +192,7 @@ void Preamble::keep_names(const HeaderLine& header) {
     }
     const std::size_t count = written_->operation->names.size();
     for (std::size_t i = layout_.count - count; i < layout_.count; ++i) {
-        const std::size_t at = layout_.positions.empty() ? i : layout_.positions[i];
+        const std::size_t at = layout_.position(i);
         layout_.kept_names.emplace_back(at < header.fields.size() ? trimmed(header.fields[at]) : "");
     }
     const auto keys = result_keys(*written_, layout_, header.delimiter);

@@ -22,14 +22,13 @@ public:
 
     bool read(Job& job) override {
         const bool goes_on = blocks_.read(job.block);
-        job.text = job.block.text;
-        job.line = job.block.first_line;
-        if (is_told_ && job.line == 1 && !job.text.empty()) {
-            job.output.events.emplace_back(FirstBytes{std::string(job.text.substr(0, most_first_bytes))});
+        IoBlock& block = job.block;
+        if (is_told_ && block.first_line == 1 && !block.text.empty()) {
+            job.output.events.emplace_back(FirstBytes{std::string(block.text.substr(0, most_first_bytes))});
         }
-        preamble_.read(job.text, job.line, job.output);
+        preamble_.read(block.text, block.first_line, job.output);
         if (width_.fields == 0 && options_->width == 0 && !options_->columns.empty()) {
-            find_width(job);
+            find_width(block);
         }
         return goes_on && !error();
     }
@@ -47,11 +46,11 @@ private:
     static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
 
     /// Looks for the first row whose selected fields are numbers; its width must be that of a header with their names.
-    void find_width(Job& job) {
+    void find_width(IoBlock& block) {
         const RowReader reader(*options_, preamble_.layout());
         RowParts parts;
-        std::size_t line = job.line;
-        for (std::string_view text = job.text; !text.empty() && width_.fields == 0; ++line) {
+        std::size_t line = block.first_line;
+        for (std::string_view text = block.text; !text.empty() && width_.fields == 0; ++line) {
             const std::string_view row = next_line(text).text;
             parts.clear();
             if (!options_->is_row(row) || !reader.read(row, parts)) {
@@ -64,7 +63,7 @@ private:
                                   .text = std::string(row),
                                   .count = preamble_.layout().name_count,
                                   .fields = width_.fields};
-                job.text = job.text.substr(0, static_cast<std::size_t>(row.data() - job.text.data()));
+                block.text = block.text.substr(0, static_cast<std::size_t>(row.data() - block.text.data()));
             }
         }
     }

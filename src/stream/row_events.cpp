@@ -1,8 +1,6 @@
 #include "row_events.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace rotconv::stream {
 
@@ -17,49 +15,6 @@ double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind
     case DiagnosticKind::few_digits: return part.openness;
     default: return part.sensitivity.margin;
     }
-}
-
-namespace {
-
-/// The norm of a row's or its partner's quaternion; 0 if the attitude is not a quaternion.
-double norm_of(const Row& row, const RowReport& report, const GatheredRows& rows, const Options& options,
-               const Layout& layout) {
-    if (report.of_reference && row.partner.number == 0) {
-        return 0.0; // the second attitude of a row
-    }
-    const RowNumbers& read = report.of_reference ? options.pairing->reference.numbers : options.input.numbers;
-    if (!read.attitude || read.attitude->name != RepresentationId::quat) {
-        return 0.0;
-    }
-    const PairColumns columns{.first_size = layout.count - read.kept, .second_size = 4};
-    const std::size_t first = report.of_later ? columns.later() : report.of_reference ? columns.first_size : 0;
-    const auto q = rows.numbers_of(row).subspan(first, 4);
-    const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
-    double squares = 0.0; // scaled, so that they neither overflow nor underflow
-    for (const double number : q) {
-        squares += (number / largest) * (number / largest);
-    }
-    return largest * std::sqrt(squares);
-}
-
-} // namespace
-
-RowError error_of(const Row& row, std::string_view given, const RowReport& report, const GatheredRows& rows,
-                  const Options& options, const Layout& layout) {
-    if (!row.has_numbers()) {
-        return rows.error_of(row);
-    }
-    if (row.fraction > 0.0 && report.error == Error::past_half_turn) {
-        return {.place = {row.number}, .what = RowError::What::no_partner, .text = std::string(given)};
-    }
-    const Side side = report.of_reference && row.partner.number > 0 ? Side::reference : Side::stream;
-    const Partner& at = side == Side::stream ? Partner{given, row.number} : report.of_later ? row.later : row.partner;
-    return {.place = {at.number, side},
-            .what = RowError::What::attitude,
-            .text = rows.reader(side).selected_text(at.text),
-            .error = report.error,
-            .defect = report.defect,
-            .norm = report.error == Error::defect ? norm_of(row, report, rows, options, layout) : 0.0};
 }
 
 void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t index,

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <string_view>
+#include <cstddef>
 #include <vector>
 
 #include "event.hpp"
-#include "gathered_rows.hpp"
 #include "job.hpp"
-#include "options.hpp"
+#include "row_operation.hpp"
 
 /// The events of a row that was answered.
 namespace rotconv::stream {
@@ -36,10 +35,6 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
         }
     }
 }
-
-/// The error of a row without a result. `given`: the row as it was read.
-[[nodiscard]] RowError error_of(const Row& row, std::string_view given, const RowReport& report,
-                                const GatheredRows& rows, const Options& options, const Layout& layout);
 
 /// Adds the diagnostics of the row's result of that index, those of a row and of its partner separately.
 /// @param operation outlives the events

@@ -95,7 +95,7 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
 bool RowReader::read(std::string_view row, RowParts& to) const {
     const std::size_t first_number = to.numbers.size();
     if (options_->width > 0) {
-        read_doubles(row, to.numbers);
+        add_doubles(row, to.numbers);
         for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
             to.keep(first_number);
         }
@@ -112,7 +112,7 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
         return false;
     }
     for (std::size_t i = 0; i < layout_->count; ++i) {
-        const std::string_view field = to.fields[first_field + position(i)];
+        const std::string_view field = to.fields[first_field + layout_->position(i)];
         to.numbers.push_back(0.0);
         double& number = to.numbers[to.numbers.size() - 1];
         NumberError error = read_number(field, number);
@@ -131,7 +131,6 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
                                                                       : RowError::What::key,
                         .text = std::string(field),
                         .key = key_error};
-            to.numbers.resize(first_number);
             return false;
         }
     }
@@ -141,11 +140,10 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
                     .found = count,
                     .expected = width_.fields,
                     .first_line = width_.line};
-        to.numbers.resize(first_number);
         return false;
     }
     for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
-        to.keys.push_back(layout_->delimiter.text_of(to.fields[first_field + position(i)]));
+        to.keys.push_back(layout_->delimiter.text_of(to.fields[first_field + layout_->position(i)]));
         to.keep(first_number);
     }
     return true;
@@ -161,7 +159,7 @@ ReadKey RowReader::key_of(std::string_view text) const {
 }
 
 std::optional<std::string> RowReader::key(std::string_view row, RowParts& to) const {
-    const std::size_t first = position(0);
+    const std::size_t first = layout_->position(0);
     if (options_->width > 0) {
         double number = 0.0;
         std::memcpy(&number, row.data() + first * sizeof(double), sizeof(double));
@@ -197,11 +195,11 @@ bool RowReader::split(std::string_view row, std::span<const std::size_t> needed,
     return true;
 }
 
-void RowReader::read_doubles(std::string_view row, Numbers& numbers) const {
+void RowReader::add_doubles(std::string_view row, Numbers& numbers) const {
     const std::size_t first = numbers.size();
     numbers.resize(first + layout_->count);
     for (std::size_t i = 0; i < layout_->count; ++i) {
-        std::memcpy(&numbers[first + i], row.data() + position(i) * sizeof(double), sizeof(double));
+        std::memcpy(&numbers[first + i], row.data() + layout_->position(i) * sizeof(double), sizeof(double));
     }
 }
 
@@ -213,7 +211,7 @@ std::string RowReader::selected_text(std::string_view row) const {
     const std::string_view delimiter(&character, 1);
     RowParts parts;
     if (options_->width > 0) {
-        read_doubles(row, parts.numbers);
+        add_doubles(row, parts.numbers);
         return fmt::format("{}", fmt::join(parts.numbers, delimiter));
     }
     static_cast<void>(layout_->delimiter.split(row, parts.fields));

@@ -63,7 +63,7 @@ public:
     /// @return nothing, and nothing is added, for any other row
     [[nodiscard]] std::optional<ScannedRow> scan(std::string_view text, RowParts& to) const;
     /// Adds what is read of a row, of text or of doubles; of text its fields too.
-    /// @return false where `to.error` says why there are no numbers; fields may be there
+    /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
     /// The text of the first number, which is a key; nothing where `to.error` says why.
     [[nodiscard]] std::optional<std::string> key(std::string_view row, RowParts& to) const;
@@ -75,10 +75,7 @@ public:
 private:
     /// Adds the row's fields; false, with an error, where not all of those needed are there.
     [[nodiscard]] bool split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const;
-    void read_doubles(std::string_view row, Numbers& numbers) const;
-    [[nodiscard]] std::size_t position(std::size_t number) const noexcept {
-        return layout_->positions.empty() ? number : layout_->positions[number];
-    }
+    void add_doubles(std::string_view row, Numbers& numbers) const;
 
     const InputOptions* options_;
     const Layout* layout_;

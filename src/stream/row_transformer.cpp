@@ -18,12 +18,9 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output, const Ord
     for (auto next = pairs.rows.begin(); next != pairs.rows.end() && !output.stopped;) {
         gathered_.clear();
         for (; next != pairs.rows.end() && gathered_.rows().size() < rows_at_once(); ++next) {
-            gathered_.add(*next, pairs.errors);
+            gathered_.add(*next);
         }
-        const std::size_t answered = answer(true);
-        make_continuous(answered, output, ordered);
-        write(output);
-        give_away(answered, output);
+        finish_batch(answer(true), {}, output, ordered);
     }
 }
 
@@ -50,17 +47,11 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
             answered = answer(true);
         }
-        make_continuous(answered, output, ordered);
         if (answered < gathered_.count()) {
             line = gathered_.numbers().lines[answered];
             text = all.substr(static_cast<std::size_t>(gathered_.drop_from(answered) - all.data()));
         }
-        if (is_doubles_alone()) {
-            write_doubles(all, output);
-        } else {
-            write(output);
-        }
-        give_away(answered, output);
+        finish_batch(answered, all, output, ordered);
         if (is_whole) {
             waiting_ = text;
             waiting_line_ = line;
@@ -72,7 +63,7 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
 
 bool RowTransformer::is_doubles_alone() const noexcept {
     return options_->input.width > 0 && options_->format == Format::f64 && !layout_->has_other_fields() &&
-           !options_->diagnostic_columns && !options_->fold;
+           !options_->diagnostic_columns && !options_->fold && !options_->pairing;
 }
 
 void RowTransformer::write_doubles(std::string_view rows, Output& output) {
@@ -101,16 +92,24 @@ std::size_t RowTransformer::answer(bool flush) {
     return operation_->run(rows, results_, reports_);
 }
 
-void RowTransformer::make_continuous(std::size_t answered, Output& output, const Ordered& ordered) {
-    if (!operation_->is_continuous) {
-        return;
-    }
+void RowTransformer::finish_batch(std::size_t answered, std::string_view text, Output& output, const Ordered& ordered) {
     const auto results = std::span(results_).first(answered * operation_->results_of_row * operation_->names.size());
-    const auto what = [&] { operation_->make_continuous(results, reports_); };
-    if (ordered && !operation_->in_order) { // with in_order there is one thread
-        output.stopped = !ordered(what);
+    const auto make_continuous = [&] { operation_->make_continuous(results, reports_); };
+    if (operation_->is_continuous && ordered && !operation_->in_order) { // with in_order there is one thread
+        output.stopped = !ordered(make_continuous);
+    } else if (operation_->is_continuous) {
+        make_continuous();
+    }
+    if (is_doubles_alone()) {
+        write_doubles(text, output);
     } else {
-        what();
+        write(output);
+    }
+    if (options_->fold && answered > 0) { // operations with a fold answer all rows at once
+        AnsweredRows& batch = output.batches.emplace_back();
+        gathered_.move_to(batch);
+        batch.results = std::exchange(results_, {});
+        batch.reports = std::exchange(reports_, {});
     }
 }
 
@@ -146,15 +145,6 @@ void RowTransformer::write(Output& output) {
     }
 }
 
-void RowTransformer::give_away(std::size_t answered, Output& output) {
-    if (options_->fold && answered > 0) { // operations with a fold answer all rows at once
-        AnsweredRows& batch = output.batches.emplace_back();
-        gathered_.move_to(batch);
-        batch.results = std::exchange(results_, {});
-        batch.reports = std::exchange(reports_, {});
-    }
-}
-
 void RowTransformer::write_row(Row& row, Output& output) {
     const std::string_view given = row.line.text; // a binary row becomes text
     const bool is_ours = row.number > 0;          // otherwise it is only an error of the reference
@@ -177,7 +167,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
             continue;
         }
         if (failed && i == 0) {
-            const RowError error = error_of(row, given, report, gathered_, *options_, *layout_);
+            const RowError error = gathered_.error_of(row, report, given);
             output.events.emplace_back(error);
             output.stopped = options_->on_error == OnError::stop || error.key == KeyError::has_unit;
         }

@@ -55,11 +55,10 @@ private:
     void write_doubles(std::string_view rows, Output& output);
     /// Runs the operation on the rows that have numbers; returns how many are answered, see RowOperation::run().
     std::size_t answer(bool flush);
-    /// Makes the results of the first `answered` rows continuous, in the order of the stream.
-    void make_continuous(std::size_t answered, Output& output, const Ordered& ordered);
+    /// Makes the results of the first `answered` rows continuous, in the order of the stream, writes the rows, and
+    /// hands them over with their results if there is a fold. `text`: what the rows were taken off.
+    void finish_batch(std::size_t answered, std::string_view text, Output& output, const Ordered& ordered);
     void write(Output& output);
-    /// Hands over the rows at hand and their results, if there is a fold.
-    void give_away(std::size_t answered, Output& output);
     void write_row(Row& row, Output& output);
     /// Whether the next report belongs to the row, and to a result before that index.
     [[nodiscard]] bool is_reported_before(const Row& row, std::size_t result) const noexcept {

@@ -43,30 +43,27 @@ std::string_view without_trailing_blanks(std::string_view row, char delimiter) n
 }
 
 /// Writes the fields that are not replaced and the result, in its place or at the end of the row less trailing blanks.
+/// `write_result` gets a function to be called before each of its fields.
 template <class WriteResult> void write_fields(Buffer& to, const Layout& layout, std::string_view row,
                                                std::span<const std::string_view> fields, char delimiter,
                                                const WriteResult& write_result) {
-    if (layout.appends) {
-        append(to, without_trailing_blanks(row, delimiter));
-        to.push_back(delimiter);
-        write_result();
-        return;
-    }
     bool first = true;
-    const auto part = [&] {
+    const auto begin_field = [&] {
         if (!std::exchange(first, false)) {
             to.push_back(delimiter);
         }
     };
     const auto other = [&](std::size_t i) {
-        part();
+        begin_field();
         append(to, fields[i]);
     };
-    const auto result = [&] {
-        part();
-        write_result();
-    };
-    for_each_output(layout, fields.size(), other, result);
+    if (layout.appends) {
+        begin_field();
+        append(to, without_trailing_blanks(row, delimiter));
+        write_result(begin_field);
+    } else {
+        for_each_output(layout, fields.size(), other, [&] { write_result(begin_field); });
+    }
 }
 
 /// Writes a line with the result, of at most `room` bytes, in the place of `numbers` or at its end.
@@ -92,13 +89,6 @@ template <class WriteResult> void write_around(Buffer& to, const Layout& layout,
     if (line.end.empty()) {
         append(to, layout.line_end);
     }
-}
-
-/// The double nearest to half of 10^-decimals.
-double half_a_unit(int decimals) {
-    double half = 0.0;
-    static_cast<void>(read_number(fmt::format("5e{}", -decimals - 1), half));
-    return half;
 }
 
 constexpr std::size_t most_around = 3; // a delimiter and a line end
@@ -160,9 +150,11 @@ std::vector<std::string> result_keys(const Options& options, const Layout& layou
 
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header) {
     const char delimiter = header.delimiter.text();
-    const auto write_names = [&] {
-        fmt::format_to(std::back_inserter(to), "{}",
-                       fmt::join(result_columns(options, layout), std::string_view(&delimiter, 1)));
+    const auto write_names = [&](const auto& begin_field) {
+        for (const std::string_view name : result_columns(options, layout)) {
+            begin_field();
+            append(to, name);
+        }
     };
     append(to, layout.appends ? "" : header.prefix);
     write_fields(to, layout, header.line.text, header.fields, delimiter, write_names);
@@ -187,16 +179,22 @@ RowWriter::RoundedEnd RowWriter::rounded(const OpenEnd& range) const {
     const Digits digits = options_->digits;
     const int whole_digits = std::abs(range.end) < 10.0 ? 1 : 3; // of radians or degrees
     const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
-    const double half_a_digit = whole_digits + decimals > 1 ? half_a_unit(decimals) : -1.0; // one does not show the end
+    double half_a_digit = -1.0; // one digit does not show the end
+    if (whole_digits + decimals > 1) {
+        static_cast<void>(read_number(fmt::format("5e{}", -decimals - 1), half_a_digit)); // the nearest double
+    }
     return {range, half_a_digit, number_text(range.end, digits), number_text(range.other, digits)};
 }
 
 RowWriter::RowWriter(const Options& options, const Layout& layout)
-    : options_(&options), layout_(&layout), json_keys_(result_keys(options, layout, layout.delimiter)),
+    : options_(&options), layout_(&layout),
       is_plain_(options.format == Format::csv && !options.diagnostic_columns && !options.pairing) {
     if (!options.digits.shortest() && !options.operation->is_continuous) {
         std::ranges::transform(options.operation->open_ends, std::back_inserter(open_ends_),
                                [this](const OpenEnd& range) { return rounded(range); });
+    }
+    for (const std::string& key : result_keys(options, layout, layout.delimiter)) {
+        json_keys_.push_back(key + ": ");
     }
 }
 
@@ -266,27 +264,21 @@ void RowWriter::for_each_column(const ConvertedRow& row, std::size_t first, cons
 
 void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
-    write_fields(to, *layout_, row.line.text, row.fields, delimiter, [&] {
-        bool begins = true;
-        const auto begin = [&] {
-            if (!std::exchange(begins, false)) {
-                to.push_back(delimiter);
-            }
-        };
+    write_fields(to, *layout_, row.line.text, row.fields, delimiter, [&](const auto& begin_field) {
         const auto numbers = [&](std::span<const double> values, std::size_t first) {
             const bool are_figures = first == row.result.size();
             if ((open_ends_.empty() || are_figures) && !values.empty()) {
-                begin();
+                begin_field();
                 append_numbers(to, values, delimiter, options_->digits);
                 return;
             }
             for (const double value : values) {
-                begin();
+                begin_field();
                 write_number(to, value, first++);
             }
         };
         const auto text = [&](std::string_view words) {
-            begin();
+            begin_field();
             append(to, words.empty() && layout_->delimiter.is_blanks() ? "-" : words);
         };
         for_each_column(row, 0, numbers, text);
@@ -307,7 +299,6 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     const auto key = [&] {
         begin_member();
         append(to, *next_key++);
-        append(to, ": ");
     };
     const auto other = [&](std::size_t i) {
         begin_member();

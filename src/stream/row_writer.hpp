@@ -61,7 +61,7 @@ private:
 
     const Options* options_;
     const Layout* layout_;
-    std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes
+    std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes, with a colon
     /// An open end as rounded numbers may show it.
     struct RoundedEnd {
         OpenEnd range{};

@@ -145,12 +145,7 @@ private:
         tell_notes(job.output, false);
         lock.lock();
         all_read_ = !goes_on;
-        if (job.size() == 0 && job.output.bytes.size() == 0 && job.output.events.empty()) {
-            idle_.push_back(std::move(made));
-            reading_ = false;
-            return;
-        }
-        job.ran_in_order = job.text.empty() && job.pairs.rows.empty();
+        job.ran_in_order = !job.has_rows();
         jobs_.push_back(std::move(made));
         under_way_ += job.size();
         const bool shared = job.size() >= large_;
@@ -171,7 +166,7 @@ private:
     }
 
     void convert(Job& job, Transformer& transformer) {
-        if (job.text.empty() && job.pairs.rows.empty()) {
+        if (!job.has_rows()) {
             return;
         }
         if (!transformer) {
@@ -180,7 +175,7 @@ private:
         transformer->expect(job.widths);
         const auto ordered = [this, &job](const std::function<void()>& what) { return run_in_order(job, what); };
         if (job.pairs.rows.empty()) {
-            transformer->transform(job.text, job.line, job.output, ordered);
+            transformer->transform(job.block.text, job.block.first_line, job.output, ordered);
         } else {
             transformer->transform(job.pairs, job.output, ordered);
         }
@@ -211,7 +206,6 @@ private:
         }
         auto job = std::move(idle_.back());
         idle_.pop_back();
-        job->block.text = {};
         job->pairs.clear();
         job->output.clear();
         job->done = false;
