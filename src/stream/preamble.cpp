@@ -28,6 +28,7 @@ bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
         const Line current = next_line(after);
         const std::string_view whole = text.substr(0, text.size() - after.size());
         bool is_data = options_->is_row(current.text);
+        only_comments_ = only_comments_ && !is_data;
         if (comment_.empty() && !is_data && !is_blank(current.text)) {
             comment_ = current.text;
             comment_line_ = line;
@@ -62,10 +63,11 @@ void Preamble::finish(Output& output, bool at_end) {
         find_header(true, output);
     }
     release(held_.size(), output);
+    if (at_end && only_comments_ && !comment_.empty()) { // perhaps with names
+        add_notes({.comment = comment_}, comment_line_);
+    }
     if (at_end && header_line_ > 0) {
         add_notes({.only_header = true}, header_line_);
-    } else if (at_end && !comment_.empty()) {
-        add_notes({.comment = comment_}, comment_line_);
     }
     if (at_end && !error_) {
         set_layout(nullptr, 0, output);

@@ -58,7 +58,8 @@ private:
     std::optional<StreamError> error_;
     bool header_done_;
     bool has_row_ = false;
-    std::string comment_; ///< the first comment
+    bool only_comments_ = true; ///< there were only comments and blank lines so far
+    std::string comment_;       ///< the first comment
     std::size_t comment_line_ = 0;
     std::string held_;
     std::size_t held_line_ = 1;     ///< the number of the first line that is held
