@@ -17,10 +17,15 @@
 namespace rotconv::stream {
 namespace {
 
-/// Waits until a descriptor that does not block has room or bytes.
-void wait_for(int descriptor, short events) noexcept {
+/// Waits until a descriptor has room or bytes, or for that many milliseconds; -1: without end.
+/// @return 0 if it has none
+int wait_for(int descriptor, short events, int timeout) noexcept {
     pollfd waiting{descriptor, events, 0};
-    ::poll(&waiting, 1, -1);
+    int count = 0;
+    do {
+        count = ::poll(&waiting, 1, timeout);
+    } while (count < 0 && errno == EINTR);
+    return count;
 }
 
 } // namespace
@@ -113,19 +118,12 @@ std::ptrdiff_t File::read(std::span<char> to) {
             return count;
         }
         if (errno == EAGAIN) {
-            wait_for(descriptor_, POLLIN);
+            wait_for(descriptor_, POLLIN, -1);
         }
     }
 }
 
-bool File::is_ready() const {
-    pollfd waiting{descriptor_, POLLIN, 0};
-    int count = 0;
-    do {
-        count = ::poll(&waiting, 1, 0);
-    } while (count < 0 && errno == EINTR);
-    return count != 0;
-}
+bool File::is_ready() const { return wait_for(descriptor_, POLLIN, 0) != 0; }
 
 int File::write(std::string_view bytes) {
     while (!bytes.empty()) {
@@ -133,7 +131,7 @@ int File::write(std::string_view bytes) {
         if (count >= 0) {
             bytes.remove_prefix(static_cast<std::size_t>(count));
         } else if (errno == EAGAIN) {
-            wait_for(descriptor_, POLLOUT);
+            wait_for(descriptor_, POLLOUT, -1);
         } else if (errno != EINTR) {
             return errno;
         }

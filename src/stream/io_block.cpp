@@ -6,11 +6,6 @@
 #include <utility>
 
 namespace rotconv::stream {
-namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-} // namespace
 
 bool IoBlockReader::read(IoBlock& block) {
     block.text = {};
@@ -46,6 +41,7 @@ bool IoBlockReader::read(IoBlock& block) {
     append(begun_, all.substr(*size));
     block.text = all.substr(0, *size);
     block.first_line = line_;
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (row_size_ == 0 && line_ == 1 && block.text.starts_with(byte_order_mark)) {
         block.text.remove_prefix(byte_order_mark.size());
     }

@@ -1,5 +1,6 @@
 #include "pair_reader.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rotconv::stream {
@@ -90,12 +91,12 @@ void PairReader::Stream::drop_row(bool is_paired) {
     drop_line();
 }
 
-void PairReader::Stream::fail_row(RowError::What what) {
+void PairReader::Stream::fail_row() {
     Waiting& row = waiting.front();
     const std::string_view text = row.line.text;
     row.error = std::make_unique<RowError>(
         RowError{.place = {row.number, side},
-                 .what = what,
+                 .what = RowError::What::no_partner,
                  .text = options->width == 0 ? std::string(text) : reader.selected_text(text)});
     dispose_row();
 }
@@ -214,7 +215,7 @@ void PairReader::drop_alone(Stream& stream) {
         }
     }
     if (&stream == &rows_ && pairing_->needs_partner) {
-        stream.fail_row(RowError::What::no_partner);
+        stream.fail_row();
     } else {
         stream.drop_row(false);
     }
@@ -290,8 +291,9 @@ std::optional<StreamError> PairReader::error() const {
     if (error_) {
         return error_;
     }
-    const bool is_own = rows_.is_done() && rows_.blocks.error(); // otherwise it lies after the paired rows
-    return is_own ? rows_.blocks.error() : reference_error();
+    const bool is_done = rows_.ended && rows_.unread.empty() && rows_.rows_waiting == 0;
+    const auto own = is_done ? rows_.blocks.error() : std::nullopt; // otherwise it lies after the paired rows
+    return own ? own : reference_error();
 }
 
 std::optional<StreamError> PairReader::reference_error() const {

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "job.hpp"
@@ -74,15 +72,14 @@ private:
         void take_block(Job& job);
         void take_line();
         void find_key(Waiting& row);
-        /// Leaves the next row to be handed on with an error.
-        void fail_row(RowError::What what);
+        /// Leaves the next row, which has no partner, to be handed on with an error.
+        void fail_row();
         void drop_row(bool is_paired);
         /// Takes the next row out of those that may be paired.
         void dispose_row();
         void drop_line();
         /// Lets the pairs hold the first texts for as long as their rows are used.
         void hold(std::size_t count, PairBlock& pairs);
-        [[nodiscard]] bool is_done() const { return ended && unread.empty() && rows_waiting == 0; }
         [[nodiscard]] bool is_ready() const { return ended || !unread.empty() || blocks.is_ready(); }
 
         Side side;

@@ -223,7 +223,9 @@ void Preamble::set_layout(const Line* row, std::size_t number, Output& output) {
     if (written_ == nullptr || !written_->writes_rows || layout_.field_count == 0) {
         return;
     }
-    write_added_header(output.bytes, *written_, layout_);
+    if (is_written() && options_->header == HeaderMode::add) {
+        write_added_header(output.bytes, *written_, layout_);
+    }
     if (written_->format == Format::json) {
         layout_.keys = JsonKeys(layout_.names, result_keys(*written_, layout_, layout_.delimiter),
                                 [this](std::size_t at) { return !layout_.replaces(at); });

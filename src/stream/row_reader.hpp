@@ -9,7 +9,6 @@
 
 #include "event.hpp"
 #include "layout.hpp"
-#include "number_text.hpp"
 #include "options.hpp"
 
 namespace rotconv::stream {

@@ -1,11 +1,12 @@
 #include "row_writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <numbers>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -162,9 +163,6 @@ void write_header(Buffer& to, const Options& options, const Layout& layout, cons
 }
 
 void write_added_header(Buffer& to, const Options& options, const Layout& layout) {
-    if (options.input.header != HeaderMode::add || options.format != Format::csv) {
-        return;
-    }
     std::string indices;
     for (std::size_t i = 0; i < layout.field_count; ++i) {
         if (i > 0) {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "event.hpp"
 #include "header_line.hpp"
 #include "io_block.hpp"
 #include "job.hpp"
@@ -32,7 +30,7 @@ struct ConvertedRow {
 
 /// Writes the header with the result's columns in their place.
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header);
-/// Writes a header for an input that has none, with HeaderMode::add: other columns are named by their index.
+/// Writes a header for an input that has none: other columns are named by their index.
 void write_added_header(Buffer& to, const Options& options, const Layout& layout);
 
 /// Writes converted rows in the format of the options.

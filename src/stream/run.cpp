@@ -157,7 +157,9 @@ private:
             changed_.notify_one();
         }
         lock.unlock();
-        convert(job, transformer);
+        if (job.has_rows()) {
+            convert(job, transformer);
+        }
         lock.lock();
         job.done = true;
         if (!shared) {
@@ -166,9 +168,6 @@ private:
     }
 
     void convert(Job& job, Transformer& transformer) {
-        if (!job.has_rows()) {
-            return;
-        }
         if (!transformer) {
             transformer.emplace(*options_, *reader_->layout(Side::stream), reader_->layout(Side::reference));
         }
