@@ -164,9 +164,10 @@ private:
         return std::ranges::any_of(std::span(rows_).first(first), has_width) ? rows_.size() : first;
     }
 
-    /// Takes what is told, if it is the first that helps: with it, the text is read so.
-    void offer(std::string_view text, const stream::InputOptions& input, const std::string& told) {
-        found_ = found_.empty() && reads(text, input) ? told : found_;
+    /// Takes what is told, if it is the first that helps: with it, the text is read so, and answered by the operation.
+    void offer(std::string_view text, const stream::InputOptions& input, const std::string& told,
+               const stream::RowOperation* operation = nullptr) {
+        found_ = found_.empty() && reads(text, input, operation) ? told : found_;
     }
 
     /// Offers options with which the line at which reading stopped is read, or left out.
@@ -190,12 +191,8 @@ private:
     /// serve, with a LIST of those that are numbers.
     void offer_text(std::string_view text, std::size_t row, const stream::RowOperation* operation,
                     const std::string& command) {
-        if (!found_.empty()) {
-            return;
-        }
-        if (!by_name_ && reads(text, input_, operation)) {
-            found_ = command + " | rotconv ...";
-            return;
+        if (!by_name_) {
+            offer(text, input_, command + " | rotconv ...", operation);
         }
         std::vector<std::size_t> columns;
         for (std::size_t i = 0; i < rows_[row].fields.size() && columns.size() < count_; ++i) {

@@ -49,8 +49,6 @@ bool is_alike(std::string_view one, std::string_view other) {
     return without_marks(lower(one)) == without_marks(lower(other));
 }
 
-bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
-
 bool is_modifier(std::string_view word) {
     return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
 }
@@ -231,6 +229,8 @@ std::string unknown(const std::string& said, const Legal& legal, const std::opti
 } // namespace
 
 bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_spec(word)); }
+
+bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
 
 std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
     return unknown(fmt::format("{} is not a known {}", quoted(text), what), legal, guess_by_spelling(text, legal));

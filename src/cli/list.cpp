@@ -40,11 +40,7 @@ std::string effects_of(const Project& preset) {
             effects.emplace_back(effect, fmt::format("{} on {}", effect, entry.text));
         }
     }
-    std::string text;
-    for (const auto& [effect, words] : effects) {
-        text += (text.empty() ? "" : "; ") + words;
-    }
-    return text.empty() ? "nothing" : text;
+    return effects.empty() ? "nothing" : joined(mapped(effects, &std::pair<std::string, std::string>::second), "; ");
 }
 
 std::string_view name_of(const Representation& entry) { return entry.takes_sequence ? "euler:SEQ" : entry.text; }
@@ -146,7 +142,7 @@ std::string list_project(const Project& project) {
         line("SPEC", fmt::format("{}{}{}", spec, numbers.empty() ? "" : "  ", numbers));
     }
     line("axes", axes_of(project));
-    if (std::ranges::count(presets(), project.text, &Project::text) != 0) {
+    if (messages::is_preset(project.text)) {
         line("preset", "sets " + effects_of(project));
     }
     line("source", project.source);

@@ -28,6 +28,7 @@ namespace rotconv::cli::messages {
 [[nodiscard]] std::vector<std::string_view> words_of(const ModifierSet& modifiers);
 
 [[nodiscard]] bool is_spec(std::string_view word);
+[[nodiscard]] bool is_preset(std::string_view word);
 
 /// Why a text is not a SPEC, with the legal words and the nearest.
 [[nodiscard]] std::string explain(const SpecError& error);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../stream/key.hpp"
+#include "../stream/row_operation.hpp"
 
 namespace rotconv::operations {
 
@@ -18,14 +19,16 @@ public:
         }
     }
 
-    /// Seconds since the last accepted time; nan for a time that is not finite. Rounded once if both times are keys.
-    double seconds_to(double time, const std::string_view* text) {
+    /// Seconds from the last accepted time to that of a row, its kept number; nan if it is not finite. Rounded once if
+    /// both times are keys.
+    double seconds_to(const stream::NumberRows& rows, std::size_t row) {
+        const double time = rows.kept[row];
         if (!std::isfinite(time)) {
             return std::numeric_limits<double>::quiet_NaN();
         }
         next_ = time;
-        next_key_ = text != nullptr ? stream::read_key(*text, power_) : no_key;
-        is_number_ = text == nullptr || text->find_first_of("T:") == std::string_view::npos;
+        next_key_ = rows.keys.empty() ? no_key : stream::read_key(rows.keys[row], power_);
+        is_number_ = rows.keys.empty() || rows.keys[row].find_first_of("T:") == std::string_view::npos;
         if (next_key_.error != stream::KeyError::none || last_key_.error != stream::KeyError::none) {
             return (next_ - last_) / per_second_;
         }

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include <rotconv/quaternion.hpp>
@@ -40,16 +40,16 @@ public:
             if (!has_angle) {
                 continue;
             }
-            Pair& place = kept_.size() < delta_ ? kept_.emplace_back() : kept_[next_++ % delta_];
             const Pair pair{rotation_at(numbers + 1), rotation_at(numbers + 5)};
-            if (next_ > 0) {
+            if (kept_.size() == delta_) {
                 for (const std::size_t side : {0U, 1U}) {
-                    const Eigen::Quaterniond q = quaternion::from_rotation(place[side].inverse() * pair[side]);
+                    const Eigen::Quaterniond q = quaternion::from_rotation(kept_.front()[side].inverse() * pair[side]);
                     append(rotations_.numbers, std::array{q.w(), q.x(), q.y(), q.z()});
                 }
                 rotations_.rows.push_back(row);
+                kept_.pop_front();
             }
-            place = pair;
+            kept_.push_back(pair);
         }
         rotations_.run(1, out, out_width);
         for (const RowReport& report : rotations_.reports) {
@@ -64,8 +64,7 @@ private:
 
     std::size_t delta_;
     SomeRows rotations_;
-    std::vector<Pair> kept_;
-    std::size_t next_ = 0; ///< index of the oldest pair that is kept; 0 before N are kept
+    std::deque<Pair> kept_; ///< at most N, the oldest first
 };
 
 } // namespace
@@ -73,18 +72,15 @@ private:
 Operation compare(const Comparison& comparison, const ComparisonRows& rows) {
     const Spec& reference = comparison.reference();
     ComparisonSettings settings = comparison.settings();
-    std::optional<RelativeComparison> relative;
-    if (rows.delta > 0) {
-        relative.emplace(rows.delta, settings);
-        settings.within = std::numeric_limits<double>::infinity();
-    }
+    settings.within = rows.delta > 0 ? std::numeric_limits<double>::infinity() : settings.within;
     settings.attitudes = rows.with_attitudes || rows.delta > 0;
     const Comparison compares(comparison.from(), reference, settings);
     RowFunction function = of_pairs(function_of(compares), function_of(Comparison(comparison.from(), Spec{}, settings)),
                                     rows.columns(comparison.from(), reference), reference, settings.reading);
     const std::size_t width = rows.with_attitudes ? numbers_of_pair : 1;
-    if (relative) {
-        function = [pairs = std::move(function), room = std::vector<double>(), relative = *std::move(relative),
+    if (rows.delta > 0) {
+        function = [pairs = std::move(function), room = std::vector<double>(),
+                    relative = RelativeComparison(rows.delta, comparison.settings()),
                     width](const stream::NumberRows& numbers, auto out, auto& reports, auto rest) mutable {
             room.resize(width == numbers_of_pair ? 0 : numbers.lines.size() * numbers_of_pair);
             const std::span<double> compared = room.empty() ? out : std::span(room);

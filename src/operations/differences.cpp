@@ -125,7 +125,7 @@ private:
             if (refused.error != Error::none) {
                 return true;
             }
-            step.seconds = clock.seconds_to(rows.kept[step.row], rows.keys.empty() ? nullptr : &rows.keys[step.row]);
+            step.seconds = clock.seconds_to(rows, step.row);
             if (std::isnan(step.seconds)) {
                 refused.error = Error::not_finite;
             } else if (!is_first && !(step.seconds > 0.0)) {

@@ -39,7 +39,7 @@ public:
         reports.clear();
         while (pushed_.size() < rows.lines.size()) {
             const std::size_t row = pushed_.size();
-            const double interval = clock_.seconds_to(rows.kept[row], rows.keys.empty() ? nullptr : &rows.keys[row]);
+            const double interval = clock_.seconds_to(rows, row);
             const PushResult pushed = propagator_.push(interval, velocity_unit_ * velocity_of(rows, row));
             if (pushed.refused == Error::none) {
                 clock_.accept(interval, rows.lines[row]);

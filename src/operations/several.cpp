@@ -20,12 +20,13 @@ public:
     explicit Several(std::vector<Operation> parts) {
         input = parts.front()->input;
         for (Operation& each : parts) {
+            const std::size_t first = names.size();
             for (const Spec& to : each->attitudes) {
                 add_attitude(*this, to);
             }
             in_order = in_order || each->in_order;
             is_continuous = is_continuous || each->is_continuous;
-            parts_.push_back({.operation = std::move(each)});
+            parts_.push_back({.operation = std::move(each), .first = first});
         }
     }
     [[nodiscard]] std::unique_ptr<RowOperation> copy() const override {
@@ -39,34 +40,31 @@ public:
     std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
         reports.clear();
         std::size_t answered = rows.lines.size(); // the same for all parts
-        std::size_t first = 0;
         for (Part& part : parts_) {
             const std::size_t width = part.operation->names.size();
             part.out.resize(rows.lines.size() * width);
             answered = part.operation->run(rows, part.out, part.reports);
-            copy_columns(part.out, width, out, first, names.size());
+            copy_columns(part.out, width, out, part.first, names.size());
             merge(part.reports, static_cast<std::size_t>(&part - parts_.data()), reports);
-            first += width;
         }
         first_step = parts_.front().operation->first_step;
         return answered;
     }
     void make_continuous(std::span<double> results, std::span<const RowReport> /*reports*/) override {
-        std::size_t first = 0;
         for (Part& part : parts_) {
-            const std::size_t width = part.operation->names.size();
-            const auto own = std::span(part.out).first(results.size() / names.size() * width);
             if (part.operation->is_continuous) {
+                const std::size_t width = part.operation->names.size();
+                const auto own = std::span(part.out).first(results.size() / names.size() * width);
                 part.operation->make_continuous(own, part.reports);
-                copy_columns(own, width, results, first, names.size());
+                copy_columns(own, width, results, part.first, names.size());
             }
-            first += width;
         }
     }
 
 private:
     struct Part {
         Operation operation;
+        std::size_t first = 0; ///< its first column
         std::vector<double> out{};
         std::vector<RowReport> reports{};
     };
