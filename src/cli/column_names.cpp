@@ -34,11 +34,8 @@ std::string_view unit_of(std::string_view text) {
     return {};
 }
 
-/// What the names of a part's numbers may be, without what they share.
-struct Spelling {
-    std::vector<std::string> names; ///< in the order of the part
-    bool is_numbered = false;
-};
+/// What the names of a part's numbers may be, without what they share, in the order of the part.
+using Spelling = std::vector<std::string>;
 
 /// How headers spell a representation's own names, in its own order.
 constexpr auto usual_spellings =
@@ -67,9 +64,9 @@ std::vector<Spelling> spellings_of(const Spec& spec) {
     for (const auto& [known, text] : usual_spellings) {
         if (known == name) {
             const auto words = words_in(text);
-            Spelling& spelling = spellings.emplace_back(Spelling{{}, words[0] == "0"});
+            Spelling& spelling = spellings.emplace_back();
             for (std::size_t i = 0; i < spec.size(); ++i) {
-                spelling.names.push_back(words[places.at(i)]);
+                spelling.push_back(words[places.at(i)]);
             }
         }
     }
@@ -99,7 +96,7 @@ std::array<Spec, 2> alike(const Spec& like) {
 }
 
 /// The places of a spelling among names, which may share a prefix and a suffix; none if not all of it is there.
-std::vector<std::size_t> places_of(const std::vector<std::string>& spelling, const std::vector<std::string>& names) {
+std::vector<std::size_t> places_of(const Spelling& spelling, const std::vector<std::string>& names) {
     std::map<std::string_view, std::size_t> place_of;
     for (std::size_t i = 0; i < names.size(); ++i) {
         place_of.emplace(names[i], i);
@@ -120,7 +117,6 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& spelling, con
 
 } // namespace
 
-/// The name and the unit that a text of a header holds: "yaw [deg]", "w_x_rad_s".
 std::pair<std::string, std::string_view> name_and_unit(const std::string& text) {
     const auto bracket = text.ends_with(']')   ? text.rfind('[')
                          : text.ends_with(')') ? text.rfind('(')
@@ -164,14 +160,14 @@ std::optional<KnownNames> find_names(const Part& part, std::span<const std::stri
     const auto& spec = part.attitude;
     auto spellings = spec ? spellings_of(*spec) : std::vector<Spelling>();
     if (!spec || spec->has_own_columns) { // which come first
-        spellings.insert(spellings.begin(), {spec ? mapped(part.names, lower) : part.names});
+        spellings.insert(spellings.begin(), spec ? mapped(part.names, lower) : part.names);
     }
     const auto texts = mapped(names, lower);
     const auto without_units = mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
     for (const Spelling& spelling : spellings) {
         for (const auto* each : {&texts, &without_units}) {
-            if (auto places = places_of(spelling.names, *each); !places.empty()) {
-                return KnownNames{std::move(places), spelling.is_numbered};
+            if (auto places = places_of(spelling, *each); !places.empty()) {
+                return KnownNames{std::move(places), std::ranges::count(spelling, "0") > 0};
             }
         }
     }
@@ -193,7 +189,7 @@ std::string wrong_order(const Part& part, std::span<const std::string> names) {
         const auto* const right =
             std::ranges::find_if(specs, [&](const Spec& each) { return find_names(each, names)->are_in_order(); });
         const bool is_euler = spec->name == RepresentationId::euler && !spec->has_own_columns;
-        order = fmt::format("{}, which is {}{}", spec->text(), is_euler ? joined(spellings_of(*spec)[0].names) : order,
+        order = fmt::format("{}, which is {}{}", spec->text(), is_euler ? joined(spellings_of(*spec)[0]) : order,
                             right == specs.end() ? "" : fmt::format("; it is the order of {}", right->text()));
     }
     return fmt::format("{} is not the order of {}", quoted(joined(names)), order);

@@ -21,18 +21,15 @@ std::string as_word(const auto& words) { return in_shell(joined(words, " ")); }
 /// The modifiers that each representation takes.
 std::string modifiers() {
     std::string text = "    modifiers= sequences=\n    case ${2-} in\n";
-    for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
+    for (const Representation& entry : mapped(all_representations, representation)) {
         text += fmt::format("    {}) modifiers={}{} ;;\n", fmt::join(messages::names_of(entry), " | "),
                             as_word(messages::words_of(entry.modifiers)),
                             entry.takes_sequence ? " sequences=" + as_word(messages::all_sequences()) : "");
     }
-    for (const Project& project : projects()) {
-        if (project.is_spec()) {
-            const Spec spec = std::get<Spec>(parse_spec(project.text));
-            text += fmt::format("    {}) modifiers={} ;;\n", project.text,
-                                as_word(messages::words_of(representation(spec.name).modifiers)));
-        }
+    for (const Project& project : filtered(projects(), &Project::is_spec)) {
+        const Spec spec = std::get<Spec>(parse_spec(project.text));
+        text += fmt::format("    {}) modifiers={} ;;\n", project.text,
+                            as_word(messages::words_of(representation(spec.name).modifiers)));
     }
     return text + "    esac\n";
 }

@@ -30,8 +30,7 @@ std::string effect_of(const Project& preset, const Representation& entry) {
 /// The effects of a preset on all representations, such as "passive on dcm, 6d, 5d; xyzw on quat", or "nothing".
 std::string effects_of(const Project& preset) {
     std::vector<std::pair<std::string, std::string>> effects;
-    for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
+    for (const Representation& entry : mapped(all_representations, representation)) {
         const std::string effect = effect_of(preset, entry);
         const auto found = std::ranges::find(effects, effect, &std::pair<std::string, std::string>::first);
         if (found != effects.end()) {
@@ -51,9 +50,9 @@ std::string list_all() {
         text += fmt::format("{:<10}  {:<16}  {:>1}  {:<35}  {:<65}  {}\n", cells...);
     };
     line("NAME", "also", "n", "numbers", "range on output", "singular at");
-    for (const RepresentationId id : all_representations) {
-        const Representation& entry = representation(id);
-        line(name_of(entry), aliases_of(entry), entry.size, columns_of({.name = id}), entry.range, entry.singular);
+    for (const Representation& entry : mapped(all_representations, representation)) {
+        line(name_of(entry), aliases_of(entry), entry.size, columns_of({.name = entry.name}), entry.range,
+             entry.singular);
     }
     return text + "\nrotconv list NAME explains one: its formula, modifiers and presets.\n";
 }

@@ -153,11 +153,10 @@ std::vector<std::string_view> names_of(const Representation& entry) {
 
 std::vector<std::string_view> all_names() {
     std::vector<std::string_view> names;
-    for (const RepresentationId id : all_representations) {
-        std::ranges::copy(names_of(representation(id)), std::back_inserter(names));
+    for (const Representation& entry : mapped(all_representations, representation)) {
+        std::ranges::copy(names_of(entry), std::back_inserter(names));
     }
-    std::ranges::copy(mapped(filtered(projects(), [](const Project& each) { return each.is_spec(); }), &Project::text),
-                      std::back_inserter(names));
+    std::ranges::copy(mapped(filtered(projects(), &Project::is_spec), &Project::text), std::back_inserter(names));
     return names;
 }
 
