@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <variant>
 
 #include <rotconv/rates.hpp>
@@ -13,10 +14,12 @@
 namespace rotconv::cli {
 namespace {
 
-[[noreturn]] void refuse(const Option& option, const Spec& spec, const stream::RowError& error,
+[[noreturn]] void refuse(const Option& option, const GivenNumbers& read, stream::RowError error,
                          double tolerance = 0.0) {
+    error.text = read.row;
     throw Usage("{}: {}{}", option.name(),
-                messages::explain(error, messages::subject_of({.attitude = spec}, tolerance)), messages::mend(error));
+                messages::explain(error, messages::subject_of({.attitude = read.spec}, tolerance)),
+                messages::mend(error));
 }
 
 Spec spec_of(const Option& option, const std::string& text, bool degrees) {
@@ -74,16 +77,16 @@ double GivenAngle::in(const AngleUnitName& other) const noexcept {
 GivenAngle given_angle(const Option& option, const std::string& text, bool degrees) {
     static constexpr std::array<AngleUnitName, 3> units{{{"mrad", 1000.0}, {}, in_degrees}};
     const auto* unit = std::ranges::find_if(units, [&](const auto& each) { return text.ends_with(each.text); });
-    const bool is_bare = unit == units.end();
-    const std::string number = text.substr(0, text.size() - (is_bare ? 0 : unit->text.size()));
+    const bool has_unit = unit != units.end();
+    const std::string number = text.substr(0, text.size() - (has_unit ? unit->text.size() : 0));
     double value = 0.0;
     if (stream::trimmed(number) != number || stream::read_number(number, value) != stream::NumberError::none ||
         !(value >= 0.0)) {
         throw Usage("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option.name(),
                     quoted(text));
     }
-    const AngleUnitName own = !is_bare ? *unit : degrees ? in_degrees : AngleUnitName();
-    return {fmt::format("{} {}", number, own.text), value, own, is_bare};
+    const AngleUnitName own = has_unit ? *unit : degrees ? in_degrees : AngleUnitName();
+    return {fmt::format("{} {}", number, own.text), value, own};
 }
 
 double angle_of(const Option& option, bool degrees, double default_value) {
@@ -140,9 +143,8 @@ GivenNumbers numbers_of(const Option& option, bool degrees) {
         const auto error = stream::read_number(field, read.numbers.emplace_back());
         if (error != stream::NumberError::none) {
             using What = stream::RowError::What;
-            refuse(option, read.spec,
-                   {.what = error == stream::NumberError::too_large ? What::too_large : What::not_a_number,
-                    .text = std::string(read.row)});
+            refuse(option, read,
+                   {.what = error == stream::NumberError::too_large ? What::too_large : What::not_a_number});
         }
     }
     return read;
@@ -157,12 +159,7 @@ FixedRotation attitude_of(const Option& option, bool degrees, double tolerance) 
     std::vector<RowReport> reports;
     Conversion(read.spec, Spec{}, {.tolerance = tolerance}).run(read.numbers, q, reports);
     if (!reports.empty() && reports.front().error != Error::none) {
-        refuse(option, read.spec,
-               {.what = stream::RowError::What::attitude,
-                .text = std::string(read.row),
-                .error = reports.front().error,
-                .defect = reports.front().defect},
-               tolerance);
+        refuse(option, read, {.error = reports.front().error, .defect = reports.front().defect}, tolerance);
     }
     return FixedRotation::of_numbers(read.spec, read.numbers);
 }
@@ -176,19 +173,17 @@ AxesChange axes_of(const Option& option) {
 }
 
 void require_same_hand(const Option& reference_axes, const Option& body_axes) {
-    const std::array<const Option*, 2> sides{&reference_axes, &body_axes};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Option& option = *sides.at(i);
-        const Option& other = *sides.at(1 - i);
-        const AxesChange change = axes_of(option);
-        if (change.changes_hand() && !axes_of(other).changes_hand()) {
-            const std::string& text = option.text();
-            const auto colon = text.find(':');
-            throw Usage("{0} {1} changes hand, because {2} is left-handed; so must {3}, such as {3} {1}", option.name(),
-                        text, quoted(change.from_left_handed ? text.substr(0, colon) : text.substr(colon + 1)),
-                        other.name());
-        }
+    const bool is_reference = axes_of(reference_axes).changes_hand();
+    if (is_reference == axes_of(body_axes).changes_hand()) {
+        return;
     }
+    const auto& [option, other] =
+        is_reference ? std::tie(reference_axes, body_axes) : std::tie(body_axes, reference_axes);
+    const std::string& text = option.text();
+    const auto colon = text.find(':');
+    const bool is_from = axes_of(option).from_left_handed;
+    throw Usage("{0} {1} changes hand, because {2} is left-handed; so must {3}, such as {3} {1}", option.name(), text,
+                quoted(is_from ? text.substr(0, colon) : text.substr(colon + 1)), other.name());
 }
 
 } // namespace rotconv::cli

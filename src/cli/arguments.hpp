@@ -57,7 +57,6 @@ struct GivenAngle {
     std::string text{}; ///< with its unit
     double value = 0.0;
     AngleUnitName unit{};
-    bool is_bare = false; ///< it was given without the unit
 
     [[nodiscard]] double in(const AngleUnitName& other) const noexcept;
 };

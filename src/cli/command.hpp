@@ -66,7 +66,7 @@ struct RowsCommand {
     std::vector<stream::Note> notes{};        ///< of the command line
     std::optional<FirstPass> first_pass{};
     /// Called at the end of a run that was not stopped. None: the rows are all there is.
-    std::function<Conclusion(const RowsResult& result)> conclude{};
+    std::function<Conclusion(const RowsCommand& command, const RowsResult& result)> conclude{};
     /// The run goes on, without output, where nobody reads that any more: its exit status counts.
     bool is_check = false;
 };

@@ -52,28 +52,21 @@ struct CompareOptions final : RowOptions {
         std::vector<operations::PairLimit> limits = limits_of_within(unit, notes);
         Check check{.format = written,
                     .unit = unit,
-                    .allow_failed = allow_failed.given(),
                     .least_pairs = least_pairs(),
                     .worst = count_of(worst, 1'000'000),
-                    .rows = {{paired_rows()}},
-                    .comparing = {.reading = attitude_settings()}};
+                    .comparing = {.reading = attitude_settings(), .per_radian = unit.per_radian}};
         if (allow_unpaired.given()) {
             check.allow_unpaired = one_of<std::array<bool, 2>>(
                 "kind of rows for", allow_unpaired,
                 {{"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}});
         }
-        const bool as_rows = check.format == Format::csv;
-        ComparisonSettings& comparing = check.comparing;
-        comparing.per_radian = unit.per_radian;
         for (const operations::PairLimit& limit : limits) {
-            comparing.within = limit.is_of_all() ? limit.angle : comparing.within;
+            check.comparing.within = limit.is_of_all() ? limit.angle : check.comparing.within;
         }
-        const Comparison comparison(read, reference, comparing);
-
-        operations::ComparisonRows& rows = check.rows;
-        rows.with_attitudes = !as_rows;
-        rows.delta = count_of(delta, 1'000'000);
-        rows.unit = unit.text;
+        const Comparison comparison(read, reference, check.comparing);
+        const bool as_rows = written == Format::csv;
+        const operations::ComparisonRows rows{{paired_rows()}, !as_rows, count_of(delta, 1'000'000), unit.text};
+        check.rows = rows;
         const auto pairs = std::make_shared<operations::PairFold>(
             comparison, rows, std::max<std::size_t>(check.worst, 1), std::move(limits));
         check.pairs = pairs;
@@ -82,16 +75,15 @@ struct CompareOptions final : RowOptions {
         made.options.append = as_rows;
         made.options.writes_rows = as_rows;
         made.options.fold = pairs;
-        made.allow_failed = check.allow_failed;
+        made.allow_failed = allow_failed.given();
         if (read.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees) {
             std::ranges::copy(notes, std::back_inserter(made.notes));
         }
-        check.digits = made.options.digits;
-        check.file = made.has_values ? "argument" : made.input;
-        check.reference = made.reference;
         check.aligned = align.given() ? align_first(made, comparison, rows, side) : nullptr;
         made.is_check = true;
-        made.conclude = [check](const RowsResult& result) { return conclusion_of(check, result); };
+        made.conclude = [check](const RowsCommand& command, const RowsResult& result) {
+            return conclusion_of(check, command, result);
+        };
         return made;
     }
 
@@ -110,10 +102,11 @@ private:
         std::vector<operations::PairLimit> all;
         for (const std::string& text : within.texts) {
             const std::size_t at = std::min(text.find('@'), text.size());
+            const std::string given = text.substr(0, at);
             if (at == 0) {
                 throw Usage("{} {} has a percentage, and no angle before it", within.name(), quoted(text));
             }
-            const GivenAngle angle = given_angle(within, text.substr(0, at), degrees.given());
+            const GivenAngle angle = given_angle(within, given, degrees.given());
             const std::string percent_text = at == text.size() ? "100" : text.substr(at + 1);
             const auto percent = percentage(percent_text);
             if (!percent) {
@@ -126,11 +119,11 @@ private:
                 throw Usage("{} {} and {} are two limits for {} pairs", within.name(), same->text, angle.text,
                             is_of_all ? "all" : fmt::format("{} in 100", percent_text));
             }
-            if (angle.is_bare && angle.unit.text == "rad" && std::isfinite(angle.value)) {
+            if (angle.unit.text == "rad" && !given.ends_with("rad") && std::isfinite(angle.value)) {
                 notes.push_back({.kind = stream::Note::Kind::limit,
                                  .text = fmt::format("{0} {1} is in radians, and the angles that are read are in "
                                                      "degrees: {0} {2}deg{3}, or {2}rad{3}",
-                                                     within.name(), text, text.substr(0, at), text.substr(at))});
+                                                     within.name(), text, given, text.substr(at))});
             }
             unit = all.empty() ? angle.unit : unit;
             all.push_back({angle.text, is_of_all ? "max" : "p" + percent_text, angle.in(unit), *percent});
@@ -164,9 +157,7 @@ private:
         if (made.has_values || made.input == "-" || made.reference == "-") {
             throw Usage("{} reads its input twice: give FILEs, not VALUEs or stdin", align.name());
         }
-        operations::ComparisonRows as_they_are = rows;
-        as_they_are.with_attitudes = true;
-        as_they_are.delta = 0;
+        const operations::ComparisonRows as_they_are{{paired_rows()}, true};
         const auto fold = std::make_shared<operations::AlignmentFold>(side);
         auto found = std::make_shared<FoundRotations>();
         made.first_pass = {operations::compare(comparison, as_they_are), fold,

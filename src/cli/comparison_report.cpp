@@ -19,9 +19,11 @@ using operations::PairLimit;
 /// The report and the verdict.
 class ComparisonReport {
 public:
-    explicit ComparisonReport(const Check& check) : check_(check), pairs_(*check.pairs), unit_(check.unit.text) {
-        if (check_.format == stream::Format::pretty && check_.digits.shortest()) {
-            check_.digits.significant = 6;
+    ComparisonReport(const Check& check, const RowsCommand& command)
+        : check_(check), command_(command), digits_(command.options.digits), pairs_(*check.pairs),
+          unit_(check.unit.text) {
+        if (check_.format == stream::Format::pretty && digits_.shortest()) {
+            digits_.significant = 6;
         }
     }
 
@@ -64,7 +66,7 @@ private:
     [[nodiscard]] operations::WorstPair worst() const {
         return has_pairs() ? *pairs_.worst().begin() : operations::WorstPair();
     }
-    [[nodiscard]] std::string number(double value) const { return stream::number_text(value, check_.digits); }
+    [[nodiscard]] std::string number(double value) const { return stream::number_text(value, digits_); }
     /// The angle in the unit of the report.
     [[nodiscard]] double in_unit(double radians) const { return check_.unit.per_radian * radians; }
     /// The angle with its unit.
@@ -120,7 +122,7 @@ private:
                     fmt::format("{} of {} unpaired", counted(rows, "row"), side == 0 ? "FILE" : "REFERENCE"));
             }
         }
-        if (result.failed > 0 && !check_.allow_failed) {
+        if (result.failed > 0 && !command_.allow_failed) {
             faults.push_back(counted(result.failed, "row") + " failed");
         } else if (result.code == ExitCode::completed_with_failures) {
             faults.emplace_back("--strict met a diagnostic");
@@ -269,8 +271,8 @@ private:
         std::vector<std::pair<std::string_view, JsonValue>> object{
             {"rows", pairs_.pairs()},
             {"unit", std::string(unit_)},
-            {"file", check_.file},
-            {"reference", JsonValue(check_.reference).unless(check_.reference.empty())},
+            {"file", command_.has_values ? "argument" : command_.input},
+            {"reference", JsonValue(command_.reference).unless(command_.reference.empty())},
             {"version", ROTCONV_VERSION},
             {"within", JsonValue(limit.angle).unless(of_all == nullptr)},
             {"beyond", JsonValue(limit.beyond).unless(of_all == nullptr)},
@@ -291,10 +293,12 @@ private:
         object.emplace_back("aligned", check_.aligned ? in_json(*check_.aligned) : JsonValue());
         object.emplace_back("worst", worst_in_json());
         object.emplace_back("verdict", verdict);
-        return json_object(object).text + "\n";
+        return json_line(object);
     }
 
-    Check check_;
+    const Check& check_;
+    const RowsCommand& command_;
+    stream::Digits digits_;
     const operations::PairFold& pairs_;
     std::string_view unit_; ///< of angles
     const std::vector<PairLimit>& limits_ = pairs_.limits();
@@ -318,8 +322,8 @@ FoundRotations found_rotations(const ConstantRotations& found, const ConversionS
     return rotations;
 }
 
-Conclusion conclusion_of(const Check& check, const RowsResult& result) {
-    return ComparisonReport(check).conclude(result);
+Conclusion conclusion_of(const Check& check, const RowsCommand& command, const RowsResult& result) {
+    return ComparisonReport(check, command).conclude(result);
 }
 
 } // namespace rotconv::cli

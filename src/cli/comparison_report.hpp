@@ -42,19 +42,15 @@ struct Check {
     stream::Format format = stream::Format::pretty;
     AngleUnitName unit{};                 ///< of the angles that are told
     std::array<bool, 2> allow_unpaired{}; ///< rows of FILE, of REFERENCE
-    bool allow_failed = false;
     LeastPairs least_pairs{};
     std::size_t worst = 0; ///< pairs to show
     operations::ComparisonRows rows{};
     ComparisonSettings comparing{};
-    stream::Digits digits{};
-    std::string file{};
-    std::string reference{}; ///< empty: there is none
     std::shared_ptr<const operations::PairFold> pairs{};
     std::shared_ptr<const FoundRotations> aligned{}; ///< null: they are not
 };
 
 /// The report and the verdict.
-[[nodiscard]] Conclusion conclusion_of(const Check& check, const RowsResult& result);
+[[nodiscard]] Conclusion conclusion_of(const Check& check, const RowsCommand& command, const RowsResult& result);
 
 } // namespace rotconv::cli

@@ -24,7 +24,7 @@ struct ComposeOptions final : RowOptions {
     [[nodiscard]] Command command() const override {
         const Spec first = spec_of(from);
         const Spec second = by.given() ? spec_of(by) : first;
-        const std::vector<Spec> written = specs_of(to);
+        const std::vector<Spec> written = specs_of(to, degrees.given());
         const ConversionSettings conversion = attitude_settings();
         const operations::PairedRows rows = paired_rows();
         const auto product_as = [&](const Spec& spec) {

@@ -33,7 +33,7 @@ struct ConvertOptions final : RowOptions {
         }
         const bool is_block = !to.given() && !values.empty();
         const Spec read = spec_of(from);
-        const std::vector<Spec> written = is_block ? all_forms() : specs_of(to);
+        const std::vector<Spec> written = is_block ? all_forms() : specs_of(to, degrees.given());
         const std::string& name = method.text();
         ConversionSettings conversion = attitude_settings();
         conversion.fast = name == fast_method;

@@ -72,13 +72,12 @@ public:
         operations::IdentificationRows rows{};  ///< their count is 0 if the first row tells it
         std::optional<RepresentationId> name{}; ///< the only one that is tried
         IdentificationSettings identification{};
-        bool degrees = false; ///< the angles of the answer
+        AngleUnitName unit{}; ///< of the angles of the answer
         bool json = false;
     };
 
     IdentificationReport(const Settings& settings, std::shared_ptr<messages::Subject> subject)
-        : settings_(settings), unit_(settings.degrees ? degrees_per_radian : 1.0),
-          unit_name_(settings.degrees ? "degrees" : "rad"), subject_(std::move(subject)) {
+        : settings_(settings), subject_(std::move(subject)) {
         begin(settings.rows.count);
     }
 
@@ -134,7 +133,7 @@ public:
         std::string text = settings_.json ? "" : line_of("SPEC", "columns", "worst angle", "at line", "rows", "fits");
         for (const Candidate& each : candidates) {
             const bool is_read = std::isfinite(each.angle);
-            const double angle = each.angle * unit_;
+            const double angle = each.angle * settings_.unit.per_radian;
             const bool fits = identification_->fits(each);
             const std::string constant = options_of(each);
             text += settings_.json
@@ -166,7 +165,7 @@ public:
             }
             text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
                                 all_were_held ? "" : fmt::format(", of which {} were held against turns", looked_at),
-                                settings_.identification.within * unit_, unit_name_, best);
+                                settings_.identification.within * settings_.unit.per_radian, settings_.unit.text, best);
         }
         return {.text = text, .holds = verdict.answer.has_value() && all_were_held};
     }
@@ -186,7 +185,7 @@ private:
         const double second = angles.at(1);
         return 1e6 * angles[0] < second
                    ? fmt::format("; one is a million times nearer than the others: --within {:.0e}",
-                                 std::max(std::sqrt(angles[0] * second), 1e-3 * second) * unit_)
+                                 std::max(std::sqrt(angles[0] * second), 1e-3 * second) * settings_.unit.per_radian)
                    : "";
     }
 
@@ -199,7 +198,9 @@ private:
                        ? "there is one row"
                        : fmt::format("there are {} rows, and turns on both sides take four", identification_->rows());
         case Ambiguity::attitudes: return "all rows have the same attitude";
-        case Ambiguity::size: return fmt::format("all are small, at most {:.3g} {}", verdict.angle * unit_, unit_name_);
+        case Ambiguity::size:
+            return fmt::format("all are small, at most {:.3g} {}", verdict.angle * settings_.unit.per_radian,
+                               settings_.unit.text);
         case Ambiguity::axes: return fmt::format("all turn about one axis, {}", in_brackets(verdict.axis));
         case Ambiguity::plane:
             return fmt::format("the axes of the turns between them lie in the plane across {}",
@@ -238,8 +239,6 @@ private:
     }
 
     Settings settings_;
-    double unit_; ///< of the angles of the answer, in radians
-    std::string_view unit_name_;
     std::shared_ptr<messages::Subject> subject_; ///< of the rows
     std::shared_ptr<Identification> identification_ = std::make_shared<Identification>(0, Spec{});
     std::vector<std::size_t> positions_; ///< of the fields that hold the unknown numbers; none where all do
@@ -263,9 +262,9 @@ struct IdentifyOptions final : RowOptions {
             .rows = {{paired_rows()}},
             .name = name_alone(),
             .identification = {.tolerance = most_defect()},
-            .degrees = degrees.given(),
+            .unit = degrees.given() ? AngleUnitName{"degrees", degrees_per_radian} : AngleUnitName(),
             .json = one_of<bool>("format of identify", format, {{"pretty", false}, {"json", true}})};
-        asked.identification.within = angle_of(within, asked.identification.within);
+        asked.identification.within = angle_of(within, degrees.given(), asked.identification.within);
         operations::IdentificationRows& rows = asked.rows;
         rows.known = spec_of(to);
         const SelectedColumns selected = columns_of_file();
@@ -278,7 +277,7 @@ struct IdentifyOptions final : RowOptions {
             made.options.input.take_count = [report](std::size_t fields) { return report->take_count(fields); };
         }
         made.options.writes_rows = false;
-        made.conclude = [report](const RowsResult& result) { return report->conclude(result); };
+        made.conclude = [report](const RowsCommand&, const RowsResult& result) { return report->conclude(result); };
         pair(made, rows.known);
         return made;
     }

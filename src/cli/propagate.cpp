@@ -41,7 +41,8 @@ struct PropagateOptions final : RowOptions {
             rows.to = spec;
             return operations::propagate(rows);
         };
-        RowsCommand made = rows_command(operations::several(mapped(specs_of(to), propagated_as)), "t wx wy wz");
+        RowsCommand made =
+            rows_command(operations::several(mapped(specs_of(to, degrees.given()), propagated_as)), "t wx wy wz");
         made.subject->representation = propagation.representation.name;
         made.subject->has_steps = true;
         return made;

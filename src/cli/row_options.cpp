@@ -93,11 +93,11 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
                     delimiter.name(), quoted(delimiter.text()));
     }
     if (!selected.list.empty()) {
-        const std::size_t count = in.numbers.names.size();
-        const std::size_t keys = selected.key.empty() ? 0 : 1;
-        static_cast<void>(parse(selected.list, count - keys, selected.option, subject)); // for its message
-        in.columns = parse(selected.key.empty() ? selected.list : selected.key + "," + selected.list, count,
-                           selected.option, subject);
+        const std::size_t count = in.numbers.names.size() - (selected.key.empty() ? 0 : 1);
+        in.columns = parse(selected.list, count, selected.option, subject);
+        if (!selected.key.empty()) {
+            in.columns = parse(selected.key + "," + selected.list, count + 1, selected.option, subject);
+        }
     }
     const bool has_values = !options.values.empty();
     const bool headless = in.header == HeaderMode::no || in.header == HeaderMode::add;
@@ -180,7 +180,7 @@ ConversionSettings RowOptions::settings() const {
 
 ConversionSettings RowOptions::attitude_settings() const {
     ConversionSettings all = settings();
-    all.lock_margin = angle_of(lock_margin, all.lock_margin);
+    all.lock_margin = angle_of(lock_margin, degrees.given(), all.lock_margin);
     all.left = attitude_of(left);
     all.right = attitude_of(right);
     require_same_hand(reference_axes, body_axes);

@@ -77,14 +77,6 @@ struct RowOptions : CommandOptions {
     void check_attitudes() const override;
 
     [[nodiscard]] Spec spec_of(const Option& option) const { return cli::spec_of(option, degrees.given()); }
-    /// The SPECs of an option that takes several.
-    [[nodiscard]] std::vector<Spec> specs_of(const Option& option) const {
-        return cli::specs_of(option, degrees.given());
-    }
-    /// The ANGLE of an option in radians, finite.
-    [[nodiscard]] double angle_of(const Option& option, double default_value) const {
-        return cli::angle_of(option, degrees.given(), default_value);
-    }
     /// The identity if the option is not given.
     [[nodiscard]] FixedRotation attitude_of(const Option& option) const {
         return cli::attitude_of(option, degrees.given(), most_defect());
@@ -98,9 +90,8 @@ struct RowOptions : CommandOptions {
 
     /// There is a REFERENCE.
     [[nodiscard]] bool is_paired() const { return files.size() == 2; }
-    [[nodiscard]] bool is_by_key() const { return is_paired() && key.given(); }
     [[nodiscard]] operations::PairedRows paired_rows() const {
-        return {is_paired(), is_by_key(), is_paired() && interpolate.given()};
+        return {is_paired(), is_paired() && key.given(), is_paired() && interpolate.given()};
     }
 
     /// The columns of FILE: its key, if there is one, and those of one attitude, or of both if there is no REFERENCE.

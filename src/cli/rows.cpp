@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <variant>
@@ -249,47 +250,38 @@ private:
     bool is_read_ = true;
 };
 
-/// Runs the operation over the rows, and tells nothing.
-stream::RunResult run_silently(const RowsCommand& command, const Operation& operation,
-                               const std::shared_ptr<stream::Fold>& fold,
-                               const std::vector<std::unique_ptr<stream::File>>& files) {
-    stream::Options options = command.options;
-    options.operation = operation;
-    options.fold = fold;
-    return stream::run(
-        *files.front(), nullptr, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
-}
-
-/// See RowsResult. A pipe cannot be read again.
-void look_again(const RowsCommand& command, const Operation& operation) {
+/// Runs an operation over rows that are also read otherwise, and tells nothing.
+/// @return why not all rows were answered, in words, or empty if the command's own run says it; nothing if all were
+std::optional<std::string> run_silently(const RowsCommand& command, const Operation& operation,
+                                        const std::shared_ptr<stream::Fold>& fold) {
     if (command.source) {
-        return;
+        return "";
     }
-    const auto files = open_inputs(command);
-    const auto can_be_read = [](const auto& file) { return file->is_open() && file->is_regular(); };
-    if (std::ranges::all_of(files, can_be_read)) {
-        static_cast<void>(run_silently(command, operation, nullptr, files));
-    }
-}
-
-/// The command as its first pass makes it.
-/// @return what is wrong, in words
-std::string run_first_pass(RowsCommand& command) {
     const auto files = open_inputs(command);
     for (const auto& file : files) {
         if (!file->is_open()) {
-            return {}; // which the command will say
+            return "";
         }
         if (!file->is_regular()) {
             return fmt::format("{}: the input is read twice, and a pipe cannot be",
                                shown(file == files.front() ? command.input : command.reference));
         }
     }
-    const auto ending = run_silently(command, command.first_pass->operation, command.first_pass->fold, files);
-    if (ending.error || ending.stopped) { // again, for the messages
-        command.options.writes_rows = false;
+    stream::Options options = command.options;
+    options.operation = operation;
+    options.fold = fold;
+    const auto ending = stream::run(
+        *files.front(), nullptr, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
+    return ending.error || ending.stopped ? std::optional("") : std::nullopt;
+}
+
+/// The command as its first pass makes it.
+/// @return what is wrong, in words
+std::string run_first_pass(RowsCommand& command) {
+    if (const auto wrong = run_silently(command, command.first_pass->operation, command.first_pass->fold)) {
+        command.options.writes_rows = false; // it is run for the messages
         command.conclude = nullptr;
-        return {};
+        return *wrong;
     }
     auto found = command.first_pass->conclude();
     if (const auto* wrong = std::get_if<std::string>(&found)) {
@@ -364,8 +356,10 @@ ExitCode run_last_pass(const RowsCommand& command) {
     }
     reporter.count_rest();
     if (command.conclude && is_whole) {
-        result.look_again = [&command](const Operation& operation) { look_again(command, operation); };
-        const Conclusion conclusion = command.conclude(result);
+        result.look_again = [&command](const Operation& operation) {
+            static_cast<void>(run_silently(command, operation, nullptr));
+        };
+        const Conclusion conclusion = command.conclude(command, result);
         if (const int error = rows_output.write(conclusion.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);
         }

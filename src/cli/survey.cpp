@@ -62,7 +62,9 @@ struct SurveyOptions final : RowOptions {
         const auto fold = std::make_shared<operations::SurveyFold>();
         command.options.writes_rows = false;
         command.options.fold = fold;
-        command.conclude = [=](const RowsResult&) { return conclusion_of(fold->survey, most, json); };
+        command.conclude = [=](const RowsCommand&, const RowsResult&) {
+            return conclusion_of(fold->survey, most, json);
+        };
         return command;
     }
 

@@ -292,7 +292,8 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     result.threads = source.threads();
     if (own.command.conclude && (own.has_text_alone() || own.reports) && result.to_the_end && result.answered > 0) {
         const auto look_again = [](const cli::Operation& /*operation*/) {}; // as of a pipe, no row is read again
-        const auto answer = own.command.conclude({ending, cli::ExitCode::done, result.failed.size(), look_again});
+        const auto answer =
+            own.command.conclude(own.command, {ending, cli::ExitCode::done, result.failed.size(), look_again});
         result.conclusion = answer.text;
         result.holds = answer.holds;
     }
