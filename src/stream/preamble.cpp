@@ -28,10 +28,11 @@ bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
         const Line current = next_line(after);
         const std::string_view whole = text.substr(0, text.size() - after.size());
         bool is_data = options_->is_row(current.text);
-        only_comments_ = only_comments_ && !is_data;
-        if (comment_.empty() && !is_data && !is_blank(current.text)) {
-            comment_ = current.text;
-            comment_line_ = line;
+        if (is_data) {
+            std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
+            only_comments_ = false;
+        } else if (only_comments_ && layout_.notes.empty() && !is_blank(current.text)) {
+            add_notes({.comment = current.text}, line);
         }
         if (!header_done_) {
             hold(whole);
@@ -63,9 +64,6 @@ void Preamble::finish(Output& output, bool at_end) {
         find_header(true, output);
     }
     release(held_.size(), output);
-    if (at_end && only_comments_ && !comment_.empty()) { // perhaps with names
-        add_notes({.comment = comment_}, comment_line_);
-    }
     if (at_end && header_line_ > 0) {
         add_notes({.only_header = true}, header_line_);
     }

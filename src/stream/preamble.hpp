@@ -59,8 +59,6 @@ private:
     bool header_done_;
     bool has_row_ = false;
     bool only_comments_ = true; ///< there were only comments and blank lines so far
-    std::string comment_;       ///< the first comment
-    std::size_t comment_line_ = 0;
     std::string held_;
     std::size_t held_line_ = 1;     ///< the number of the first line that is held
     std::size_t comment_begin_ = 0; ///< where the last comment among the held lines begins
