@@ -251,7 +251,7 @@ private:
 };
 
 /// Runs an operation over rows that are also read otherwise, and tells nothing.
-/// @return why not all rows were answered, in words, or empty if the command's own run says it; nothing if all were
+/// @return why the run did not come to its end, in words, or empty if another run says it; nothing if it did
 std::optional<std::string> run_silently(const RowsCommand& command, const Operation& operation,
                                         const std::shared_ptr<stream::Fold>& fold) {
     if (command.source) {
@@ -280,7 +280,7 @@ std::optional<std::string> run_silently(const RowsCommand& command, const Operat
 std::string run_first_pass(RowsCommand& command) {
     if (const auto wrong = run_silently(command, command.first_pass->operation, command.first_pass->fold)) {
         command.options.writes_rows = false; // it is run for the messages
-        command.conclude = nullptr;
+        command.conclude = [](const auto&, const auto&) { return Conclusion(); };
         return *wrong;
     }
     auto found = command.first_pass->conclude();

@@ -16,7 +16,7 @@
 namespace rotconv::stream {
 
 /// Rows that are answered together, with their numbers and fields. One batch, reused: once it has grown, nothing is
-/// allocated for each row.
+/// allocated for a row without an error.
 class GatheredRows {
 public:
     /// @param reference_layout null if rows are not paired
@@ -36,6 +36,7 @@ public:
     const char* drop_from(std::size_t index);
 
     [[nodiscard]] std::vector<Row>& rows() noexcept { return rows_; }
+    /// Whether a row that was read here has an error.
     [[nodiscard]] bool has_error() const noexcept { return !errors_.empty(); }
     /// The error of a row without a result. `given`: the row as it was read.
     [[nodiscard]] RowError error_of(const Row& row, const RowReport& report, std::string_view given) const;

@@ -37,7 +37,7 @@ struct Line {
 /// Whole lines as they came in one read, each with its line end except perhaps the last of the stream.
 struct IoBlock {
     Buffer bytes;          ///< memory, used again
-    std::string_view text; ///< the lines in `bytes`; empty if none is whole yet
+    std::string_view text; ///< the lines in `bytes` that are not yet taken off; empty if none is whole yet
     std::size_t first_line = 1;
 };
 

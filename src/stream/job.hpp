@@ -30,7 +30,7 @@ struct Row {
     Partner later{};                 ///< the next row of the reference, if the partner is interpolated
     double fraction = 0.0;           ///< where the row's key is between theirs, from 0 to 1
     bool passes = false;             ///< blank or comment: goes out as it is
-    const RowError* error = nullptr; ///< why it has no numbers
+    const RowError* error = nullptr; ///< why it has no numbers, or no partner
     // Set when the row is read:
     std::string_view numbers{}; ///< their text, if the row was scanned without looking for fields
     std::size_t first_field = 0;
@@ -43,7 +43,7 @@ struct Row {
 
 /// Pairs of rows, in the order of the stream.
 struct PairBlock {
-    std::vector<Row> rows;                            ///< in pairs, or alone if the key has an error
+    std::vector<Row> rows;                            ///< in pairs, or alone: not to be paired
     std::vector<std::unique_ptr<RowError>> errors;    ///< what Row::error points to, or null
     std::vector<std::shared_ptr<const Buffer>> texts; ///< hold the rows, with RowReader::room_behind
     std::size_t bytes = 0;                            ///< size of the rows
@@ -65,7 +65,7 @@ struct Job {
     bool ran_in_order = false; ///< see Ordered
     bool done = false;
 
-    /// The bytes of its rows.
+    /// The bytes of its lines.
     [[nodiscard]] std::size_t size() const noexcept { return block.text.size() + pairs.bytes; }
     [[nodiscard]] bool has_rows() const noexcept { return !block.text.empty() || !pairs.rows.empty(); }
 };

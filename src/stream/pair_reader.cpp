@@ -47,7 +47,7 @@ void PairReader::Stream::take_line() {
     if (!next.passes && by_key) {
         find_key(next);
     }
-    rows_waiting += next.has_key() ? 1U : 0U;
+    rows_waiting += next.may_be_paired() ? 1U : 0U;
     bytes_waiting += next.line.text.size();
 }
 
@@ -162,7 +162,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
         if (!is_own && !of_both) {
             return;
         }
-        while (!stream->waiting.empty() && !stream->waiting.front().has_key()) {
+        while (!stream->waiting.empty() && !stream->waiting.front().may_be_paired()) {
             Waiting& first = stream->waiting.front();
             if (is_own || first.error) {
                 Row& row = pairs.rows.emplace_back(is_own ? Row(first.line, first.number) : Row());
@@ -191,7 +191,7 @@ void PairReader::pair(Job& job, bool is_between) {
     row.partner = row.later = {other.line.text, other.number};
     if (is_between) {
         const Waiting& later = *std::find_if(references_.waiting.begin() + 1, references_.waiting.end(),
-                                             [](const Waiting& each) { return each.has_key(); });
+                                             [](const Waiting& each) { return each.may_be_paired(); });
         row.later = {later.line.text, later.number};
         row.fraction =
             ratio(distance(rows_.keys[0], references_.keys[0]), distance(references_.keys[1], references_.keys[0]));

@@ -51,8 +51,7 @@ private:
         bool ends_text = false;            ///< it is the last line of a text
         std::unique_ptr<RowError> error{}; ///< why it has no key or no partner
 
-        /// Otherwise it needs no partner.
-        [[nodiscard]] bool has_key() const noexcept { return !passes && !error; }
+        [[nodiscard]] bool may_be_paired() const noexcept { return !passes && !error; }
     };
 
     /// Whether a row is at hand.
@@ -98,22 +97,22 @@ private:
         std::size_t bytes_waiting = 0;       ///< size of the waiting lines
         std::size_t rows_waiting = 0;        ///< waiting rows that may be paired
         std::optional<KeysMet::Range> range; ///< the first and the last key that increased
-        std::optional<Key> disposed;         ///< the last key before the first waiting row
+        std::optional<Key> disposed;         ///< the key of the last row that was paired, dropped or failed
         Unpaired unpaired;
     };
 
-    /// Pairs the first rows of both streams, or drops one of them.
+    /// Pairs the first rows of both streams, or leaves one of them without a partner.
     /// @return the stream whose next row must be known first, or null
     Stream* match(Job& job, At row, At reference);
-    /// Pairs or drops a row after the first row of the reference, whose next row is at hand as `next` says.
+    /// Pairs a row, or leaves it alone, after the first row of the reference, whose next row is at hand as `next` says.
     void match_between(Job& job, At next);
     /// Pairs the first rows. `is_between`: the row lies between the first two of the reference.
     void pair(Job& job, bool is_between = false);
-    /// Drops the stream's next row, which has no partner.
+    /// Drops the stream's next row, which has no partner, or leaves it to be handed on with an error.
     void drop_alone(Stream& stream);
     void compare_distance(KeyDistance found);
     [[nodiscard]] std::optional<StreamError> reference_error() const;
-    /// Hands on lines that need no partner: comments, blank lines, rows whose key is at fault. `of_both`: also the
+    /// Hands on lines that are not to be paired: comments, blank lines, rows with an error. `of_both`: also the
     /// reference's, which follow all lines of the stream before its next row.
     void hand_on_alone(Job& job, bool of_both);
 

@@ -260,7 +260,7 @@ private:
     std::condition_variable changed_;
     std::condition_variable order_changed_;
     std::deque<std::unique_ptr<Job>> jobs_; ///< under way, in the order of the stream
-    std::size_t under_way_ = 0;             ///< bytes of the jobs' blocks
+    std::size_t under_way_ = 0;             ///< bytes of the jobs' lines
     std::vector<std::unique_ptr<Job>> idle_;
     std::vector<std::thread> helpers_; ///< all threads except the first
     std::size_t most_;                 ///< threads, with the first
