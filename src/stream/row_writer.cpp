@@ -209,24 +209,28 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
     const char delimiter = layout_->delimiter.text();
     const Digits digits = options_->digits;
     const RowOperation& operation = *options_->operation;
-    const TextColumn* const text = operation.text ? &*operation.text : nullptr;
     const std::size_t width = operation.names.size();
+    if (!operation.text) { // a loop of its own takes 3 % less of all time
+        const std::size_t room = room_for(width, digits);
+        for (const Row& row : rows) {
+            const auto result = results.subspan(row.index * width, width);
+            write_around(to, *layout_, row.line, row.numbers, room,
+                         [&](char* at) { return write_numbers(at, result, delimiter, digits); });
+        }
+        return;
+    }
+    const TextColumn& text = *operation.text;
     const std::size_t count = operation.results_of_row;
     const std::size_t room =
-        room_for(width, digits) +
-        (text != nullptr ? std::ranges::max(text->texts, {}, &std::string::size).size() + most_around : 0);
-    std::vector<std::string_view> last(text != nullptr ? width : 0);
+        room_for(width, digits) + std::ranges::max(text.texts, {}, &std::string::size).size() + most_around;
+    std::vector<std::string_view> last(width);
     for (const Row& row : rows) {
-        if (text != nullptr) {
-            to.reserve(to.size() + count * (room + row.line.text.size() + most_around)); // `last` stays valid
-        }
+        to.reserve(to.size() + count * (room + row.line.text.size() + most_around)); // `last` stays valid
         for (std::size_t i = 0; i < count; ++i) {
             const auto result = results.subspan((row.index * count + i) * width, width);
             write_around(to, *layout_, row.line, row.numbers, room, [&](char* at) {
-                return text == nullptr ? write_numbers(at, result, delimiter, digits)
-                                       : write_with_text(at, result, i == 0, last.data(),
-                                                         operation.text_of((row.number - 1) * count + i), text->place,
-                                                         delimiter, digits);
+                return write_with_text(at, result, i == 0, last.data(), operation.text_of((row.number - 1) * count + i),
+                                       text.place, delimiter, digits);
             });
         }
     }
