@@ -268,6 +268,7 @@ private:
     [[nodiscard]] std::string in_json(const RowsResult& result, const JsonValue& verdict) const {
         const PairLimit* const of_all = limit_of_all();
         const PairLimit limit = of_all != nullptr ? *of_all : PairLimit();
+        const operations::WorstPair farthest = worst();
         std::vector<std::pair<std::string_view, JsonValue>> object{
             {"rows", pairs_.pairs()},
             {"unit", std::string(unit_)},
@@ -282,9 +283,9 @@ private:
             {"unpaired_file", result.unpaired[0].rows},
             {"unpaired_reference", result.unpaired[1].rows},
             {"failed", result.failed},
-            {"max", figure(worst().angle)},
-            {"max_line", JsonValue(worst().line).unless(!has_pairs())},
-            {"max_key", key(worst(), 0).unless(!has_pairs())}};
+            {"max", figure(farthest.angle)},
+            {"max_line", JsonValue(farthest.line).unless(!has_pairs())},
+            {"max_key", key(farthest, 0).unless(!has_pairs())}};
         for (const auto& [name, value] : figures()) {
             object.emplace_back(name, figure(value));
         }

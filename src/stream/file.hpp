@@ -15,6 +15,9 @@ namespace rotconv::stream {
 /// A source of bytes.
 class Source {
 public:
+    Source() = default;
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
     virtual ~Source() = default;
 
     /// Reads as many bytes as are there, at least one. @return their count, 0 at the end, -1 with errno set
@@ -26,6 +29,9 @@ public:
 /// A destination of bytes.
 class Sink {
 public:
+    Sink() = default;
+    Sink(const Sink&) = delete;
+    Sink& operator=(const Sink&) = delete;
     virtual ~Sink() = default;
 
     /// Writes all bytes. @return 0 or an errno

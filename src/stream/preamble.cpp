@@ -195,9 +195,11 @@ void Preamble::keep_names(const HeaderLine& header) {
         const std::size_t at = layout_.position(i);
         layout_.kept_names.emplace_back(at < header.fields.size() ? trimmed(header.fields[at]) : "");
     }
-    const auto keys = result_keys(*written_, layout_, header.delimiter);
-    if (written_->format == Format::json && std::set(keys.begin(), keys.end()).size() < keys.size()) {
-        layout_.kept_names.clear(); // a key must not occur twice
+    if (written_->format == Format::json) {
+        const auto keys = result_keys(*written_, layout_, header.delimiter);
+        if (std::set(keys.begin(), keys.end()).size() < keys.size()) {
+            layout_.kept_names.clear(); // a key must not occur twice
+        }
     }
 }
 

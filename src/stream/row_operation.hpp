@@ -64,6 +64,7 @@ struct TextColumn {
 /// Computes results from the numbers of rows.
 class RowOperation {
 public:
+    RowOperation() = default;
     virtual ~RowOperation() = default;
     /// A copy for another thread; state that follows the rows in their order is shared.
     [[nodiscard]] virtual std::unique_ptr<RowOperation> copy() const = 0;
@@ -93,6 +94,12 @@ public:
     std::string_view unit{};    ///< the unit of angles beyond a limit
     bool in_order = false;      ///< rows must come in their order; otherwise each copy may answer any rows
     bool is_continuous = false; ///< results then pass make_continuous()
+
+protected:
+    RowOperation(const RowOperation&) = default;
+    RowOperation(RowOperation&&) = default;
+    RowOperation& operator=(const RowOperation&) = default;
+    RowOperation& operator=(RowOperation&&) = default;
 };
 
 /// Grows without setting its new elements, which are then read into.
@@ -113,6 +120,9 @@ struct AnsweredRows {
 /// Collects something from all rows of a run. The caller owns it, and reads it after the run.
 class Fold {
 public:
+    Fold() = default;
+    Fold(const Fold&) = delete;
+    Fold& operator=(const Fold&) = delete;
     virtual ~Fold() = default;
 
     /// Called with all rows that have numbers, in the order of the stream, by one thread at a time.
