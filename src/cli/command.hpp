@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -30,7 +31,8 @@ using Operation = std::shared_ptr<stream::RowOperation>;
 /// What came of a run.
 struct RowsResult : stream::RunResult {
     ExitCode code = ExitCode::done;
-    std::size_t failed = 0; ///< rows
+    std::array<std::size_t, 2>
+        failed{}; ///< rows by Side: those without a result, and those of the reference without a key
     /// Runs an operation over all rows once more, if they can be read again, and tells nothing.
     std::function<void(const Operation&)> look_again{};
 };

@@ -122,8 +122,10 @@ private:
                     fmt::format("{} of {} unpaired", counted(rows, "row"), side == 0 ? "FILE" : "REFERENCE"));
             }
         }
-        if (result.failed > 0 && !command_.allow_failed) {
-            faults.push_back(counted(result.failed, "row") + " failed");
+        const bool has_failures = result.failed[0] + result.failed[1] > 0;
+        if (has_failures && !command_.allow_failed) {
+            faults.push_back(result.failed[0] > 0 ? counted(result.failed[0], "row") + " failed" : "");
+            faults.push_back(result.failed[1] > 0 ? counted(result.failed[1], "row") + " of REFERENCE failed" : "");
         } else if (result.code == ExitCode::completed_with_failures) {
             faults.emplace_back("--strict met a diagnostic");
         }
@@ -182,9 +184,12 @@ private:
             add("beyond", limit->beyond);
         }
         const auto& [own, other] = result.unpaired;
-        add("unpaired",
-            own.rows + other.rows == 0 ? "0" : fmt::format("{} of FILE, {} of REFERENCE", own.rows, other.rows));
-        add("failed", result.failed);
+        const auto& [failed, failed_reference] = result.failed;
+        const auto of_both = [](std::size_t rows, std::size_t reference_rows) {
+            return fmt::format("{} of FILE, {} of REFERENCE", rows, reference_rows);
+        };
+        add("unpaired", own.rows + other.rows == 0 ? "0" : of_both(own.rows, other.rows));
+        add("failed", failed_reference == 0 ? fmt::format("{}", failed) : of_both(failed, failed_reference));
         if (check_.aligned) {
             add("aligned", in_words(*check_.aligned));
         }
@@ -282,7 +287,8 @@ private:
             {"unpaired", result.unpaired[0].rows + result.unpaired[1].rows},
             {"unpaired_file", result.unpaired[0].rows},
             {"unpaired_reference", result.unpaired[1].rows},
-            {"failed", result.failed},
+            {"failed", result.failed[0]},
+            {"failed_reference", result.failed[1]},
             {"max", figure(farthest.angle)},
             {"max_line", JsonValue(farthest.line).unless(!has_pairs())},
             {"max_key", key(farthest, 0).unless(!has_pairs())}};

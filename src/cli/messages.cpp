@@ -80,6 +80,10 @@ std::string opened(const stream::Diagnostic& diagnostic) {
                                               : fmt::format("by {:.{}f} deg", degrees, degrees < 10.0 ? 1 : 0));
 }
 
+std::string width_of(const stream::RowError& error) {
+    return fmt::format("{} where line {} has {}", counted(error.found, "field"), error.first_line, error.expected);
+}
+
 std::string why(const stream::RowError& error, const Subject& subject) {
     const Representation& entry = representation(subject.representation);
     switch (error.what) {
@@ -94,10 +98,12 @@ std::string why(const stream::RowError& error, const Subject& subject) {
     case stream::RowError::What::missing_column:
         return fmt::format("no column {}, the row has {}", error.expected, error.found);
     case stream::RowError::What::other_width:
-        return fmt::format("{} where line {} has {} (--on-error skip leaves such rows out, --ragged takes them)",
-                           counted(error.found, "field"), error.first_line, error.expected);
+        return width_of(error) + " (--on-error skip leaves such rows out, --ragged takes them)";
     case stream::RowError::What::key_order: return "the key does not increase";
-    case stream::RowError::What::no_partner: return "no partner in REFERENCE";
+    case stream::RowError::What::no_partner:
+        return fmt::format("no partner in REFERENCE{}", error.error == Error::past_half_turn
+                                                            ? ", whose attitudes around the key lie half a turn apart"
+                                                            : "");
     case stream::RowError::What::open_quote: return "a quote is left open";
     case stream::RowError::What::key:
         return error.key == stream::KeyError::too_large ? "too large for a key" : "not a time that is read";
@@ -125,6 +131,9 @@ std::string after_text(const stream::RowError& error) {
     using What = stream::RowError::What;
     if (error.what == What::key && error.place.is_in_reference() && error.key == stream::KeyError::has_unit) {
         return "; such times are in seconds: --reference-time-unit s";
+    }
+    if (error.what == What::not_a_number && error.first_line > 0) {
+        return "; " + width_of(error);
     }
     const bool has_blank = error.what == What::wrong_count && has_blank_in_time(error.text);
     const auto key = has_blank ? stream::KeyError::blank : error.key;

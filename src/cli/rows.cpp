@@ -76,10 +76,10 @@ public:
     }
     /// The row errors that were not told one by one.
     void count_rest() const {
-        if (errors_ > most_errors) {
+        if (errors() > most_errors) {
             print_error(fmt::format("{}: {} without a result",
                                     fmt::join(inputs_.begin(), inputs_.end() - (inputs_[1].empty() ? 1 : 0), " and "),
-                                    counted(errors_ - most_errors, "more row")));
+                                    counted(errors() - most_errors, "more row")));
         }
     }
 
@@ -97,7 +97,7 @@ public:
 
     /// What came of a run that is stopped, unless its code is set.
     [[nodiscard]] RowsResult result(const stream::RunResult& ending) const {
-        return {ending, ExitCode::incomplete, errors_};
+        return {ending, ExitCode::incomplete, failed_};
     }
     /// A note, or any kind but three.
     [[nodiscard]] bool met_diagnostic() const noexcept {
@@ -109,6 +109,8 @@ public:
     }
 
 private:
+    [[nodiscard]] std::size_t errors() const noexcept { return failed_[0] + failed_[1]; }
+
     struct Count {
         std::size_t rows = 0;
         std::size_t last_line = 0;
@@ -118,17 +120,19 @@ private:
     void add(const stream::FirstBytes& first) { beginning_ = first.text; }
     void add(const stream::RowError& error) {
         const stream::Place& place = error.place;
-        if (place.is_in_reference() && std::exchange(failed_reference_line_, place.line) == place.line) {
-            return; // rows of the stream are interpolated on both sides of it
-        }
-        if (error.key != stream::KeyError::has_unit && ++errors_ > most_errors) { // which ends the run
+        const bool ends_run = error.key == stream::KeyError::has_unit;
+        failed_.at(index_of(place.side)) += ends_run ? 0 : 1;
+        if (errors() > most_errors && !ends_run) {
             return;
         }
+        const bool is_partners = error.cause.line > 0;
         const bool is_key = error.what == stream::RowError::What::key; // which is told with its mend
-        const bool is_first = errors_ == 1 && !place.is_in_reference() && !is_key;
-        tell(place, messages::explain(error, subject_of(place)) + (command_->has_values ? messages::mend(error)
-                                                                   : is_first           ? advice_at(place.line)
-                                                                                        : ""));
+        const bool is_first = errors() == 1 && !place.is_in_reference() && !is_partners && !is_key;
+        tell(place, (is_partners ? fmt::format("its partner {}: ", text_of(error.cause)) : "") +
+                        messages::explain(error, subject_of(is_partners ? error.cause : place)) +
+                        (command_->has_values ? messages::mend(error)
+                         : is_first           ? advice_at(place.line)
+                                              : ""));
     }
     void add(const stream::Diagnostic& diagnostic) {
         Count& count = counts_[{diagnostic.place.side, diagnostic.kind}];
@@ -145,8 +149,11 @@ private:
     }
 
     void tell(const stream::Place& place, const std::string& message) const {
+        print_error(fmt::format("{}: {}", text_of(place), message));
+    }
+    [[nodiscard]] std::string text_of(const stream::Place& place) const {
         const std::string at = place.line == 0 || command_->has_values ? "" : fmt::format(":{}", place.line);
-        print_error(fmt::format("{}{}: {}", inputs_.at(index_of(place.side)), at, message));
+        return inputs_.at(index_of(place.side)) + at;
     }
     /// The end of the message on a line before the first row that could be read.
     [[nodiscard]] std::string advice_at(std::size_t line, bool has_header = false) const {
@@ -169,8 +176,7 @@ private:
     std::string beginning_;             ///< of the input
     std::map<std::pair<stream::Side, DiagnosticKind>, Count> counts_;
     std::set<std::pair<stream::Note::Kind, stream::Side>> notes_; ///< that were met
-    std::size_t errors_ = 0;
-    std::size_t failed_reference_line_ = 0; ///< the last of them
+    std::array<std::size_t, 2> failed_{};                         ///< see RowsResult
 };
 
 /// Reads a file, and shows on stderr how much of it is read, if that is a terminal and the file is large.
@@ -345,7 +351,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
                                                  in_shell(*result.keys.likely), in_shell(*result.keys.likely))});
         }
         const bool strict = command.strict && reporter.met_diagnostic();
-        const bool has_failures = result.failed > 0 && !command.allow_failed;
+        const bool has_failures = result.failed[0] + result.failed[1] > 0 && !command.allow_failed;
         const bool has_unpaired = result.unpaired[1].rows > 0 && !command.allow_unpaired;
         result.code = has_failures || has_unpaired || strict ? ExitCode::completed_with_failures : ExitCode::done;
         reporter.add(result.unpaired);

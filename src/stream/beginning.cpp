@@ -162,7 +162,7 @@ private:
                                         [this](const Line& line) { return options_.is_comment(line.text); });
         const Line comment = found == lines_.rend() ? Line{} : *found;
         HeaderLine with_commas(comment, Delimiter::character(','), options_.comment);
-        return row.delimiter.is_blanks() && with_commas.width() == row.width()
+        return row.delimiter.is_blanks() && with_commas.width().fits(row.width())
                    ? with_commas
                    : HeaderLine(comment, row.delimiter, options_.comment);
     }
@@ -171,7 +171,7 @@ private:
     [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
         HeaderLine header = above(row);
         auto names = selected(header);
-        if (header.line.text.empty() || !header.is_closed || header.width() != row.width() || !names) {
+        if (header.line.text.empty() || !header.is_closed || !header.width().fits(row.width()) || !names) {
             return std::nullopt;
         }
         if (options_.header == HeaderMode::yes) {
@@ -228,7 +228,7 @@ private:
         column.text = line.text;
         const HeaderLine comment = above(row);
         for (const HeaderLine* header : {&row, &comment}) {
-            if (header->is_closed && header->width() == row.width() && !is_remark(*header) &&
+            if (header->is_closed && header->width().fits(row.width()) && !is_remark(*header) &&
                 std::ranges::none_of(header->names(), is_number)) {
                 column.header = header->names();
                 break;

@@ -9,6 +9,17 @@
 
 namespace rotconv::stream {
 
+/// How many fields a line has.
+struct FieldCount {
+    std::size_t all = 0;
+    std::size_t filled = 0; ///< without empty ones at the end
+
+    /// Whether the counts are equal, with or without the empty fields at the end of either.
+    [[nodiscard]] constexpr bool fits(const FieldCount& other) const noexcept {
+        return all == other.all || all == other.filled || filled == other.all || filled == other.filled;
+    }
+};
+
 /// What parts the fields of a row: one character, or runs of blanks.
 class Delimiter {
 public:
@@ -39,12 +50,12 @@ public:
     /// quotes inside stay.
     [[nodiscard]] std::string_view text_of(std::string_view field) const noexcept;
 
-    /// The number of fields, without empty ones at the end.
-    [[nodiscard]] std::size_t count(std::span<const std::string_view> fields) const noexcept {
-        while (!fields.empty() && text_of(fields.back()).empty()) {
-            fields = fields.first(fields.size() - 1);
+    [[nodiscard]] FieldCount count(std::span<const std::string_view> fields) const noexcept {
+        FieldCount count{fields.size(), fields.size()};
+        while (count.filled > 0 && text_of(fields[count.filled - 1]).empty()) {
+            --count.filled;
         }
-        return fields.size();
+        return count;
     }
 
 private:

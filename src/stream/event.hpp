@@ -14,6 +14,7 @@
 #include <rotconv/representation_id.hpp>
 
 #include "column_list.hpp"
+#include "delimiter.hpp"
 #include "key.hpp"
 #include "number_text.hpp"
 #include "row_operation.hpp"
@@ -34,21 +35,28 @@ struct Place {
     [[nodiscard]] bool is_in_reference() const noexcept { return side == Side::reference; }
 };
 
+/// The number of fields that a stream's lines have: that of the line that sets it.
+struct RowWidth {
+    FieldCount fields{};
+    std::size_t line = 0; ///< 0: there was no such line so far
+};
+
 /// A row error: where, why, and the text at fault.
 struct RowError {
     enum class What : std::uint8_t {
-        not_a_number,   ///< `text` is the field
+        not_a_number,   ///< `text` is the field; the row's width may be told too
         too_large,      ///< `text` is the field
         wrong_count,    ///< `found` fields where the representation has `expected`
         missing_column, ///< `found` fields, column `expected` is selected
         other_width,    ///< `found` fields where the row at `first_line` has `expected`
         open_quote,
         key_order,  ///< `text` is a key that does not increase
-        no_partner, ///< the row is in no pair; see Pairing::needs_partner
+        no_partner, ///< the row is in no pair, see Pairing::needs_partner; `error` may say why
         key,        ///< `text` is not read as a key, and `key` says why
         attitude,   ///< the numbers are not an attitude: see `error`, `defect`
     };
     Place place{};
+    Place cause{}; ///< the row of the reference that is at fault; line 0: the row itself is
     What what = What::attitude;
     std::string text{};
     std::size_t found = 0;
@@ -58,6 +66,15 @@ struct RowError {
     double defect = 0.0;
     KeyError key = KeyError::none;
     double norm = 0.0; ///< the quaternion's; 0 if it is not known
+
+    /// Has it say that the row has another number of fields than a line above, if it has.
+    void tell_width(const FieldCount& count, const RowWidth& width) {
+        if (width.line > 0 && !count.fits(width.fields)) {
+            found = count.all;
+            expected = width.fields.all;
+            first_line = width.line;
+        }
+    }
 };
 
 /// One diagnostic of one row; the figure is the defect, the margin, the condition or an error, by kind.

@@ -86,7 +86,7 @@ void GatheredRows::take(Row& row) {
     row.index = lines_.size();
     row.first_field = parts_.fields.size();
     const bool is_pair = row.partner.number > 0;
-    const bool is_own_read = take_line(row.line.text, {row.number}, is_pair);
+    const bool is_own_read = take_line(row.line.text, Side::stream, is_pair);
     row.field_count = parts_.fields.size() - row.first_field;
     if (is_own_read && (!is_pair || take_partner(row))) {
         lines_.push_back(row.number);
@@ -98,11 +98,17 @@ void GatheredRows::take(Row& row) {
     parts_.numbers.resize(first_number);
     parts_.kept.resize(first_kept);
     parts_.keys.resize(first_key);
-    row.error = &errors_.emplace_back(std::move(parts_.error));
+    parts_.error.place = {row.number};
+    row.error = &errors_.emplace_back(std::exchange(parts_.error, {}));
 }
 
 bool GatheredRows::take_partner(const Row& row) {
-    if (!take_line(row.partner.text, {row.partner.number, Side::reference}, true)) {
+    const auto take = [this](const Partner& partner) {
+        const bool is_read = take_line(partner.text, Side::reference, true);
+        parts_.error.cause = {is_read ? 0 : partner.number, Side::reference};
+        return is_read;
+    };
+    if (!take(row.partner)) {
         return false;
     }
     if (!options_->pairing->interpolates) {
@@ -110,7 +116,7 @@ bool GatheredRows::take_partner(const Row& row) {
     }
     const std::size_t kept = parts_.kept.size();
     const std::size_t keys = parts_.keys.size();
-    if (!take_line(row.later.text, {row.later.number, Side::reference}, true)) {
+    if (!take(row.later)) {
         return false;
     }
     parts_.numbers.push_back(row.fraction);
@@ -119,12 +125,10 @@ bool GatheredRows::take_partner(const Row& row) {
     return true;
 }
 
-bool GatheredRows::take_line(std::string_view text, Place place, bool of_pair) {
-    const RowReader& reader = readers_[index_of(place.side)];
+bool GatheredRows::take_line(std::string_view text, Side side, bool of_pair) {
+    const RowReader& reader = readers_[index_of(side)];
     const bool is_scanned = of_pair && reader.scan({text.data(), text.size() + RowReader::room_behind}, parts_);
-    const bool is_read = is_scanned || reader.read(text, parts_); // gather() has scanned a line that is not of a pair
-    parts_.error.place = place;
-    return is_read;
+    return is_scanned || reader.read(text, parts_); // gather() has scanned a line that is not of a pair
 }
 
 RowError GatheredRows::error_of(const Row& row, const RowReport& report, std::string_view given) const {
@@ -132,13 +136,18 @@ RowError GatheredRows::error_of(const Row& row, const RowReport& report, std::st
         return *row.error;
     }
     if (row.fraction > 0.0 && report.error == Error::past_half_turn) {
-        return {.place = {row.number}, .what = RowError::What::no_partner, .text = std::string(given)};
+        return {.place = {row.number},
+                .what = RowError::What::no_partner,
+                .text = std::string(given),
+                .error = report.error};
     }
-    const Side side = report.of_reference && row.partner.number > 0 ? Side::reference : Side::stream;
-    const Partner& at = side == Side::stream ? Partner{given, row.number} : report.of_later ? row.later : row.partner;
-    return {.place = {at.number, side},
+    const bool is_partner = report.of_reference && row.partner.number > 0;
+    const Partner& at = report.of_later ? row.later : row.partner;
+    return {.place = {row.number},
+            .cause = {is_partner ? at.number : 0, Side::reference},
             .what = RowError::What::attitude,
-            .text = reader(side).selected_text(at.text),
+            .text =
+                is_partner ? reader(Side::reference).selected_text(at.text) : reader(Side::stream).selected_text(given),
             .error = report.error,
             .defect = report.defect,
             .norm = report.error == Error::defect ? norm_of(row, report) : 0.0};

@@ -64,7 +64,7 @@ private:
     /// Adds the numbers from the reference; see PairColumns.
     [[nodiscard]] bool take_partner(const Row& row);
     /// Adds the numbers of one line of either stream. The text of a line `of_pair` is in a PairBlock.
-    [[nodiscard]] bool take_line(std::string_view text, Place place, bool of_pair);
+    [[nodiscard]] bool take_line(std::string_view text, Side side, bool of_pair);
     void split_doubles(Row& row);
     /// The norm of the quaternion that the report is about; 0 if the attitude is not a quaternion.
     [[nodiscard]] double norm_of(const Row& row, const RowReport& report) const;

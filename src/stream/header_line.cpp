@@ -58,7 +58,7 @@ std::optional<std::vector<std::string>> HeaderLine::names_at(const std::vector<s
     std::vector<std::string> found;
     if (positions.empty()) {
         found = names();
-        found.resize(width());
+        found.resize(width().filled);
     }
     for (const std::size_t position : positions) {
         if (position >= fields.size()) {

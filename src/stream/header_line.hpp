@@ -20,11 +20,11 @@ struct HeaderLine {
     [[nodiscard]] HeaderLine without_mark() const;
     /// Whether the first field is such a mark and nothing else.
     [[nodiscard]] bool begins_with_mark() const;
-    /// The number of names, without empty ones at the end.
-    [[nodiscard]] std::size_t width() const { return delimiter.count(fields); }
+    [[nodiscard]] FieldCount width() const { return delimiter.count(fields); }
     [[nodiscard]] std::string name(std::size_t at) const;
     [[nodiscard]] std::vector<std::string> names() const;
-    /// The names at these positions, or nothing if one is missing; without positions, the first width() names.
+    /// The names at these positions, or nothing if one is missing; without positions, all but empty ones at
+    /// the end.
     [[nodiscard]] std::optional<std::vector<std::string>> names_at(const std::vector<std::size_t>& positions) const;
 
     Line line;

@@ -14,13 +14,6 @@
 
 namespace rotconv::stream {
 
-/// The number of fields of a stream's rows, without empty fields at the end: that of the first row whose selected
-/// fields are numbers.
-struct RowWidth {
-    std::size_t fields = 0; ///< 0: there was no such row so far
-    std::size_t line = 0;   ///< that row's line
-};
-
 /// What stands where in a row: known from the first data row on, and the same for all rows.
 struct Layout {
     Delimiter delimiter = Delimiter::blanks();
@@ -39,7 +32,7 @@ struct Layout {
     std::string line_end = "\n";           ///< the line end of a last row that has none
     std::vector<std::string> kept_names{}; ///< the result's, as in the header; see RowOperation::keeps_names
     std::vector<std::string> names{};      ///< all names of the header; empty without a header
-    std::size_t name_count = 0;            ///< how many names there are, without empty ones at the end
+    RowWidth header{};                     ///< the header's
     std::vector<Note> notes{};             ///< about the header and the first row, or about comments alone
 
     /// Sets the fields that hold the numbers: the chosen ones, or the whole row if none is chosen. The result does not

@@ -134,11 +134,18 @@ bool PairReader::read(Job& job) {
         const At row = rows_.look(0);
         const At reference = references_.look(0);
         const bool rows_failed = row == At::end && rows_.blocks.error();
-        hand_on_alone(job, row != At::dry && !rows_failed);
-        if (rows_failed || (reference == At::end && row != At::dry && (row == At::end || references_.blocks.error()))) {
-            return false;
+        const bool waits = !rows_.waiting.empty() && !references_.is_settled();
+        if (!waits) {
+            hand_on_alone(job, row != At::dry && !rows_failed);
+            if (rows_failed ||
+                (reference == At::end && row != At::dry && (row == At::end || references_.blocks.error()))) {
+                return false;
+            }
         }
-        dry_ = row == At::dry ? &rows_ : reference == At::dry ? &references_ : match(job, row, reference);
+        dry_ = waits                  ? &references_
+               : row == At::dry       ? &rows_
+               : reference == At::dry ? &references_
+                                      : match(job, row, reference);
         const std::size_t rows = job.pairs.rows.size();
         const bool holds_much = rows >= enough_rows || (rows > 0 && job.pairs.texts.size() >= most_texts);
         if (rows >= most_rows || (dry_ != nullptr && holds_much)) {

@@ -79,6 +79,8 @@ private:
         void drop_line();
         /// Lets the pairs hold the first texts for as long as their rows are used.
         void hold(std::size_t count, PairBlock& pairs);
+        /// Whether the layout stays as it is: until then nothing is handed on, for others read it.
+        [[nodiscard]] bool is_settled() const { return ended || blocks.has_row(); }
         [[nodiscard]] bool is_ready() const { return ended || !unread.empty() || blocks.is_ready(); }
 
         Side side;

@@ -131,7 +131,7 @@ bool Preamble::find_header(bool is_end, Output& output) {
             write_header(output.bytes, *written_, layout_, header);
         }
         layout_.names = header.names();
-        layout_.name_count = header.width();
+        layout_.header = {header.width(), header_line_};
         held_.erase(0, begin + header.line.text.size() + header.line.end.size());
     }
     if (!error_) {

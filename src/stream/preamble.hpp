@@ -27,6 +27,7 @@ public:
     /// To be called at the end of input or at an error; has no effect if there was a data row.
     void finish(Output& output, bool at_end);
 
+    [[nodiscard]] bool has_row() const noexcept { return has_row_; }
     [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
     [[nodiscard]] const std::optional<StreamError>& error() const noexcept { return error_; }
 

@@ -27,11 +27,13 @@ public:
             job.output.events.emplace_back(FirstBytes{std::string(block.text.substr(0, most_first_bytes))});
         }
         preamble_.read(block.text, block.first_line, job.output);
-        if (width_.fields == 0 && options_->width == 0 && !options_->columns.empty()) {
+        if (width_.line == 0 && options_->width == 0 && !options_->columns.empty()) {
             find_width(block);
         }
         return goes_on && !error();
     }
+    /// Whether there was a data row: the layout is then final.
+    [[nodiscard]] bool has_row() const noexcept { return preamble_.has_row(); }
     [[nodiscard]] bool is_ready() const override { return blocks_.is_ready(); }
     void finish(Output& output, bool at_end) override { preamble_.finish(output, at_end); }
     [[nodiscard]] std::optional<StreamError> error() const override {
@@ -45,24 +47,25 @@ public:
 private:
     static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
 
-    /// Looks for the first row whose selected fields are numbers; its width must be that of a header with their names.
+    /// Looks for the first row whose selected fields are numbers; a header with their names must be as wide.
     void find_width(IoBlock& block) {
         const RowReader reader(*options_, preamble_.layout());
         RowParts parts;
         std::size_t line = block.first_line;
-        for (std::string_view text = block.text; !text.empty() && width_.fields == 0; ++line) {
+        for (std::string_view text = block.text; !text.empty() && width_.line == 0; ++line) {
             const std::string_view row = next_line(text).text;
             parts.clear();
             if (!options_->is_row(row) || !reader.read(row, parts)) {
                 continue;
             }
             width_ = {preamble_.layout().delimiter.count(parts.fields), line};
-            if (options_->columns.has_names() && preamble_.layout().name_count != width_.fields) {
+            const FieldCount names = preamble_.layout().header.fields;
+            if (options_->columns.has_names() && !names.fits(width_.fields)) {
                 error_ = {.what = StreamError::What::columns, .place = {line}};
                 error_->column = {.what = ColumnError::What::other_width,
                                   .text = std::string(row),
-                                  .count = preamble_.layout().name_count,
-                                  .fields = width_.fields};
+                                  .count = names.all,
+                                  .fields = width_.fields.all};
                 block.text = block.text.substr(0, static_cast<std::size_t>(row.data() - block.text.data()));
             }
         }

@@ -68,11 +68,10 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     if (is_plain && has_other_fields) {
         const bool ends_here = at == end;
         is_plain = ends_here || (*at == delimiter.text() && !delimiter.is_blanks());
-        if (is_plain && width_.fields > 0) {
-            const auto last = static_cast<unsigned char>(end[-1]); // of an empty field, perhaps
-            is_plain = ends_here ? behind_ == 0
-                                 : last > ' ' && end[-1] != delimiter.text() &&
-                                       count_of(delimiter.text(), {at, end}) == behind_;
+        if (is_plain && width_.line > 0) { // a row that fits without its empty fields is not plain
+            const std::size_t behind = ends_here ? 0 : count_of(delimiter.text(), {at, end});
+            const std::size_t fields = layout_->first_field + layout_->count + behind;
+            is_plain = fields == width_.fields.all || fields == width_.fields.filled;
         }
     } else if (is_plain) {
         const char* const newline = at != end && *at == '\r' ? at + 1 : at;
@@ -105,10 +104,12 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
     if (!split(row, layout_->positions, to)) {
         return false;
     }
-    const std::size_t count = layout_->delimiter.count(std::span(to.fields).subspan(first_field));
-    if (layout_->positions.empty() && count != layout_->count) {
-        to.error = {
-            .what = RowError::What::wrong_count, .text = std::string(row), .found = count, .expected = layout_->count};
+    const FieldCount count = layout_->delimiter.count(std::span(to.fields).subspan(first_field));
+    if (layout_->positions.empty() && count.filled != layout_->count) {
+        to.error = {.what = RowError::What::wrong_count,
+                    .text = std::string(row),
+                    .found = count.filled,
+                    .expected = layout_->count};
         return false;
     }
     for (std::size_t i = 0; i < layout_->count; ++i) {
@@ -131,15 +132,15 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
                                                                       : RowError::What::key,
                         .text = std::string(field),
                         .key = key_error};
+            if (options_->columns.has_names()) {
+                to.error.tell_width(count, layout_->header);
+            }
             return false;
         }
     }
-    if (width_.fields > 0 && !layout_->positions.empty() && count != width_.fields) {
-        to.error = {.what = RowError::What::other_width,
-                    .text = std::string(row),
-                    .found = count,
-                    .expected = width_.fields,
-                    .first_line = width_.line};
+    if (!layout_->positions.empty() && width_.line > 0 && !count.fits(width_.fields)) {
+        to.error = {.what = RowError::What::other_width, .text = std::string(row)};
+        to.error.tell_width(count, width_);
         return false;
     }
     for (std::size_t i = 0; i < options_->numbers.kept; ++i) {

@@ -52,10 +52,7 @@ public:
     RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
 
     /// From here on rows of another width are errors, unless the options take them.
-    void expect(const RowWidth& width) noexcept {
-        width_ = options_->ragged ? RowWidth() : width;
-        behind_ = width_.fields - layout_->first_field - layout_->count;
-    }
+    void expect(const RowWidth& width) noexcept { width_ = options_->ragged ? RowWidth() : width; }
 
     /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is as most are: they
     /// stand side by side without blanks around them, and it has no quotes.
@@ -79,7 +76,6 @@ private:
     const InputOptions* options_;
     const Layout* layout_;
     RowWidth width_{};
-    std::size_t behind_ = 0; ///< of its fields, those behind selected ones that stand side by side
 };
 
 } // namespace rotconv::stream
