@@ -690,7 +690,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     const bool is_euler = to.starts_with("euler") || to.starts_with("rpy");
     const bool waits = has(words, "--differences") || argument_of(words, "--interpolation") == "cubic";
     if (format == "pretty" || format == "f64" || program.options().input.width > 0 || program.has_text_alone() ||
-        operation.text || waits || ((precision > 0 || fixed) && is_euler)) {
+        waits || ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // pretty and f64, several answers, rows that wait, and -pi that rounds
     }
     // Nor are names that are kept, and rows of a product that lack a partner.
@@ -891,7 +891,7 @@ const std::vector<std::string> option_words =
              "--key-offset=0.25 --key-offset=-1 --worst=1 --worst=3 --min-pairs=2 --min-pairs=60% --within=0.1@95 "
              "--within=2@50 --allow-failed --allow-unpaired=file --allow-unpaired=reference --allow-unpaired=both "
              "--ragged --columns=roll,pitch,yaw --rows=40 --seed=7 --kind=cube,small --kind=noise --kind=many-turns "
-             "--noise=0.1 --kinds-column",
+             "--noise=0.1",
              ' ');
 
 /// Another option, in the place of the same with another argument; the line as it was where none of a few is legal.
