@@ -143,7 +143,7 @@ private:
         }
     }
 
-    Option method{"--method", "METHOD", "A published formula (rotconv list methods), fast, or for VALUEs all of them"};
+    Option method{"--method", "METHOD", "A published formula (rotconv list methods), fast, or all for VALUEs"};
 };
 
 } // namespace
