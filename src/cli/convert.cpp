@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <variant>
 
 #include "../methods/method_conversion.hpp"
+#include "../stream/row_writer.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
@@ -13,6 +15,34 @@ std::vector<Spec> all_forms() {
     constexpr std::array<std::string_view, 8> forms{
         {"dcm", "quat", "axis-angle:deg", "rotvec:deg", "rpy:deg", "euler:ZYX:deg", "cayley", "mrp"}};
     return mapped(forms, [](std::string_view text) { return std::get<Spec>(parse_spec(text)); });
+}
+
+/// The answers of methods to a row, in lines for people.
+std::string lines_of(const MethodConversion& methods, const operations::MethodAnswers& answers,
+                     const stream::Options& options) {
+    const stream::Layout layout;
+    const stream::RowWriter writer(options, layout);
+    const auto names = methods.names();
+    const std::size_t size = methods.to().size();
+    const auto number = [&](std::size_t i) {
+        stream::Buffer text;
+        writer.write_number(text, answers.numbers[i], i % size);
+        return fmt::to_string(text);
+    };
+    std::vector<std::size_t> widths(size); // of the columns
+    for (std::size_t i = 0; i < answers.numbers.size(); ++i) {
+        widths[i % size] = std::max(widths[i % size], number(i).size());
+    }
+    const std::size_t longest = std::ranges::max(names, {}, &std::string_view::size).size();
+    std::string lines;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        lines += fmt::format("{:<{}}", names[k], longest);
+        for (std::size_t i = 0; i < size; ++i) {
+            lines += fmt::format("  {:>{}}", number(k * size + i), widths[i]);
+        }
+        lines += fmt::format("  error {} rad\n", stream::number_text(answers.angles[k], options.digits));
+    }
+    return lines;
 }
 
 struct ConvertOptions final : RowOptions {
@@ -40,16 +70,11 @@ struct ConvertOptions final : RowOptions {
         if (written.size() > 1 && method.given() && name != default_method && name != fast_method) {
             throw Usage("{} {} is for one SPEC after -t", method.name(), name);
         }
-        operations::Operation operation = operations::several(
-            mapped(written, [&](const Spec& each) { return by_method(Conversion(read, each, conversion)); }));
-        if (operation->is_continuous && operation->text) {
-            throw Usage("{} cannot be combined with {} all, which writes several answers to a row", continuous.name(),
-                        method.name());
+        if (name == all_methods) {
+            return all_answers(Conversion(read, written[0], conversion));
         }
-        RowsCommand made = rows_command(std::move(operation));
-        if (name == all_methods && made.options.format == stream::Format::f64) {
-            throw Usage("{} f64 cannot be combined with {} all, which writes names", format.name(), method.name());
-        }
+        RowsCommand made = rows_command(operations::several(
+            mapped(written, [&](const Spec& each) { return by_method(Conversion(read, each, conversion)); })));
         if (is_block) {
             write_block(made);
         }
@@ -57,12 +82,9 @@ struct ConvertOptions final : RowOptions {
     }
 
 private:
-    /// By a method of rotconv's own, a published one, or all.
+    /// By a method of rotconv's own or a published one.
     [[nodiscard]] operations::Operation by_method(const Conversion& conversion) const {
         const std::string& name = method.text();
-        if (name == all_methods) {
-            return operations::method(MethodConversion::all(conversion), true, continuous.given());
-        }
         if (!method.given() || name == default_method || name == fast_method) {
             return operations::convert(conversion, continuous.given());
         }
@@ -71,7 +93,30 @@ private:
             throw Usage("{} {}", method.name(),
                         messages::no_such_method(conversion.from().name, conversion.to().name, name));
         }
-        return operations::method(MethodConversion(conversion, *found), false, continuous.given());
+        return operations::method(MethodConversion(conversion, *found), continuous.given());
+    }
+
+    /// The answers of all methods to VALUEs, a line for each.
+    [[nodiscard]] RowsCommand all_answers(const Conversion& conversion) const {
+        if (values.empty()) {
+            throw Usage("{0} all is for VALUEs; for a stream, a loop: for method in $(rotconv list methods {1} {2} | "
+                        "awk '/^  / {{ print $1 }}'); do rotconv -f {1} -t {2} {0} $method FILE; done",
+                        method.name(), from.text(), to.text());
+        }
+        if (append.given() || header.given() || diagnostics.text() == "columns" ||
+            (format.given() && format.text() != "pretty")) {
+            throw Usage("{} all writes lines for people, without {}, {}, {} columns or a {} other than pretty",
+                        method.name(), append.name(), header.name(), diagnostics.name(), format.name());
+        }
+        const MethodConversion methods = MethodConversion::all(conversion);
+        const auto answers = std::make_shared<operations::MethodAnswers>();
+        RowsCommand made = rows_command(operations::all_methods(methods, answers));
+        made.options.writes_rows = false;
+        made.conclude = [methods, answers](const RowsCommand& command, const RowsResult& result) {
+            return Conclusion{.text = result.failed == 0 ? lines_of(methods, *answers, command.options) : "",
+                              .holds = true};
+        };
+        return made;
     }
 
     /// The attitude of VALUEs in all forms, for people or as one object.
@@ -98,7 +143,7 @@ private:
         }
     }
 
-    Option method{"--method", "METHOD", "A published formula (see rotconv list methods), fast, or all of them"};
+    Option method{"--method", "METHOD", "A published formula (rotconv list methods), fast, or all for VALUEs"};
 };
 
 } // namespace

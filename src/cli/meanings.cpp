@@ -75,6 +75,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"junit", "", "not here: the exit status of rotconv compare --within says whether a check holds, --format json the figures"},
     {"dt step timestep rate frequency", "", "not here: times are a column of the rows, in seconds or in the unit of --time-unit"},
     {"inertia torque dynamics", "", "not here: rotconv integrates angular velocities, which its rows give, and knows no torques"},
+    {"kindscolumn", "", "a run a kind, such as rotconv sample -t SPEC --kind lock"},
     {"dtype f32 float32 float single double", "", "binary rows are doubles, f64; those of floats: NumPy's astype('<f8')"},
     // verbs
     {"inverse invert conjugate", "", ":passive on one side inverts, as in rotconv -f quat -t quat:passive", true},

@@ -270,8 +270,7 @@ std::string describe(const stream::Diagnostic& diagnostic) {
     if (diagnostic.kind == DiagnosticKind::few_digits) { // whose figure is in its words
         return fmt::format("{}: {}", name_of(diagnostic.kind), meaning(diagnostic));
     }
-    const std::string text = diagnostic.text.empty() ? std::string() : fmt::format("{}: ", diagnostic.text);
-    return fmt::format("{}: {}{} {:.3g}{}{}; {}", name_of(diagnostic.kind), text, words_for(diagnostic.kind).figure,
+    return fmt::format("{}: {} {:.3g}{}{}; {}", name_of(diagnostic.kind), words_for(diagnostic.kind).figure,
                        diagnostic.figure, diagnostic.unit.empty() ? "" : " ", diagnostic.unit, meaning(diagnostic));
 }
 

@@ -65,7 +65,7 @@ public:
     void summarize() const {
         for (const auto& [side_and_kind, count] : counts_) {
             const stream::Diagnostic& first = count.first;
-            if (command_->diagnostics == ShowDiagnostics::summary && !is_told_apart(first)) {
+            if (command_->diagnostics == ShowDiagnostics::summary) {
                 tell({.side = first.place.side},
                      command_->has_values
                          ? messages::describe(first)
@@ -139,11 +139,11 @@ private:
         if (count.rows == 0) {
             count.first = diagnostic;
         }
-        if (count.rows == 0 || count.last_line != diagnostic.place.line) { // a row may have several results
+        if (count.rows == 0 || count.last_line != diagnostic.place.line) { // a reference's row may be in several pairs
             ++count.rows;
             count.last_line = diagnostic.place.line;
         }
-        if (command_->diagnostics == ShowDiagnostics::rows || is_told_apart(diagnostic)) {
+        if (command_->diagnostics == ShowDiagnostics::rows) {
             tell(diagnostic.place, messages::describe(diagnostic));
         }
     }
@@ -162,10 +162,6 @@ private:
             is_text ? messages::advice(beginning_, line, has_header, command_->options, command_->input)
                     : std::string();
         return text.empty() ? text : "; " + text;
-    }
-    /// One of several results of VALUEs: each is told, because a summary would name only one.
-    [[nodiscard]] bool is_told_apart(const stream::Diagnostic& diagnostic) const noexcept {
-        return command_->has_values && command_->diagnostics == ShowDiagnostics::summary && !diagnostic.text.empty();
     }
     [[nodiscard]] const messages::Subject& subject_of(const stream::Place& place) const noexcept {
         return place.is_in_reference() ? command_->reference_subject : *command_->subject;

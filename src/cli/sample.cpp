@@ -41,7 +41,7 @@ struct SampleOptions final : RowOptions {
         degrees.about = "All angles are in degrees";
         header.about = "no (default), or add: print one";
         add("What", {&to, &kind, &rows, &seed, &noise, &degrees});
-        add("Output", {&output, &header, &kinds_column, &format, &precision, &decimals});
+        add("Output", {&output, &header, &format, &precision, &decimals});
         add("More", {&threads});
     }
 
@@ -55,12 +55,7 @@ struct SampleOptions final : RowOptions {
             kinds_of(spec.name), count_of(seed, largest_count, 0),
             number_of(noise, 5e-4, "number from 0 to 0.5", [](double most) { return most >= 0.0 && most <= 0.5; })};
         const bool has_header = one_of<bool>("mode of", header, {{"no", false}, {"add", true}});
-        const bool has_kinds = kinds_column.given();
-        RowsCommand made = rows_command(operations::sample(spec, samples, has_kinds));
-        const stream::Format written = made.options.format;
-        if (has_kinds && written != stream::Format::json && written != stream::Format::csv) {
-            throw Usage("{} can be combined with {} csv and json only", kinds_column.name(), format.name());
-        }
+        RowsCommand made = rows_command(operations::sample(spec, samples));
         made.options.input = {.numbers = made.options.input.numbers,
                               .delimiter = stream::Delimiter::character(','),
                               .width = 1,
@@ -91,7 +86,6 @@ private:
     Option rows{"--rows", "N", "Rows to write (default 1000)"};
     Option seed{"--seed", "S", "Other rows for another whole number (default 0)"};
     Option noise{"--noise", "E", "The most by which numbers of noise are off, to 0.5 (default 5e-4)"};
-    Option kinds_column{"--kinds-column", "", "Write the kind of each row in front, as the column kind"};
 };
 
 } // namespace

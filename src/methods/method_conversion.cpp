@@ -99,7 +99,7 @@ std::vector<std::string_view> MethodConversion::names() const {
 }
 
 void MethodConversion::run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
-                           std::vector<RowReport>& reports, bool with_angles) const {
+                           std::vector<RowReport>& reports) const {
     const std::size_t size = to().size();
     const std::size_t rows = in.size() / from().size();
     const std::size_t count = published_.size() + (fast_ ? 2 : 0);
@@ -124,33 +124,28 @@ void MethodConversion::run(std::span<const double> in, std::span<double> out, st
 
     reports.clear();
     for (std::size_t i = 0, next = 0; i < rows; ++i) {
-        static constexpr RowReport nothing{};
         const bool is_reported = next < own.size() && own[next].row == i;
-        const RowReport& of_row = is_reported ? own[next++] : nothing;
-        for (std::size_t a = 0; a < count; ++a) {
-            const std::size_t at = i * count + a;
-            double* const written = out.data() + at * (size + (with_angles ? 1 : 0));
-            bool is_wrong = false;
-            if (of_row.error != Error::none) {
+        RowReport report = is_reported ? own[next++] : RowReport{.row = i};
+        for (std::size_t at = i * count; at < (i + 1) * count; ++at) {
+            double* const written = out.data() + at * size;
+            if (report.error != Error::none) {
                 std::fill_n(written, size, not_a_number);
                 angles[at] = not_a_number;
             } else {
-                std::copy_n(answers.data() + (a * rows + i) * size, size, written);
-                if (of_row.diagnostics.has(DiagnosticKind::infinite) &&
+                std::copy_n(answers.data() + ((at - i * count) * rows + i) * size, size, written);
+                if (report.diagnostics.has(DiagnosticKind::infinite) &&
                     std::equal(written, written + size, numbers.data() + i * size)) {
                     angles[at] = 0.0;
                 }
-                is_wrong = !(angles[at] <= reported_method_error);
             }
-            if (with_angles) {
-                written[size] = angles[at];
+            if (!(angles[at] <= report.deviation)) { // or nan, which stays
+                report.deviation = std::isnan(report.deviation) ? not_a_number : angles[at];
             }
-            if (is_reported || is_wrong) {
-                RowReport& report = reports.emplace_back(of_row);
-                report.row = at;
-                report.diagnostics |= {DiagnosticKind::method_error, is_wrong};
-                report.deviation = angles[at];
-            }
+        }
+        const bool is_wrong = report.error == Error::none && !(report.deviation <= reported_method_error);
+        if (is_reported || is_wrong) {
+            report.diagnostics |= {DiagnosticKind::method_error, is_wrong};
+            reports.push_back(report);
         }
     }
 }

@@ -26,13 +26,12 @@ public:
     /// The names of each row's answers, in their order.
     [[nodiscard]] std::vector<std::string_view> names() const;
 
-    /// As Conversion::run(), with names().size() answers to each row, one after the other; RowReport::row is the index
-    /// of the answer. `angles` and RowReport::deviation are set to the angle from the attitude to each answer in
-    /// radians, nan if the answer is not an attitude or the row has an error, 0 if it is infinite as it should be. Max
-    /// error of an angle: 5 eps.
-    /// @param with_angles each answer's angle stands in `out` too, after its numbers
+    /// As Conversion::run(), with names().size() answers to each row, one after the other. `angles` are set to the
+    /// angle from the attitude to each answer in radians, nan if the answer is not an attitude or the row has an error,
+    /// 0 if it is infinite as it should be; RowReport::deviation to the row's largest, or nan. Max error of an angle:
+    /// 5 eps.
     void run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
-             std::vector<RowReport>& reports, bool with_angles = false) const;
+             std::vector<RowReport>& reports) const;
 
 private:
     explicit MethodConversion(const Conversion& own);

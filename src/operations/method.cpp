@@ -1,24 +1,24 @@
-#include <algorithm>
+#include <utility>
 
 #include "operations.hpp"
 
 namespace rotconv::operations {
 
-Operation method(const MethodConversion& conversion, bool all, bool continuous) {
-    const auto function = [conversion, all, angles = std::vector<double>()](const auto& rows, auto out, auto& reports,
-                                                                            auto /*rest*/) mutable {
-        conversion.run(rows.numbers, out, angles, reports, all);
+Operation method(const MethodConversion& conversion, bool continuous) {
+    const auto function = [conversion, angles = std::vector<double>()](const auto& rows, auto out, auto& reports,
+                                                                       auto /*rest*/) mutable {
+        conversion.run(rows.numbers, out, angles, reports);
     };
-    auto made =
-        std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), continuous);
-    if (all) {
-        const auto methods = conversion.names();
-        made->results_of_row = methods.size();
-        made->text = stream::TextColumn{"method", made->names.size(), {methods.begin(), methods.end()}};
-        const bool is_taken = std::ranges::find(made->names, "angle") != made->names.end(); // axis-angle has one
-        made->names.emplace_back(is_taken ? "method_angle" : "angle");
-    }
-    return made;
+    return std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), continuous);
+}
+
+Operation all_methods(const MethodConversion& conversion, std::shared_ptr<MethodAnswers> answers) {
+    const auto function = [conversion, answers = std::move(answers)](const auto& rows, auto /*out*/, auto& reports,
+                                                                     auto /*rest*/) {
+        answers->numbers.resize(rows.lines.size() * conversion.names().size() * conversion.to().size());
+        conversion.run(rows.numbers, answers->numbers, answers->angles, reports);
+    };
+    return std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), false);
 }
 
 } // namespace rotconv::operations

@@ -114,8 +114,16 @@ private:
 /// margin and the largest condition.
 [[nodiscard]] Operation several(std::vector<Operation> parts);
 
-/// The answers of a published method; `all`: of all methods of the pair, each with its angle to the attitude.
-[[nodiscard]] Operation method(const MethodConversion& conversion, bool all, bool continuous);
+/// The answers of a published method.
+[[nodiscard]] Operation method(const MethodConversion& conversion, bool continuous);
+
+/// See MethodConversion::run().
+struct MethodAnswers {
+    std::vector<double> numbers;
+    std::vector<double> angles;
+};
+/// Keeps the answers of several methods to the last rows. The results are not used.
+[[nodiscard]] Operation all_methods(const MethodConversion& conversion, std::shared_ptr<MethodAnswers> answers);
 
 /// The vectors that are rotated by the attitudes of their rows, see VectorRotation.
 [[nodiscard]] Operation rotate(const VectorRotation& rotation);
@@ -141,8 +149,8 @@ struct PropagationRows {
 /// The attitudes of a propagation, from rows t, wx, wy, wz.
 [[nodiscard]] Operation propagate(const PropagationRows& rows);
 
-/// The rows of a sampler, from rows of an index from 0 on; perhaps with a column of their kinds.
-[[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings, bool with_kinds);
+/// The rows of a sampler, from rows of an index from 0 on.
+[[nodiscard]] Operation sample(const Spec& spec, const SampleSettings& settings);
 
 /// The survey of attitudes, from rows of quaternions.
 struct SurveyFold final : stream::Fold {

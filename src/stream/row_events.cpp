@@ -17,14 +17,9 @@ double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind
     }
 }
 
-void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t index,
+void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report,
                      const RowOperation& operation) {
     for_each_diagnostic(report, row.number, operation.attitudes, [&](Diagnostic diagnostic) {
-        if (diagnostic.kind == DiagnosticKind::method_error && operation.text) {
-            diagnostic.text = operation.text->texts[index];
-        } else if (index > 0) {
-            return; // the first result has told the row's diagnostics
-        }
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
         const bool is_angle = diagnostic.kind == DiagnosticKind::large_angle;
         if (row.partner.number == 0 || !(is_angle || diagnostic.kind == DiagnosticKind::normalized)) {

@@ -36,9 +36,9 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
     }
 }
 
-/// Adds the diagnostics of the row's result of that index, those of a row and of its partner separately.
+/// Adds the diagnostics of the row's result, those of a row and of its partner separately.
 /// @param operation outlives the events
-void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t index,
+void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report,
                      const RowOperation& operation);
 
 } // namespace rotconv::stream

@@ -54,13 +54,6 @@ struct OpenEnd {
     double other = 0.0;
 };
 
-/// A column of text among the numbers of results: the k-th result of a stream has texts[k % texts.size()].
-struct TextColumn {
-    std::string_view name{};
-    std::size_t place = 0; ///< index of the number that follows
-    std::vector<std::string> texts{};
-};
-
 /// Computes results from the numbers of rows.
 class RowOperation {
 public:
@@ -70,25 +63,18 @@ public:
     [[nodiscard]] virtual std::unique_ptr<RowOperation> copy() const = 0;
 
     /// Answers rows: writes the results of each, of names.size() numbers. `reports` is set to the reports of the
-    /// remarkable results, in their order. If results depend on later rows, only the first rows are
+    /// remarkable rows, in their order. If results depend on later rows, only the first rows are
     /// answered, as many as can be, or all with `rows.are_last`; the others come first in the next call.
     /// @return how many rows are answered
     virtual std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) = 0;
     /// Makes results follow each other: called after run() of the same rows, for all rows in their order.
     virtual void make_continuous(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
 
-    /// The text of the result of that index in the stream; empty without a column of text.
-    [[nodiscard]] std::string_view text_of(std::size_t index) const {
-        return text ? std::string_view(text->texts[index % text->texts.size()]) : std::string_view();
-    }
-
     RowNumbers input{};
     std::vector<std::string> names{}; ///< the columns of the result
     bool keeps_names = false;         ///< the result has the names of the last selected columns, if the input has names
     std::vector<Spec> attitudes{};    ///< the attitudes that the result is, one after the other, if it is any
     std::vector<OpenEnd> open_ends{};
-    std::size_t results_of_row = 1; ///< a line for each; RowReport::row counts results
-    std::optional<TextColumn> text{};
     /// Seconds between the first two times, if the times are numbers, and the line of the second.
     std::pair<double, std::size_t> first_step{};
     std::string_view unit{};    ///< the unit of angles beyond a limit

@@ -86,14 +86,14 @@ void RowTransformer::write_doubles(std::string_view rows, Output& output) {
 }
 
 std::size_t RowTransformer::answer(bool flush) {
-    results_.resize(gathered_.count() * operation_->results_of_row * operation_->names.size());
+    results_.resize(gathered_.count() * operation_->names.size());
     NumberRows rows = gathered_.numbers();
     rows.are_last = flush;
     return operation_->run(rows, results_, reports_);
 }
 
 void RowTransformer::finish_batch(std::size_t answered, std::string_view text, Output& output, const Ordered& ordered) {
-    const auto results = std::span(results_).first(answered * operation_->results_of_row * operation_->names.size());
+    const auto results = std::span(results_).first(answered * operation_->names.size());
     const auto make_continuous = [&] { operation_->make_continuous(results, reports_); };
     if (operation_->is_continuous && ordered && !operation_->in_order) { // with in_order there is one thread
         output.stopped = !ordered(make_continuous);
@@ -122,9 +122,7 @@ void RowTransformer::write(Output& output) {
         output.answered += rows.size();
         return;
     }
-    const auto stands_alone = [&, results = operation_->results_of_row](const Row& row) {
-        return row.is_scanned() && !is_reported_before(row, (row.index + 1) * results);
-    };
+    const auto stands_alone = [&](const Row& row) { return row.is_scanned() && !is_reported(row); };
     for (auto row = rows.begin(); row != rows.end() && !output.stopped;) {
         const bool may_stand_alone = options_->writes_rows && writer_.writes_results_alone();
         const auto end = may_stand_alone ? std::find_if_not(row, rows.end(), stands_alone) : row;
@@ -155,40 +153,35 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (options_->writes_partners()) {
         find_partner(row, given);
     }
-    const std::size_t size = operation_->names.size();
-    const std::size_t results = operation_->results_of_row;
-    for (std::size_t i = 0; i < results; ++i) {
-        const std::size_t index = row.index * results + i;
-        const RowReport& report = report_of(row, index);
-        const bool failed = !row.has_numbers() || report.error != Error::none;
-        const bool has_no_partner = row.fraction > 0.0 && report.error == Error::past_half_turn; // of neighbours
-        if (has_no_partner && !options_->pairing->needs_partner) {
-            output.unpaired.add({1, row.number});
-            continue;
+    const RowReport& report = report_of(row);
+    const bool failed = !row.has_numbers() || report.error != Error::none;
+    const bool has_no_partner = row.fraction > 0.0 && report.error == Error::past_half_turn; // of neighbours
+    if (has_no_partner && !options_->pairing->needs_partner) {
+        output.unpaired.add({1, row.number});
+        return;
+    }
+    if (failed) {
+        const RowError error = gathered_.error_of(row, report, given);
+        output.events.emplace_back(error);
+        output.stopped = options_->on_error == OnError::stop || error.key == KeyError::has_unit;
+        if (output.stopped || options_->on_error != OnError::nan || !is_ours) {
+            return;
         }
-        if (failed && i == 0) {
-            const RowError error = gathered_.error_of(row, report, given);
-            output.events.emplace_back(error);
-            output.stopped = options_->on_error == OnError::stop || error.key == KeyError::has_unit;
-        }
-        if (failed && (output.stopped || options_->on_error != OnError::nan || !is_ours)) {
-            continue; // report_of() was called for each result
-        }
-        if (options_->writes_rows) {
-            writer_.write(output.bytes, {.line = row.line,
-                                         .number = row.number,
-                                         .fields = gathered_.fields_of(row),
-                                         .result = failed ? std::span<const double>(nans_)
-                                                          : std::span(results_).subspan(index * size, size),
-                                         .report = &report,
-                                         .failed = failed,
-                                         .text = operation_->text_of((row.number - 1) * results + i),
-                                         .partner = partner_});
-        }
-        if (!failed) {
-            output.answered += i == 0 ? 1 : 0;
-            add_diagnostics(output.events, row, report, i, *options_->operation);
-        }
+    }
+    if (options_->writes_rows) {
+        const std::size_t size = operation_->names.size();
+        writer_.write(output.bytes, {.line = row.line,
+                                     .number = row.number,
+                                     .fields = gathered_.fields_of(row),
+                                     .result = failed ? std::span<const double>(nans_)
+                                                      : std::span(results_).subspan(row.index * size, size),
+                                     .report = &report,
+                                     .failed = failed,
+                                     .partner = partner_});
+    }
+    if (!failed) {
+        ++output.answered;
+        add_diagnostics(output.events, row, report, *options_->operation);
     }
 }
 
@@ -208,9 +201,9 @@ void RowTransformer::find_partner(const Row& row, std::string_view given) {
                            own < others ? "-" : "", distance(own, others).text());
 }
 
-const RowReport& RowTransformer::report_of(const Row& row, std::size_t result) noexcept {
+const RowReport& RowTransformer::report_of(const Row& row) noexcept {
     static constexpr RowReport nothing{};
-    return is_reported_before(row, result + 1) ? reports_[next_report_++] : nothing;
+    return is_reported(row) ? reports_[next_report_++] : nothing;
 }
 
 } // namespace rotconv::stream

@@ -58,12 +58,12 @@ private:
     void finish_batch(std::size_t answered, std::string_view text, Output& output, const Ordered& ordered);
     void write(Output& output);
     void write_row(Row& row, Output& output);
-    /// Whether the next report belongs to the row, and to a result before that index.
-    [[nodiscard]] bool is_reported_before(const Row& row, std::size_t result) const noexcept {
-        return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row < result;
+    /// Whether the next report belongs to the row.
+    [[nodiscard]] bool is_reported(const Row& row) const noexcept {
+        return row.has_numbers() && next_report_ < reports_.size() && reports_[next_report_].row == row.index;
     }
-    /// The report on the row's result of that index, empty if there is none; to be called for each result in order.
-    [[nodiscard]] const RowReport& report_of(const Row& row, std::size_t result) noexcept;
+    /// The report on the row's result, empty if there is none; to be called for each row in order.
+    [[nodiscard]] const RowReport& report_of(const Row& row) noexcept;
     /// Sets `partner_` for a row; `given`: the row as it was read.
     void find_partner(const Row& row, std::string_view given);
 

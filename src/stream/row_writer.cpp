@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -92,29 +91,6 @@ template <class WriteResult> void write_around(Buffer& to, const Layout& layout,
     }
 }
 
-constexpr std::size_t most_around = 3; // a delimiter and a line end
-
-/// Writes the numbers of a result with its text before the number of that place. Numbers that repeat the previous
-/// result, which stands before them in memory, are copied from its text.
-/// @param texts those of the previous result's numbers; set to those of this result
-char* write_with_text(char* at, std::span<const double> numbers, bool is_first, std::string_view* texts,
-                      std::string_view text, std::size_t place, char delimiter, Digits digits) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i == place) {
-            at = std::ranges::copy(text, at).out;
-            *at++ = delimiter;
-        }
-        const double* const number = numbers.data() + i;
-        char* const begin = at;
-        const bool is_same = !is_first && std::bit_cast<std::uint64_t>(*number) ==
-                                              std::bit_cast<std::uint64_t>(*(number - numbers.size()));
-        at = is_same ? std::ranges::copy(texts[i], at).out : write_numbers(at, {number, 1}, delimiter, digits);
-        texts[i] = {begin, at};
-        *at++ = delimiter;
-    }
-    return at - 1;
-}
-
 /// The name of the project that a SPEC is, otherwise its text.
 std::string label_of(const Spec& spec) {
     const bool is_project = spec.project != nullptr && spec.project->is_spec() &&
@@ -124,12 +100,8 @@ std::string label_of(const Spec& spec) {
 
 /// The columns of the result, its diagnostics and its partner, if they are written. Views into the arguments.
 std::vector<std::string_view> result_columns(const Options& options, const Layout& layout) {
-    const RowOperation& operation = *options.operation;
-    const auto& names = layout.kept_names.empty() ? operation.names : layout.kept_names;
+    const auto& names = layout.kept_names.empty() ? options.operation->names : layout.kept_names;
     std::vector<std::string_view> columns(names.begin(), names.end());
-    if (operation.text) {
-        columns.insert(columns.begin() + static_cast<std::ptrdiff_t>(operation.text->place), operation.text->name);
-    }
     if (options.diagnostic_columns) {
         columns.insert(columns.end(), diagnostic_names.begin(), diagnostic_names.end());
     }
@@ -208,31 +180,12 @@ void RowWriter::write(Buffer& to, const ConvertedRow& row) const {
 void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const {
     const char delimiter = layout_->delimiter.text();
     const Digits digits = options_->digits;
-    const RowOperation& operation = *options_->operation;
-    const std::size_t width = operation.names.size();
-    if (!operation.text) { // a loop of its own takes 3 % less of all time
-        const std::size_t room = room_for(width, digits);
-        for (const Row& row : rows) {
-            const auto result = results.subspan(row.index * width, width);
-            write_around(to, *layout_, row.line, row.numbers, room,
-                         [&](char* at) { return write_numbers(at, result, delimiter, digits); });
-        }
-        return;
-    }
-    const TextColumn& text = *operation.text;
-    const std::size_t count = operation.results_of_row;
-    const std::size_t room =
-        room_for(width, digits) + std::ranges::max(text.texts, {}, &std::string::size).size() + most_around;
-    std::vector<std::string_view> last(width);
+    const std::size_t width = options_->operation->names.size();
+    const std::size_t room = room_for(width, digits);
     for (const Row& row : rows) {
-        to.reserve(to.size() + count * (room + row.line.text.size() + most_around)); // `last` stays valid
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto result = results.subspan((row.index * count + i) * width, width);
-            write_around(to, *layout_, row.line, row.numbers, room, [&](char* at) {
-                return write_with_text(at, result, i == 0, last.data(), operation.text_of((row.number - 1) * count + i),
-                                       text.place, delimiter, digits);
-            });
-        }
+        const auto result = results.subspan(row.index * width, width);
+        write_around(to, *layout_, row.line, row.numbers, room,
+                     [&](char* at) { return write_numbers(at, result, delimiter, digits); });
     }
 }
 
@@ -251,13 +204,7 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
 template <class WriteNumbers, class WriteText>
 void RowWriter::for_each_column(const ConvertedRow& row, std::size_t first, const WriteNumbers& numbers,
                                 const WriteText& text) const {
-    std::span<const double> others = row.result.subspan(first);
-    if (const auto& column = options_->operation->text) {
-        numbers(others.first(column->place - first), first);
-        text(row.text);
-        others = others.subspan(column->place - first);
-    }
-    numbers(others, row.result.size() - others.size());
+    numbers(row.result.subspan(first), first);
     if (options_->diagnostic_columns) {
         numbers(figures_of(row), row.result.size());
         text(notes_of(row));
@@ -376,9 +323,6 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     const std::vector<Spec>& specs = options_->operation->attitudes;
     if (!options_->block) {
         fmt::format_to(out, "line {}\n", row.number);
-    }
-    if (!row.text.empty()) {
-        fmt::format_to(out, "  {:<9}  {}\n", options_->operation->text->name, row.text);
     }
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < row.result.size(); ++i) {

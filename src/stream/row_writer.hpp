@@ -21,7 +21,6 @@ struct ConvertedRow {
     std::span<const double> result; ///< nan if the row failed
     const RowReport* report = nullptr;
     bool failed = false;
-    std::string_view text{};    ///< the result's, see TextColumn
     std::string_view partner{}; ///< the fields partner_names, each after a delimiter
 };
 
@@ -39,11 +38,13 @@ public:
     RowWriter(const Options& options, const Layout& layout);
 
     void write(Buffer& to, const ConvertedRow& row) const;
-    /// Writes rows to which the output adds only the result, in the place of the row's numbers or at its end, a line
-    /// for each result. `results` are those of all rows at hand.
+    /// Writes rows to which the output adds only the result, in the place of the row's numbers or at its end.
+    /// `results` are those of all rows at hand.
     void write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const;
     /// Whether all rows that do not fail are such rows.
     [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_ && open_ends_.empty(); }
+    /// Writes a number of a result.
+    void write_number(Buffer& to, double value, std::size_t column) const;
 
 private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
@@ -55,7 +56,6 @@ private:
     template <class WriteNumbers, class WriteText> void for_each_column(const ConvertedRow& row, std::size_t first,
                                                                         const WriteNumbers& numbers,
                                                                         const WriteText& text) const;
-    void write_number(Buffer& to, double value, std::size_t column) const;
 
     const Options* options_;
     const Layout* layout_;

@@ -11,8 +11,9 @@
 #include <utility>
 #include <vector>
 
-/// A second, plain implementation of the row rules as the manual states them: what a stream of text becomes. It is slow
-/// and shares no code with the program.
+/// A second, plain implementation of the row rules as the manual states them: fields, columns, errors, order and pairs
+/// of a stream of text, written as csv. It is slow and shares no code with the program. Which line is a header, times,
+/// notes and other formats are not modelled: the transcripts have them.
 namespace fuzz {
 
 /// What the numbers of a row become.
@@ -24,22 +25,12 @@ struct Answer {
 };
 using Calculate = std::function<Answer(const std::vector<double>& numbers, const std::vector<std::string>& texts)>;
 
-/// An attitude among the numbers of a row.
-struct Attitude {
-    std::size_t first = 0;
-    std::vector<std::string> names; ///< of quat, dcm, or roll, pitch and yaw, in the SPEC's order
-};
-
 /// The options as they are written, and what the command makes of numbers.
 struct Rules {
     std::size_t inputs = 0;
     std::size_t kept = 0;           ///< of them, the first that stay in the row
-    bool has_unit = false;          ///< those are no times of ISO 8601
     std::vector<std::string> names; ///< of the result's columns, those of diagnostics included
     Calculate calculate;
-    std::vector<std::string> input_names; ///< of the numbers that are read
-    std::vector<Attitude> attitudes;      ///< that are read
-    bool refuses_order = false;           ///< of names in a header, without --columns
     std::string comment = "#", columns, delimiter, header = "auto", format = "csv", on_error = "stop";
     int precision = 0;
     int decimals = -1;
@@ -67,23 +58,13 @@ struct Outcome {
     std::size_t answered = 0;
     std::array<std::vector<std::size_t>, 2> unpaired; ///< lines, of the stream and of the reference
     bool to_the_end = true;
-    std::size_t refused_line = 0;                 ///< of what ends the run: a header...
-    bool refused_width = false;                   ///< ...or a row of other fields than names
-    std::string notes;                            ///< letters, each with a line: o other order, or names in other
-                                                  ///< columns, c comments alone, h a header alone
-    std::vector<std::string> met;                 ///< rules that had a part in it
-    std::vector<std::vector<std::string>> others; ///< under json, of each row the values of its other fields; "": any
+    std::size_t refused_line = 0; ///< of what ends the run: a row of other fields than names
+    std::vector<std::string> met; ///< rules that had a part in it
 };
 
 /// The outcome; nothing where the text meets rules that are not modelled.
 [[nodiscard]] std::optional<Outcome> model(std::string_view text, const Rules& rules);
 /// The same of two streams.
 [[nodiscard]] std::optional<Outcome> model(std::string_view text, std::string_view reference, const Rules& rules);
-
-/// The unit of the last place of a row of numbers, as the manual defines it; 0 where it is exact.
-[[nodiscard]] double last_place_of(const std::vector<std::string>& texts);
-
-/// Whether the lines of JSON hold what the outcome says.
-[[nodiscard]] bool json_agrees(std::string_view json, const Outcome& outcome, const Rules& rules);
 
 } // namespace fuzz
