@@ -113,7 +113,7 @@ private:
         RowsCommand made = rows_command(operations::all_methods(methods, answers));
         made.options.writes_rows = false;
         made.conclude = [methods, answers](const RowsCommand& command, const RowsResult& result) {
-            return Conclusion{.text = result.failed == 0 ? lines_of(methods, *answers, command.options) : "",
+            return Conclusion{.text = result.failed[0] == 0 ? lines_of(methods, *answers, command.options) : "",
                               .holds = true};
         };
         return made;

@@ -256,7 +256,7 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     std::string notes_of_reference;
     const auto report = [&result, &notes_of_reference](const Event& event) {
         if (const auto* error = std::get_if<RowError>(&event)) {
-            result.failed.push_back({error->place.line, error->place.is_in_reference()});
+            result.failed.push_back({error->place.line, error->place.is_in_reference(), error->cause.line});
         } else if (const auto* diagnostic = std::get_if<Diagnostic>(&event)) {
             result.beyond += diagnostic->kind == DiagnosticKind::beyond ? 1 : 0;
         } else if (const auto* note = std::get_if<Note>(&event)) {
@@ -288,9 +288,11 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     }
     result.threads = source.threads();
     if (own.command.conclude && (own.has_text_alone() || own.reports) && result.to_the_end && result.answered > 0) {
+        const auto of_reference = std::ranges::count(result.failed, true, &fuzz::Failure::of_reference);
+        const std::array failed{result.failed.size() - static_cast<std::size_t>(of_reference),
+                                static_cast<std::size_t>(of_reference)};
         const auto look_again = [](const cli::Operation& /*operation*/) {}; // as of a pipe, no row is read again
-        const auto answer =
-            own.command.conclude(own.command, {ending, cli::ExitCode::done, result.failed.size(), look_again});
+        const auto answer = own.command.conclude(own.command, {ending, cli::ExitCode::done, failed, look_again});
         result.conclusion = answer.text;
         result.holds = answer.holds;
     }
@@ -657,7 +659,10 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
 std::string description(const Result& result) {
     std::string text = result.bytes + "\nfailed:";
     for (const fuzz::Failure& failure : result.failed) {
-        text += fmt::format(" {}{}", failure.line, failure.of_reference ? " of the reference" : "");
+        text += fmt::format(" {}{}", failure.line,
+                            failure.of_reference ? " of the reference"
+                            : failure.cause > 0  ? fmt::format(" by {}", failure.cause)
+                                                 : "");
     }
     return text + fmt::format("\nto the end: {}, error: {}, answered: {}, unpaired: {}, notes: {}\n{}",
                               result.to_the_end, result.error, result.answered, fmt::join(result.unpaired, " "),

@@ -201,7 +201,10 @@ Width width_of(const Fields& fields, char delimiter) {
 }
 
 /// The rule of widths: whether a row, or a header, has as many fields as the first row.
-bool is_as_wide(const Width& row, const Width& first) { return row.filled == first.filled; }
+bool is_as_wide(const Width& row, const Width& first) {
+    const auto is_either = [&row](std::size_t count) { return row.fields == count || row.filled == count; };
+    return is_either(first.fields) || is_either(first.filled);
+}
 
 /// An item of --columns: a name, or a position.
 struct Item {
@@ -460,7 +463,7 @@ private:
             if (stops() && (outcome_.bytes.size() != settled_bytes_ || outcome_.failed.size() != settled_failures_)) {
                 return false;
             }
-            outcome_.failed.push_back({wrong + 1, true});
+            outcome_.failed.push_back({.line = wrong + 1, .of_reference = true});
             outcome_.to_the_end = !stops();
             const auto next = reference_->wrong_keys_.upper_bound(wrong);
             wrong = next == reference_->wrong_keys_.end() ? none : *next;
@@ -560,7 +563,7 @@ private:
     /// The numbers of a row, where it has them.
     std::optional<std::vector<double>> numbers_of(const Line& line, Fields& fields, std::vector<std::string>& texts) {
         if (!split(line.text, delimiter_, fields) ||
-            (items_.empty() && !is_as_wide(width_of(fields, delimiter_), {rules_.inputs, rules_.inputs}))) {
+            (items_.empty() && width_of(fields, delimiter_).filled != rules_.inputs)) {
             return std::nullopt;
         }
         std::vector<double> numbers(rules_.inputs);
@@ -631,7 +634,7 @@ private:
                                  : "pair by row");
         }
         if (answer.failed) {
-            outcome_.failed.push_back({answer.of_reference ? partners_.at(at) + 1 : number, answer.of_reference});
+            outcome_.failed.push_back({.line = number, .cause = answer.of_reference ? partners_.at(at) + 1 : 0});
             outcome_.to_the_end = !stops();
         } else {
             ++outcome_.answered;

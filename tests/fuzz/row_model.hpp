@@ -47,7 +47,8 @@ struct Rules {
 /// A row without a result.
 struct Failure {
     std::size_t line = 0;
-    bool of_reference = false;
+    bool of_reference = false; ///< the line is one of the reference, which has no key
+    std::size_t cause = 0;     ///< the line of the reference that is at fault; 0: the row itself is
     friend auto operator<=>(const Failure&, const Failure&) = default;
 };
 
