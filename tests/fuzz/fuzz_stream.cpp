@@ -548,7 +548,7 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
         answer.of_reference = report.of_reference;
-        if (columns) {
+        if (diagnostic_columns) {
             answer.numbers.insert(answer.numbers.end(), {report.sensitivity.margin, report.sensitivity.condition,
                                                          std::max(report.defect, report.reference_defect)});
         }
