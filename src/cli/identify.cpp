@@ -105,8 +105,8 @@ public:
             print_error(messages::nothing_read);
             return {.text = settings_.json ? json_line({{"rows", rows}, {"fit", rows}, {"answer", "none"}}) : "none\n"};
         }
-        auto candidates = identification_->best_first();
         Verdict verdict = identification_->verdict();
+        auto& candidates = verdict.candidates;
         bool all_were_held = true;
         if (verdict.answer && verdict.answer->rows != rows) { // only some of many rows were kept to find rotations
             const auto again =
@@ -114,7 +114,7 @@ public:
             result.look_again(operations::identify(settings_.rows, again));
             all_were_held = again->rows() > 0;
             if (all_were_held) {
-                Candidate& found = verdict.rotated.front();
+                Candidate& found = candidates.front();
                 const Candidate all = again->best_first().front();
                 std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
                 if (all.rows < rows || !again->fits(all)) {
@@ -123,7 +123,6 @@ public:
                 }
             }
         }
-        candidates.insert(candidates.begin(), verdict.rotated.begin(), verdict.rotated.end());
         const bool is_ambiguous = verdict.ambiguity != Verdict::Ambiguity::nothing;
         const std::string limit = verdict.fitting > 1 ? smaller_limit(candidates) : "";
         candidates.resize(std::min(candidates.size(), listed));
@@ -159,13 +158,16 @@ public:
                                {"answer", best},
                                {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
         } else {
-            const std::size_t looked_at = verdict.rotated.empty() ? 0 : verdict.rotated.front().rows;
             if (is_ambiguous) {
                 best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
+            } else if (!verdict.answer) {
+                best +=
+                    ": a turn on both sides that has no name is found by compare --align both, once the SPEC is known";
             }
-            text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
-                                all_were_held ? "" : fmt::format(", of which {} were held against turns", looked_at),
-                                settings_.identification.within * settings_.unit.per_radian, settings_.unit.text, best);
+            text += fmt::format(
+                "\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
+                all_were_held ? "" : fmt::format(", of which {} were held against the answer", verdict.answer->rows),
+                settings_.identification.within * settings_.unit.per_radian, settings_.unit.text, best);
         }
         return {.text = text, .holds = verdict.answer.has_value() && all_were_held};
     }
@@ -193,10 +195,7 @@ private:
     [[nodiscard]] std::string lack(const Verdict& verdict) const {
         using Ambiguity = Verdict::Ambiguity;
         switch (verdict.ambiguity) {
-        case Ambiguity::rows:
-            return identification_->rows() == 1
-                       ? "there is one row"
-                       : fmt::format("there are {} rows, and turns on both sides take four", identification_->rows());
+        case Ambiguity::rows: return "there is one row";
         case Ambiguity::attitudes: return "all rows have the same attitude";
         case Ambiguity::size:
             return fmt::format("all are small, at most {:.3g} {}", verdict.angle * settings_.unit.per_radian,

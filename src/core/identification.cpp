@@ -161,37 +161,38 @@ Identification::Identification(std::size_t count, const Spec& known, std::option
             generic_numbers_ = generic_numbers(candidate.spec);
         }
         if (met.insert(fingerprint(generic_attitudes(candidate))).second) {
-            living_.push_back(trials_.size());
-            trials_.push_back({candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance})});
+            living_.push_back(candidates_.size());
+            candidates_.push_back(candidate);
         }
     }
 }
 
 Identification::Identification(const Candidate& candidate, const Spec& known, const IdentificationSettings& settings)
     : count_(candidate.spec.size()), settings_(settings),
-      known_conversion_(known, Spec{}, {.tolerance = settings.tolerance}),
-      trials_{{candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance})}}, living_{0} {
-    trials_[0].candidate.rows = 0;
+      known_conversion_(known, Spec{}, {.tolerance = settings.tolerance}), candidates_{candidate}, living_{0} {
+    candidates_[0].rows = 0;
 }
 
 std::vector<Rotation> Identification::generic_attitudes(const Candidate& candidate) const {
     std::vector<RowReport> reports;
-    return attitudes_of({candidate, Conversion(candidate.spec, Spec{}, {.tolerance = infinity})}, generic_numbers_,
-                        count_, reports);
+    auto attitudes = attitudes_of(candidate, infinity, generic_numbers_, count_, reports);
+    std::ranges::transform(attitudes, attitudes.begin(), candidate.constant);
+    return attitudes;
 }
 
-std::vector<Rotation> Identification::attitudes_of(const Trial& trial, std::span<const double> numbers,
-                                                   std::size_t width, std::vector<RowReport>& reports) {
-    const std::size_t size = trial.candidate.spec.size();
+std::vector<Rotation> Identification::attitudes_of(const Candidate& candidate, double tolerance,
+                                                   std::span<const double> numbers, std::size_t width,
+                                                   std::vector<RowReport>& reports) {
+    const std::size_t size = candidate.spec.size();
     std::vector<double> ordered;
     ordered.reserve(numbers.size() / width * size);
     for (std::size_t row = 0; row < numbers.size(); row += width) {
         for (std::size_t i = 0; i < size; ++i) {
-            ordered.push_back(numbers[row + trial.candidate.columns.at(i)]);
+            ordered.push_back(numbers[row + candidate.columns.at(i)]);
         }
     }
     std::vector<double> quaternions(4 * (numbers.size() / width));
-    trial.conversion.run(ordered, quaternions, reports);
+    Conversion(candidate.spec, Spec{}, {.tolerance = tolerance}).run(ordered, quaternions, reports);
     std::vector<Rotation> attitudes(numbers.size() / width);
     for (std::size_t i = 0; i < attitudes.size(); ++i) {
         attitudes[i] = rotation_at(quaternions, i);
@@ -230,12 +231,13 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
 void Identification::try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
                               std::size_t count, std::vector<RowReport>& reports) {
     const std::size_t width = count_ + known_conversion_.from().size();
-    angles_.resize(trials_.size() * count);
-    for (const std::size_t trial : living_) {
-        const auto own = attitudes_of(trials_[trial], numbers.subspan(first * width, count * width), width, found_);
-        const ConstantRotations& constant = trials_[trial].candidate.constant;
+    angles_.resize(candidates_.size() * count);
+    for (const std::size_t living : living_) {
+        const auto own = attitudes_of(candidates_[living], settings_.tolerance,
+                                      numbers.subspan(first * width, count * width), width, found_);
+        const ConstantRotations& constant = candidates_[living].constant;
         for (std::size_t i = 0; i < count; ++i) {
-            angles_[trial * count + i] =
+            angles_[living * count + i] =
                 is_attitude(own[i]) ? angle_between(constant(own[i]), rotation_at(known_, first + i)) : infinity;
         }
     }
@@ -245,9 +247,9 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
             continue;
         }
         const auto row_numbers = numbers.subspan(at * width, count_);
-        const auto cannot_read = [&](std::size_t trial) { return angles_[trial * count + row] == infinity; };
+        const auto cannot_read = [&](std::size_t living) { return angles_[living * count + row] == infinity; };
         if (!living_.empty() && std::ranges::all_of(living_, cannot_read)) {
-            attitudes_of(trials_[living_.front()], row_numbers, count_, found_);
+            attitudes_of(candidates_[living_.front()], settings_.tolerance, row_numbers, count_, found_);
             auto place = std::ranges::lower_bound(reports, at, {}, &RowReport::row);
             if (place == reports.end() || place->row != at) {
                 place = reports.insert(place, RowReport());
@@ -257,9 +259,9 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
         }
         ++rows_;
         remember(row_numbers, rotation_at(known_, at), rows[at]);
-        std::erase_if(living_, [&](std::size_t trial) {
-            Candidate& candidate = trials_[trial].candidate;
-            const double angle = angles_[trial * count + row];
+        std::erase_if(living_, [&](std::size_t living) {
+            Candidate& candidate = candidates_[living];
+            const double angle = angles_[living * count + row];
             if (++candidate.rows == 1 || angle > candidate.angle) {
                 candidate.angle = angle;
                 candidate.angle_row = rows[at];
@@ -271,23 +273,19 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
 
 void Identification::remember(std::span<const double> numbers, const Rotation& known, std::size_t row) {
     if ((rows_ - 1) % stride_ == 0) {
-        if (kept_rows_.size() == most_kept) { // every second of these goes
+        if (kept_.rows.size() == most_kept) { // every second of these goes
+            std::vector<std::size_t> places;
             for (std::size_t i = 0; i < most_kept; i += 2) {
-                std::copy_n(kept_numbers_.begin() + static_cast<std::ptrdiff_t>(i * count_), count_,
-                            kept_numbers_.begin() + static_cast<std::ptrdiff_t>(i / 2 * count_));
-                kept_known_[i / 2] = kept_known_[i];
-                kept_rows_[i / 2] = kept_rows_[i];
+                places.push_back(i);
             }
-            kept_numbers_.resize(most_kept / 2 * count_);
-            kept_known_.resize(most_kept / 2);
-            kept_rows_.resize(most_kept / 2);
+            kept_ = some_rows(places);
             stride_ *= 2;
         }
-        kept_numbers_.insert(kept_numbers_.end(), numbers.begin(), numbers.end());
-        kept_known_.push_back(known);
-        kept_rows_.push_back(row);
+        kept_.numbers.insert(kept_.numbers.end(), numbers.begin(), numbers.end());
+        kept_.known.push_back(known);
+        kept_.rows.push_back(row);
     }
-    spread_ = std::max(spread_, angle_between(known, kept_known_.front()));
+    spread_ = std::max(spread_, angle_between(known, kept_.known.front()));
     greatest_angle_ = std::max(greatest_angle_, angle_of(known));
     const Eigen::Vector3d u(known.x(), known.y(), known.z());
     scatter_ += u * u.transpose();
@@ -298,6 +296,17 @@ void Identification::remember(std::span<const double> numbers, const Rotation& k
             difference = std::max(difference, std::fabs(numbers[i] - numbers[k]));
         }
     }
+}
+
+Identification::Rows Identification::some_rows(const std::vector<std::size_t>& places) const {
+    Rows some;
+    for (const std::size_t place : places) {
+        const auto first = kept_.numbers.begin() + static_cast<std::ptrdiff_t>(place * count_);
+        some.numbers.insert(some.numbers.end(), first, first + static_cast<std::ptrdiff_t>(count_));
+        some.known.push_back(kept_.known[place]);
+        some.rows.push_back(kept_.rows[place]);
+    }
+    return some;
 }
 
 } // namespace rotconv
