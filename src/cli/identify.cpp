@@ -108,13 +108,14 @@ public:
         Verdict verdict = identification_->verdict();
         auto& candidates = verdict.candidates;
         bool all_were_held = true;
-        if (verdict.answer && verdict.answer->rows != rows) { // only some of many rows were kept to find rotations
+        if (verdict.answer && verdict.answer->rows != rows) { // only some of many rows were kept
             const auto again =
                 std::make_shared<Identification>(*verdict.answer, settings_.rows.known, settings_.identification);
             result.look_again(operations::identify(settings_.rows, again));
             all_were_held = again->rows() > 0;
             if (all_were_held) {
-                Candidate& found = candidates.front();
+                Candidate& found = *std::ranges::find_if(
+                    candidates, [this](const Candidate& each) { return identification_->fits(each); });
                 const Candidate all = again->best_first().front();
                 std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
                 if (all.rows < rows || !again->fits(all)) {
@@ -159,7 +160,8 @@ public:
                                {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
         } else {
             if (is_ambiguous) {
-                best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
+                best += fmt::format(": {} {}; {}{}", verdict.fitting, verdict.fitting == 1 ? "fits" : "fit",
+                                    lack(verdict), limit);
             } else if (!verdict.answer) {
                 best +=
                     ": a turn on both sides that has no name is found by compare --align both, once the SPEC is known";

@@ -12,6 +12,7 @@
 #include <rotconv/dcm.hpp>
 
 #include "numerics/eigensystem.hpp"
+#include "numerics/row_batch.hpp"
 #include "representations/rotation_angle.hpp"
 
 namespace rotconv {
@@ -75,15 +76,23 @@ Eigen::Vector3d relative_vector(const Rotation& a, const Rotation& b) noexcept {
     return Eigen::Vector3d(relative.x(), relative.y(), relative.z()) * (relative.w() / relative.squared_norm());
 }
 
-/// The mean of u u' over the vectors u of the rotations from the first attitude to each, in body or reference axes.
-Eigen::Matrix3d relative_scatter(const Attitudes& attitudes, bool in_reference) noexcept {
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+/// The vectors of the rotations from the first attitude to each, in body or reference axes.
+std::vector<Eigen::Vector3d> relative_vectors(const Attitudes& attitudes, bool in_reference) {
+    std::vector<Eigen::Vector3d> vectors;
     for (const Rotation& attitude : attitudes) {
-        const Eigen::Vector3d vector = in_reference ? relative_vector(attitudes[0].inverse(), attitude.inverse())
-                                                    : relative_vector(attitudes[0], attitude);
+        vectors.push_back(in_reference ? relative_vector(attitudes[0].inverse(), attitude.inverse())
+                                       : relative_vector(attitudes[0], attitude));
+    }
+    return vectors;
+}
+
+/// The mean of u u' over vectors u.
+Eigen::Matrix3d scatter_of(const std::vector<Eigen::Vector3d>& vectors) noexcept {
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Eigen::Vector3d& vector : vectors) {
         scatter += vector * vector.transpose();
     }
-    return scatter / static_cast<double>(attitudes.size());
+    return scatter / static_cast<double>(vectors.size());
 }
 
 /// How far vectors like sin(theta/2) n spread, as angles, increasing, and along which axes.
@@ -105,11 +114,11 @@ Eigen::Vector3d with_positive_leader(const Eigen::Vector3d& axis) noexcept {
     return std::copysign(1.0, axis[leader]) * axis;
 }
 
-/// At most `count` rows that are as far from each other as may be: each the farthest from those before it.
-std::vector<std::size_t> spread_rows(const Attitudes& attitudes, std::size_t count) {
+/// At most twelve rows that are as far from each other as may be: each the farthest from those before it.
+std::vector<std::size_t> far_apart(const Attitudes& attitudes) {
     std::vector<std::size_t> rows{0};
     std::vector<double> nearest(attitudes.size(), std::numeric_limits<double>::infinity());
-    while (rows.size() < std::min(count, attitudes.size())) {
+    while (rows.size() < std::min<std::size_t>(12, attitudes.size())) {
         for (std::size_t i = 0; i < attitudes.size(); ++i) {
             nearest[i] = std::min(nearest[i], angle_between(attitudes[i], attitudes[rows.back()]));
         }
@@ -119,10 +128,31 @@ std::vector<std::size_t> spread_rows(const Attitudes& attitudes, std::size_t cou
     return rows;
 }
 
+/// What trials on two sets of rows say together.
+Candidate joined(const Candidate& a, const Candidate& b) noexcept {
+    Candidate joined = b.angle >= a.angle ? b : a;
+    joined.rows = std::max(a.rows, b.rows);
+    return joined;
+}
+
 } // namespace
 
 std::vector<Candidate> Identification::best_first() const {
     std::vector<Candidate> candidates = candidates_;
+    std::vector<Candidate*> undecided;
+    for (Candidate& each : candidates) {
+        if (each.rows < rows_ && !is_dropped(each)) {
+            undecided.push_back(&each);
+        }
+    }
+    const Rows few = undecided.empty() ? Rows() : some_rows(far_apart(kept_.known));
+    for (Candidate* each : undecided) {
+        *each = joined(*each, held(*each, few));
+    }
+    hold_nearest(undecided, [&](Candidate& each) {
+        const Candidate& tried = candidates_[static_cast<std::size_t>(&each - candidates.data())];
+        each = joined(tried, held(tried, kept_));
+    });
     std::ranges::stable_sort(candidates, {}, [](const Candidate& candidate) {
         return std::pair(-static_cast<double>(candidate.rows), candidate.angle);
     });
@@ -154,22 +184,41 @@ Attitudes Identification::attitudes_or_none(const Candidate& candidate, const Ro
 
 Candidate Identification::held(const Candidate& candidate, const Rows& rows) const {
     Candidate held = candidate;
-    held.rows = rows.rows.size();
-    held.angle = std::numeric_limits<double>::infinity();
-    const auto own = attitudes_or_none(candidate, rows);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        const double angle = angle_between(candidate.constant(own[i]), rows.known[i]);
-        if (i == 0 || angle > held.angle) {
-            held.angle = angle;
-            held.angle_row = rows.rows[i];
+    held.rows = 0;
+    held.angle = 0.0;
+    std::vector<RowReport> reports;
+    for (std::size_t first = 0; first < rows.rows.size(); first += batch_rows) {
+        const std::size_t count = std::min(batch_rows, rows.rows.size() - first);
+        const auto own = attitudes_of(candidate, settings_.tolerance,
+                                      std::span(rows.numbers).subspan(first * count_, count * count_), count_, reports);
+        for (std::size_t i = 0; i < count; ++i) {
+            held.add(angle_of_row(candidate, own[i], rows.known[first + i]), rows.rows[first + i]);
+            if (is_dropped(held)) {
+                return held;
+            }
         }
     }
     return held;
 }
 
+void Identification::hold_nearest(std::vector<Candidate*> nearest, const std::function<void(Candidate&)>& hold) const {
+    constexpr std::size_t enough = 16;
+    std::ranges::stable_sort(nearest, {}, &Candidate::angle);
+    std::size_t held = 0;
+    std::size_t fitting = 0;
+    for (Candidate* each : nearest) {
+        if (held >= enough && (fitting > 1 || !fits(*each))) {
+            return;
+        }
+        hold(*each);
+        ++held;
+        fitting += fits(*each) ? 1 : 0;
+    }
+}
+
 std::vector<Candidate> Identification::rotated() const {
     // Rows that are far apart reject most candidates, and some hundred give the rotations.
-    std::vector<std::size_t> places = spread_rows(kept_.known, 12);
+    std::vector<std::size_t> places = far_apart(kept_.known);
     const Rows few = some_rows(places);
     for (std::size_t i = 0; i < kept_.rows.size(); i += 1 + kept_.rows.size() / 256) {
         places.push_back(i);
@@ -205,19 +254,21 @@ std::vector<Candidate> Identification::rotated() const {
         std::ranges::copy_if(named_axes(), std::back_inserter(turns),
                              [](const Turn& axes) { return axes.constant.count() == 2; });
         for (const Turn& turn : turns) {
-            const auto& [left, right] = turn.constant;
-            if (is_small(left) || is_small(right)) {
-                continue;
-            }
-            Candidate turned = turn.of(candidate);
-            turned.constant = {nearest_axes(left), nearest_axes(right)};
-            turned = held(turned, kept_);
-            turned = fits(turned) ? turned : held(turn.of(candidate), kept_);
-            if (fits(turned)) {
+            const Candidate turned = held(turn.of(candidate), some);
+            if (fits(turned) && !is_small(turn.constant.left) && !is_small(turn.constant.right)) {
                 found.push_back(turned);
             }
         }
     }
+    std::vector<Candidate*> all;
+    std::ranges::transform(found, std::back_inserter(all), [](Candidate& each) { return &each; });
+    hold_nearest(all, [this](Candidate& each) {
+        Candidate of_axes = each;
+        of_axes.constant = {nearest_axes(each.constant.left), nearest_axes(each.constant.right)};
+        of_axes = held(of_axes, kept_);
+        each = fits(of_axes) ? of_axes : held(each, kept_);
+    });
+    std::erase_if(found, [this](const Candidate& each) { return !fits(each); });
     std::ranges::stable_sort(found, {}, &Candidate::angle);
     std::vector<Attitudes> meanings;
     std::erase_if(found, [&](const Candidate& each) {
@@ -260,11 +311,15 @@ Candidate Identification::as_written(const Candidate& candidate) const {
 bool Identification::may_mistake_rotations() const {
     const double least = std::max(settings_.within, rounding);
     const auto is_special = [&](bool in_reference) {
-        const PrincipalAxes relative(relative_scatter(kept_.known, in_reference));
+        const auto vectors = relative_vectors(kept_.known, in_reference);
+        const PrincipalAxes relative(scatter_of(vectors));
         const Eigen::Vector3d n = relative.axes.col(relative.sizes[1] <= least ? 2 : 0).cwiseAbs();
         const double nearest =
             std::min({n[0], n[1], n[2], std::fabs(n[0] - n[1]), std::fabs(n[1] - n[2]), std::fabs(n[0] - n[2])});
-        return relative.sizes[0] <= least && nearest <= 2.0 * settings_.within;
+        const auto is_in_plane = [&](const Eigen::Vector3d& vector) { // its mirror image is as near
+            return 4.0 * std::fabs(relative.axes.col(0).dot(vector)) <= least;
+        };
+        return nearest <= 2.0 * settings_.within && std::ranges::all_of(vectors, is_in_plane);
     };
     return is_special(false) || is_special(true);
 }
@@ -275,15 +330,17 @@ Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     if (rows_ < 2) {
         return Ambiguity::rows;
     }
-    if (spread_ <= settings_.within) {
+    const auto angle_of_square = [](double square) { return 2.0 * std::asin(std::min(1.0, std::sqrt(square))); };
+    const double spread = angle_of_square(spread_);
+    if (spread <= settings_.within) {
         return Ambiguity::attitudes;
     }
     // SPECs of small attitudes differ by half the angle's square.
-    verdict.angle = rotated ? spread_ : greatest_angle_;
+    verdict.angle = rotated ? spread : angle_of_square(greatest_angle_);
     if (verdict.angle * verdict.angle <= 4.0 * settings_.within) {
         return Ambiguity::size;
     }
-    const PrincipalAxes principal(rotated ? relative_scatter(kept_.known, false)
+    const PrincipalAxes principal(rotated ? scatter_of(relative_vectors(kept_.known, false))
                                           : Eigen::Matrix3d(scatter_ / static_cast<double>(rows_)));
     const double least = std::max(settings_.within, rounding);
     const bool is_axis = principal.sizes[1] <= least;
