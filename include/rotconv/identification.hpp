@@ -112,6 +112,10 @@ public:
     /// The candidates that were tried on the most rows first; among these, in order of their angles.
     [[nodiscard]] std::vector<Candidate> best_first() const;
     [[nodiscard]] Verdict verdict() const;
+    /// Whether the rows determine the constant rotations of a candidate that fits within that angle, if it has some:
+    /// there are two rows, of different attitudes, and the rotations between them do not lie in a plane, or about an
+    /// axis, in such a way that a change of axes could be mistaken for another convention.
+    [[nodiscard]] bool do_rows_suffice(const Candidate& candidate, double within) const;
 
     static constexpr std::size_t most_kept = 65'536;
     static constexpr std::size_t rows_for_all = 256;
@@ -145,9 +149,6 @@ private:
     [[nodiscard]] std::vector<Rotation> generic_attitudes(const Candidate& candidate) const;
     void remember(std::span<const double> numbers, const Rotation& known, std::size_t row);
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
-    /// Whether the rotations between rows lie in a plane or about one axis in such a way that a change of axes could
-    /// be mistaken for another convention.
-    [[nodiscard]] bool may_mistake_rotations() const;
     /// Some of the kept rows.
     [[nodiscard]] Rows some_rows(const std::vector<std::size_t>& places) const;
     /// The attitudes that the candidate makes of rows; empty if it cannot read one of them.
@@ -158,8 +159,11 @@ private:
     void hold_nearest(std::vector<Candidate*> candidates, const std::function<void(Candidate&)>& hold) const;
     /// Those that fit with constant rotations, of which the nearest leaves an angle not below a tenth of another's.
     [[nodiscard]] std::vector<Candidate> rotated() const;
-    /// The same meaning as a person would write it: a SPEC without signs, its columns as they stand, alone or with axes
-    /// that have names; otherwise the candidate.
+    /// Whether a project's SPEC has the angles of the candidate, in either unit, or is its inverse.
+    /// @pre the candidate is not plain
+    [[nodiscard]] bool is_of_project(const Candidate& candidate) const;
+    /// The same meaning as a person would write it: a SPEC without signs, its columns as they stand; a project's; one
+    /// without signs with axes that have names; otherwise the candidate.
     [[nodiscard]] Candidate as_written(const Candidate& candidate) const;
 
     std::size_t count_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -181,15 +182,16 @@ private:
         *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
     }
 
-    /// Where one of those that fit is a million times nearer than all others.
+    /// Where one of those that fit is a million times nearer than all others, by more than rounding, and the rows
+    /// suffice for it.
     [[nodiscard]] std::string smaller_limit(const std::vector<Candidate>& candidates) const {
-        const auto fitting = filtered(candidates, [this](const auto& each) { return identification_->fits(each); });
-        auto angles = mapped(fitting, &Candidate::angle);
-        std::ranges::sort(angles);
-        const double second = angles.at(1);
-        return 1e6 * angles[0] < second
-                   ? fmt::format("; one is a million times nearer than the others: --within {:.0e}",
-                                 std::max(std::sqrt(angles[0] * second), 1e-3 * second) * settings_.unit.per_radian)
+        auto fitting = filtered(candidates, [this](const auto& each) { return identification_->fits(each); });
+        std::ranges::sort(fitting, {}, &Candidate::angle);
+        const double limit = 1e-3 * fitting.at(1).angle;
+        return 1e3 * std::max(fitting[0].angle, std::numeric_limits<double>::epsilon()) < limit &&
+                       identification_->do_rows_suffice(fitting[0], limit)
+                   ? fmt::format("; one is a million times nearer than the others: --within {:.0e}{}",
+                                 limit * settings_.unit.per_radian, settings_.unit.per_radian == 1.0 ? "rad" : "deg")
                    : "";
     }
 
@@ -197,7 +199,9 @@ private:
     [[nodiscard]] std::string lack(const Verdict& verdict) const {
         using Ambiguity = Verdict::Ambiguity;
         switch (verdict.ambiguity) {
-        case Ambiguity::rows: return "there is one row";
+        case Ambiguity::rows:
+            return verdict.candidates.front().constant.count() == 0 ? "there is one row"
+                                                                    : "there is one row, and a turn takes two";
         case Ambiguity::attitudes: return "all rows have the same attitude";
         case Ambiguity::size:
             return fmt::format("all are small, at most {:.3g} {}", verdict.angle * settings_.unit.per_radian,

@@ -1,6 +1,7 @@
 #include <rotconv/identification.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -10,10 +11,12 @@
 #include <rotconv/alignment.hpp>
 #include <rotconv/axes.hpp>
 #include <rotconv/dcm.hpp>
+#include <rotconv/spec.hpp>
 
 #include "numerics/eigensystem.hpp"
 #include "numerics/row_batch.hpp"
 #include "representations/rotation_angle.hpp"
+#include "text.hpp"
 
 namespace rotconv {
 namespace {
@@ -128,6 +131,12 @@ std::vector<std::size_t> far_apart(const Attitudes& attitudes) {
     return rows;
 }
 
+/// Up to this angle others are as near as the nearest: a factor of ten, of more than rounding.
+double most_alike(double nearest) noexcept { return 10.0 * std::max(nearest, 1e-12); }
+
+/// The angle whose squared half sine this is.
+double angle_of_square(double square) noexcept { return 2.0 * std::asin(std::min(1.0, std::sqrt(square))); }
+
 /// What trials on two sets of rows say together.
 Candidate joined(const Candidate& a, const Candidate& b) noexcept {
     Candidate joined = b.angle >= a.angle ? b : a;
@@ -168,7 +177,7 @@ Verdict Identification::verdict() const {
     }
     verdict.fitting = static_cast<std::size_t>(std::ranges::count_if(verdict.candidates, fit));
     const auto first = std::ranges::find_if(verdict.candidates, fit);
-    if (verdict.fitting > 1 || (verdict.fitting == 1 && first->constant.count() > 0 && may_mistake_rotations())) {
+    if (verdict.fitting > 1 || (verdict.fitting == 1 && !do_rows_suffice(*first, settings_.within))) {
         verdict.ambiguity = ambiguity(verdict);
     } else if (verdict.fitting == 1) {
         verdict.answer = as_written(*first);
@@ -272,12 +281,11 @@ std::vector<Candidate> Identification::rotated() const {
     std::ranges::stable_sort(found, {}, &Candidate::angle);
     std::vector<Attitudes> meanings;
     std::erase_if(found, [&](const Candidate& each) {
-        constexpr double exact = 1e-12;
         Attitudes own = generic_attitudes(each);
         const bool is_known = std::ranges::any_of(meanings, [&](const Attitudes& meaning) {
             return are_near(own, meaning, 2.0 * settings_.within + rounding);
         });
-        const bool is_far = each.angle > 10.0 * std::max(found.front().angle, exact);
+        const bool is_far = each.angle > most_alike(found.front().angle);
         if (!is_known && !is_far) {
             meanings.push_back(std::move(own));
         }
@@ -286,8 +294,31 @@ std::vector<Candidate> Identification::rotated() const {
     return found;
 }
 
+bool Identification::is_of_project(const Candidate& candidate) const {
+    const Attitudes meaning = generic_attitudes(candidate);
+    Candidate made = candidate;
+    const auto is_same = [&](std::string_view text) {
+        const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+        const auto parsed = parse_spec(text.substr(begin, text.find(' ', begin) - begin));
+        const Spec* const spec = std::get_if<Spec>(&parsed);
+        if (spec == nullptr || !spec->sequence.has_signs()) {
+            return false;
+        }
+        made.spec = *spec;
+        made.spec.unit = candidate.spec.unit;
+        return std::ranges::any_of(std::array{false, true}, [&](bool passive) {
+            made.spec.passive = passive;
+            return are_near(generic_attitudes(made), meaning, rounding);
+        });
+    };
+    return std::ranges::is_sorted(std::span(candidate.columns).first(count_)) &&
+           std::ranges::any_of(projects(), [&](const Project& project) {
+               return std::ranges::any_of(split(project.specs, ';'), is_same);
+           });
+}
+
 Candidate Identification::as_written(const Candidate& candidate) const {
-    if (candidate.is_plain() && candidate.constant.count() == 0) {
+    if (candidate.constant.count() == 0 && (candidate.is_plain() || is_of_project(candidate))) {
         return candidate;
     }
     const Attitudes meaning = generic_attitudes(candidate);
@@ -307,9 +338,16 @@ Candidate Identification::as_written(const Candidate& candidate) const {
     return candidate;
 }
 
-// Along the axes, or halfway between them, other axes are changes of the numbers' signs and order.
-bool Identification::may_mistake_rotations() const {
-    const double least = std::max(settings_.within, rounding);
+bool Identification::do_rows_suffice(const Candidate& candidate, double within) const {
+    if (candidate.constant.count() == 0) {
+        return true;
+    }
+    if (rows_ < 2 || angle_of_square(spread_) <= rounding) {
+        return false;
+    }
+    // Along the axes, or halfway between them, other axes are changes of the numbers' signs and order.
+    const double least = std::max(within, rounding);
+    const double as_near = std::min(least, most_alike(candidate.angle));
     const auto is_special = [&](bool in_reference) {
         const auto vectors = relative_vectors(kept_.known, in_reference);
         const PrincipalAxes relative(scatter_of(vectors));
@@ -317,11 +355,11 @@ bool Identification::may_mistake_rotations() const {
         const double nearest =
             std::min({n[0], n[1], n[2], std::fabs(n[0] - n[1]), std::fabs(n[1] - n[2]), std::fabs(n[0] - n[2])});
         const auto is_in_plane = [&](const Eigen::Vector3d& vector) { // its mirror image is as near
-            return 4.0 * std::fabs(relative.axes.col(0).dot(vector)) <= least;
+            return 4.0 * std::fabs(relative.axes.col(0).dot(vector)) <= as_near;
         };
-        return nearest <= 2.0 * settings_.within && std::ranges::all_of(vectors, is_in_plane);
+        return nearest <= 2.0 * least && std::ranges::all_of(vectors, is_in_plane);
     };
-    return is_special(false) || is_special(true);
+    return !is_special(false) && !is_special(true);
 }
 
 Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
@@ -330,9 +368,9 @@ Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     if (rows_ < 2) {
         return Ambiguity::rows;
     }
-    const auto angle_of_square = [](double square) { return 2.0 * std::asin(std::min(1.0, std::sqrt(square))); };
     const double spread = angle_of_square(spread_);
-    if (spread <= settings_.within) {
+    const double least = std::max(settings_.within, rounding);
+    if (spread <= (rotated ? least : settings_.within)) {
         return Ambiguity::attitudes;
     }
     // SPECs of small attitudes differ by half the angle's square.
@@ -342,7 +380,6 @@ Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     }
     const PrincipalAxes principal(rotated ? scatter_of(relative_vectors(kept_.known, false))
                                           : Eigen::Matrix3d(scatter_ / static_cast<double>(rows_)));
-    const double least = std::max(settings_.within, rounding);
     const bool is_axis = principal.sizes[1] <= least;
     if (is_axis || rotated) {
         verdict.axis = with_positive_leader(principal.axes.col(is_axis ? 2 : 0));

@@ -86,8 +86,11 @@ std::vector<Case> cases() {
         {"other axes on both sides", spec("quat"), spec("dcm"), ned_to_enu, ruf_to_flu, "none"},
         {"compass heading", spec("euler:-ZYX:deg"), spec("quat"),
          oracle::attitude(spec("rpy:deg"), std::vector<double>{0, 0, 90}), identity, "euler:-ZYX:deg L -"},
-        {"negated pitch", spec("euler:Z-YX:deg"), spec("quat"), identity, identity,
-         "euler:yxz:deg:passive ruf:flu ruf:flu"}, // which is before signs
+        {"Chandra", spec("euler:Z-YX:deg"), spec("quat"), identity, identity, "euler:Z-YX:deg - -"},
+        {"Android", spec("euler:-Z-XY"), spec("quat"), identity, identity, "euler:-Z-XY - -"},
+        {"its inverse in degrees", spec("euler:zx-y:deg"), spec("quat"), identity, identity, "euler:zx-y:deg - -"},
+        {"negated yaw", spec("euler:ZX-Y:deg"), spec("quat"), identity, identity,
+         "euler:yzx:deg:passive ruf:flu ruf:flu"}, // no project's, and axes that have names are before signs
     };
 }
 

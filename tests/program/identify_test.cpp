@@ -134,7 +134,7 @@ TEST_CASE("identify takes one row as VALUEs, and a file") {
     CHECK(run("identify -t dcm 0 0 90 0 -1 0 1 0 0 0 0 1").exit_code == 1);
     CHECK(last_line(run("identify -t dcm 0 0 90 0 -1 0 1 0 0 0 0 1").out) == "ambiguous: 97 fit; there is one row");
     CHECK(last_line(run("identify -t rpy:deg 0.5,0.1,0.7,0.5,120,60,-10").out) ==
-          "ambiguous: 24 fit; there is one row");
+          "ambiguous: 24 fit; there is one row, and a turn takes two");
     CHECK(last_line(run(Words{"identify", "-t", "quat", "90 0 90 0.5 0.5 0.5 0.5"}).out).starts_with("ambiguous"));
     Folder folder;
     const auto path = (folder / "rows").string();
