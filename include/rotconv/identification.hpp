@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -19,7 +20,7 @@ namespace rotconv {
 struct Candidate {
     Spec spec;
     std::array<std::uint8_t, 9> columns{}; ///< for each number of the SPEC the column that holds it, from 0
-    std::size_t rows = 0; ///< number of rows on which it was tried; it is dropped at the first that it misses by far
+    std::size_t rows = 0; ///< number of rows on which it was tried: all, all kept ones, or those before it was dropped
     double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
     std::size_t angle_row = 0;         ///< the first row with that angle
     ConstantRotations constant{};      ///< known = left unknown right
@@ -28,6 +29,8 @@ struct Candidate {
 
     /// Whether the SPEC has no signs, and its columns are in order.
     [[nodiscard]] bool is_plain() const noexcept;
+    /// One more row on which it was tried, with the angle there.
+    void add(double row_angle, std::size_t row) noexcept;
 };
 
 /// How many candidates fit and, if more than one does, why the rows do not tell them apart.
@@ -45,7 +48,8 @@ struct Verdict {
         difference, ///< the candidates agree on these rows for another reason
     };
     std::size_t fitting = 0;
-    std::vector<Candidate> rotated; ///< the candidates that fit with constant rotations, if none fits without
+    /// Best first, as best_first() has them. If none fits, those that fit with constant rotations are before them.
+    std::vector<Candidate> candidates;
     Ambiguity ambiguity = Ambiguity::nothing;
     /// What fits, as a person would write it, if nothing is ambiguous.
     std::optional<Candidate> answer{};
@@ -66,11 +70,18 @@ struct IdentificationSettings {
 /// all orders of the columns, axis-angle with the angle first too, and two columns interleaved too. Candidates that
 /// mean the same for all numbers count as one, under the name with the fewest modifiers and signs. A candidate is
 /// dropped at the first row that it misses by more than a thousand times the limit or by half a radian, or whose
-/// numbers have no attitude in it, so that long data cost little more than one conversion.
+/// numbers have no attitude in it.
 ///
-/// If none fits, each is tried with a constant rotation on one side, the side that leaves less, and if none fits then,
-/// with rotations on both: see Alignment. Rows are kept for this: all up to `most_kept`, otherwise every second,
-/// fourth, eighth and so on. Constant memory.
+/// All candidates are tried on the first `rows_for_all` rows. From then on only those that fit are, at most
+/// `most_living`; where none fits, the nearest. Long data therefore cost little more than one conversion, also where
+/// all motions are small. The others rest: those that fit so far are tried on each row where one of the living stops
+/// fitting, and take its place. At the end the nearest that have not been tried on all rows are held against those
+/// that were kept. No candidate is passed over that fits all rows, and all that fit are tried on the rows that tell
+/// candidates apart.
+///
+/// If none fits, each is tried with a constant rotation on either side, see Alignment, and with the pairs of axes on
+/// both sides that have names. Rows are kept: all up to `most_kept`, otherwise every second, fourth, eighth and so on.
+/// Constant memory.
 class Identification {
 public:
     /// @param name if given, only candidates of this representation, which has `count` numbers
@@ -96,70 +107,80 @@ public:
     /// The count of rows so far, without those with an error.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
     [[nodiscard]] bool fits(const Candidate& candidate) const noexcept {
-        const std::size_t looked_at = candidate.constant.count() == 0 ? rows_ : kept_rows_.size();
-        return rows_ > 0 && candidate.rows >= looked_at && candidate.angle <= settings_.within;
+        return rows_ > 0 && candidate.angle <= settings_.within;
     }
     /// The candidates that were tried on the most rows first; among these, in order of their angles.
     [[nodiscard]] std::vector<Candidate> best_first() const;
     [[nodiscard]] Verdict verdict() const;
+    /// Whether the rows determine the constant rotations of a candidate that fits within that angle, if it has some:
+    /// there are two rows, of different attitudes, and the rotations between them do not lie in a plane, or about an
+    /// axis, in such a way that a change of axes could be mistaken for another convention.
+    [[nodiscard]] bool do_rows_suffice(const Candidate& candidate, double within) const;
 
     static constexpr std::size_t most_kept = 65'536;
+    static constexpr std::size_t rows_for_all = 256;
+    static constexpr std::size_t most_living = 4;
 
 private:
-    struct Trial {
-        Candidate candidate;
-        Conversion conversion;
+    struct Rows {
+        std::vector<double> numbers; ///< the unknown ones
+        std::vector<Rotation> known;
+        std::vector<std::size_t> rows; ///< the number of each for the caller
     };
 
-    /// Adds rows [first, first + count) of those being added. Their attitudes are in known_.
-    void try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
-                  std::size_t count, std::vector<RowReport>& reports);
+    /// Adds rows [first, first + count) of those being added, or those up to one after which others are living. Their
+    /// attitudes are in known_. Returns how many it added.
+    std::size_t try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
+                         std::size_t count, std::vector<RowReport>& reports);
+    /// Whether a remaining candidate can read the row; if all are dropped, whether any of them can.
+    [[nodiscard]] bool is_read(std::span<const double> numbers) const;
+    /// Chooses those that live after a row, the last one.
+    void choose_living(std::span<const double> numbers, const Rotation& known, std::size_t row);
+    [[nodiscard]] bool is_dropped(const Candidate& candidate) const noexcept;
+    /// The angle to the known attitude; infinite if `own`, see attitudes_of(), is none.
+    static double angle_of_row(const Candidate& candidate, const Rotation& own, const Rotation& known) noexcept;
     /// The attitudes that the candidate makes of rows of `width` numbers, the unknown ones first; see is_attitude().
-    static std::vector<Rotation> attitudes_of(const Trial& trial, std::span<const double> numbers, std::size_t width,
+    static std::vector<Rotation> attitudes_of(const Candidate& candidate, double tolerance,
+                                              std::span<const double> numbers, std::size_t width,
                                               std::vector<RowReport>& reports);
     /// False for the nan that stand for numbers without an attitude.
     [[nodiscard]] static bool is_attitude(const Rotation& rotation) noexcept { return rotation.w() == rotation.w(); }
-    /// Those by which candidates are told apart.
+    /// Attitudes that a candidate makes of `generic_numbers_`, with its constant rotations.
     [[nodiscard]] std::vector<Rotation> generic_attitudes(const Candidate& candidate) const;
     void remember(std::span<const double> numbers, const Rotation& known, std::size_t row);
     [[nodiscard]] Verdict::Ambiguity ambiguity(Verdict& verdict) const;
-    /// Whether the rotations between rows lie in a plane or about one axis in such a way that a change of axes could
-    /// be mistaken for another convention.
-    [[nodiscard]] bool may_mistake_rotations() const;
-    /// Whether there are four rows or more between which the rotations do not lie in one plane.
-    [[nodiscard]] bool determines_both() const;
-    struct RowsForRotations;
+    /// Some of the kept rows.
+    [[nodiscard]] Rows some_rows(const std::vector<std::size_t>& places) const;
+    /// The attitudes that the candidate makes of rows; empty if it cannot read one of them.
+    [[nodiscard]] std::vector<Rotation> attitudes_or_none(const Candidate& candidate, const Rows& rows) const;
+    /// The candidate held against these rows alone, up to the first at which it is dropped.
+    [[nodiscard]] Candidate held(const Candidate& candidate, const Rows& rows) const;
+    /// Replaces the nearest candidates, as many as are looked at, by what `hold` makes of them.
+    void hold_nearest(std::vector<Candidate*> candidates, const std::function<void(Candidate&)>& hold) const;
     /// Those that fit with constant rotations, of which the nearest leaves an angle not below a tenth of another's.
     [[nodiscard]] std::vector<Candidate> rotated() const;
-    /// The same meaning as a person would write it: a SPEC alone; a SPEC without signs, its columns as they stand, with
-    /// axes that have names; signs or another order of the columns; other axes; rotations.
+    /// Whether a project's SPEC has the angles of the candidate, in either unit, or is its inverse.
+    /// @pre the candidate is not plain
+    [[nodiscard]] bool is_of_project(const Candidate& candidate) const;
+    /// The same meaning as a person would write it: a SPEC without signs, its columns as they stand; a project's; one
+    /// without signs with axes that have names; otherwise the candidate.
     [[nodiscard]] Candidate as_written(const Candidate& candidate) const;
-    /// The attitudes of generic numbers, rotated.
-    [[nodiscard]] std::vector<Rotation> meaning_of(const Candidate& candidate) const;
-    /// False if no constant rotations make the candidate fit, nor any of its class.
-    [[nodiscard]] bool may_fit(const Trial& trial, const RowsForRotations& rows) const;
-    [[nodiscard]] std::optional<Candidate> with_rotation(const Trial& trial, AlignedSide side,
-                                                         const RowsForRotations& rows) const;
-    /// The attitudes that the candidate makes of rows; empty if it cannot read one of them.
-    [[nodiscard]] std::vector<Rotation> attitudes_or_none(const Trial& trial, std::span<const double> numbers) const;
 
     std::size_t count_;
     IdentificationSettings settings_;
     Conversion known_conversion_;
     std::vector<double> generic_numbers_; ///< rows whose attitudes are equal only in candidates that mean the same
-    std::vector<Trial> trials_;           ///< preferred names first
-    std::vector<std::size_t> living_;     ///< those that are not dropped
+    std::vector<Candidate> candidates_;   ///< preferred names first
+    std::vector<std::size_t> living_;     ///< those that are tried on each row
     std::size_t rows_ = 0;
 
     // The rows that are kept: every `stride_`-th.
     std::size_t stride_ = 1;
-    std::vector<double> kept_numbers_;
-    std::vector<Rotation> kept_known_;
-    std::vector<std::size_t> kept_rows_;
+    Rows kept_;
 
     // For verdict(), over all rows:
-    double spread_ = 0.0;                               ///< largest angle to the first
-    double greatest_angle_ = 0.0;                       ///< largest angle of an attitude
+    double spread_ = 0.0;                               ///< largest sin^2(theta/2) from the first
+    double greatest_angle_ = 0.0;                       ///< largest sin^2(theta/2) of an attitude
     Eigen::Matrix3d scatter_ = Eigen::Matrix3d::Zero(); ///< sum of u u' over the quaternions (w, u)
     std::array<double, 9> greatest_numbers_{};          ///< largest magnitude in each column
     /// The same of the difference of two columns, i < k.

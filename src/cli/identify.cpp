@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -105,16 +106,17 @@ public:
             print_error(messages::nothing_read);
             return {.text = settings_.json ? json_line({{"rows", rows}, {"fit", rows}, {"answer", "none"}}) : "none\n"};
         }
-        auto candidates = identification_->best_first();
         Verdict verdict = identification_->verdict();
+        auto& candidates = verdict.candidates;
         bool all_were_held = true;
-        if (verdict.answer && verdict.answer->rows != rows) { // only some of many rows were kept to find rotations
+        if (verdict.answer && verdict.answer->rows != rows) { // only some of many rows were kept
             const auto again =
                 std::make_shared<Identification>(*verdict.answer, settings_.rows.known, settings_.identification);
             result.look_again(operations::identify(settings_.rows, again));
             all_were_held = again->rows() > 0;
             if (all_were_held) {
-                Candidate& found = verdict.rotated.front();
+                Candidate& found = *std::ranges::find_if(
+                    candidates, [this](const Candidate& each) { return identification_->fits(each); });
                 const Candidate all = again->best_first().front();
                 std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
                 if (all.rows < rows || !again->fits(all)) {
@@ -123,7 +125,6 @@ public:
                 }
             }
         }
-        candidates.insert(candidates.begin(), verdict.rotated.begin(), verdict.rotated.end());
         const bool is_ambiguous = verdict.ambiguity != Verdict::Ambiguity::nothing;
         const std::string limit = verdict.fitting > 1 ? smaller_limit(candidates) : "";
         candidates.resize(std::min(candidates.size(), listed));
@@ -159,13 +160,17 @@ public:
                                {"answer", best},
                                {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
         } else {
-            const std::size_t looked_at = verdict.rotated.empty() ? 0 : verdict.rotated.front().rows;
             if (is_ambiguous) {
-                best += fmt::format(": {} fit; {}{}", verdict.fitting, lack(verdict), limit);
+                best += fmt::format(": {} {}; {}{}", verdict.fitting, verdict.fitting == 1 ? "fits" : "fit",
+                                    lack(verdict), limit);
+            } else if (!verdict.answer) {
+                best +=
+                    ": a turn on both sides that has no name is found by compare --align both, once the SPEC is known";
             }
-            text += fmt::format("\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
-                                all_were_held ? "" : fmt::format(", of which {} were held against turns", looked_at),
-                                settings_.identification.within * settings_.unit.per_radian, settings_.unit.text, best);
+            text += fmt::format(
+                "\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
+                all_were_held ? "" : fmt::format(", of which {} were held against the answer", verdict.answer->rows),
+                settings_.identification.within * settings_.unit.per_radian, settings_.unit.text, best);
         }
         return {.text = text, .holds = verdict.answer.has_value() && all_were_held};
     }
@@ -177,15 +182,16 @@ private:
         *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
     }
 
-    /// Where one of those that fit is a million times nearer than all others.
+    /// Where one of those that fit is a million times nearer than all others, by more than rounding, and the rows
+    /// suffice for it.
     [[nodiscard]] std::string smaller_limit(const std::vector<Candidate>& candidates) const {
-        const auto fitting = filtered(candidates, [this](const auto& each) { return identification_->fits(each); });
-        auto angles = mapped(fitting, &Candidate::angle);
-        std::ranges::sort(angles);
-        const double second = angles.at(1);
-        return 1e6 * angles[0] < second
-                   ? fmt::format("; one is a million times nearer than the others: --within {:.0e}",
-                                 std::max(std::sqrt(angles[0] * second), 1e-3 * second) * settings_.unit.per_radian)
+        auto fitting = filtered(candidates, [this](const auto& each) { return identification_->fits(each); });
+        std::ranges::sort(fitting, {}, &Candidate::angle);
+        const double limit = 1e-3 * fitting.at(1).angle;
+        return 1e3 * std::max(fitting[0].angle, std::numeric_limits<double>::epsilon()) < limit &&
+                       identification_->do_rows_suffice(fitting[0], limit)
+                   ? fmt::format("; one is a million times nearer than the others: --within {:.0e}{}",
+                                 limit * settings_.unit.per_radian, settings_.unit.per_radian == 1.0 ? "rad" : "deg")
                    : "";
     }
 
@@ -194,9 +200,8 @@ private:
         using Ambiguity = Verdict::Ambiguity;
         switch (verdict.ambiguity) {
         case Ambiguity::rows:
-            return identification_->rows() == 1
-                       ? "there is one row"
-                       : fmt::format("there are {} rows, and turns on both sides take four", identification_->rows());
+            return verdict.candidates.front().constant.count() == 0 ? "there is one row"
+                                                                    : "there is one row, and a turn takes two";
         case Ambiguity::attitudes: return "all rows have the same attitude";
         case Ambiguity::size:
             return fmt::format("all are small, at most {:.3g} {}", verdict.angle * settings_.unit.per_radian,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "checks.hpp"
@@ -152,6 +153,13 @@ bool Candidate::is_plain() const noexcept {
            spec.sequence.sign(1) > 0.0 && spec.sequence.sign(2) > 0.0;
 }
 
+void Candidate::add(double row_angle, std::size_t row) noexcept {
+    if (++rows == 1 || row_angle > angle) {
+        angle = row_angle;
+        angle_row = row;
+    }
+}
+
 Identification::Identification(std::size_t count, const Spec& known, std::optional<RepresentationId> name,
                                const IdentificationSettings& settings)
     : count_(count), settings_(settings), known_conversion_(known, Spec{}, {.tolerance = settings.tolerance}) {
@@ -161,37 +169,38 @@ Identification::Identification(std::size_t count, const Spec& known, std::option
             generic_numbers_ = generic_numbers(candidate.spec);
         }
         if (met.insert(fingerprint(generic_attitudes(candidate))).second) {
-            living_.push_back(trials_.size());
-            trials_.push_back({candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance})});
+            living_.push_back(candidates_.size());
+            candidates_.push_back(candidate);
         }
     }
 }
 
 Identification::Identification(const Candidate& candidate, const Spec& known, const IdentificationSettings& settings)
     : count_(candidate.spec.size()), settings_(settings),
-      known_conversion_(known, Spec{}, {.tolerance = settings.tolerance}),
-      trials_{{candidate, Conversion(candidate.spec, Spec{}, {.tolerance = settings.tolerance})}}, living_{0} {
-    trials_[0].candidate.rows = 0;
+      known_conversion_(known, Spec{}, {.tolerance = settings.tolerance}), candidates_{candidate}, living_{0} {
+    candidates_[0].rows = 0;
 }
 
 std::vector<Rotation> Identification::generic_attitudes(const Candidate& candidate) const {
     std::vector<RowReport> reports;
-    return attitudes_of({candidate, Conversion(candidate.spec, Spec{}, {.tolerance = infinity})}, generic_numbers_,
-                        count_, reports);
+    auto attitudes = attitudes_of(candidate, infinity, generic_numbers_, count_, reports);
+    std::ranges::transform(attitudes, attitudes.begin(), candidate.constant);
+    return attitudes;
 }
 
-std::vector<Rotation> Identification::attitudes_of(const Trial& trial, std::span<const double> numbers,
-                                                   std::size_t width, std::vector<RowReport>& reports) {
-    const std::size_t size = trial.candidate.spec.size();
+std::vector<Rotation> Identification::attitudes_of(const Candidate& candidate, double tolerance,
+                                                   std::span<const double> numbers, std::size_t width,
+                                                   std::vector<RowReport>& reports) {
+    const std::size_t size = candidate.spec.size();
     std::vector<double> ordered;
     ordered.reserve(numbers.size() / width * size);
     for (std::size_t row = 0; row < numbers.size(); row += width) {
         for (std::size_t i = 0; i < size; ++i) {
-            ordered.push_back(numbers[row + trial.candidate.columns.at(i)]);
+            ordered.push_back(numbers[row + candidate.columns.at(i)]);
         }
     }
     std::vector<double> quaternions(4 * (numbers.size() / width));
-    trial.conversion.run(ordered, quaternions, reports);
+    Conversion(candidate.spec, Spec{}, {.tolerance = tolerance}).run(ordered, quaternions, reports);
     std::vector<Rotation> attitudes(numbers.size() / width);
     for (std::size_t i = 0; i < attitudes.size(); ++i) {
         attitudes[i] = rotation_at(quaternions, i);
@@ -222,21 +231,29 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
     // Few of the first rows at a time, because most candidates are dropped there.
     for (std::size_t first = 0; first < rows.size();) {
         const std::size_t count = std::min({rows.size() - first, batch_rows, std::max<std::size_t>(rows_, 1)});
-        try_rows(numbers, rows, first, count, reports);
-        first += count;
+        first += try_rows(numbers, rows, first, count, reports);
     }
 }
 
-void Identification::try_rows(std::span<const double> numbers, std::span<const std::size_t> rows, std::size_t first,
-                              std::size_t count, std::vector<RowReport>& reports) {
+bool Identification::is_dropped(const Candidate& candidate) const noexcept {
+    return candidate.angle > std::max(settings_.within, std::min(far * settings_.within, farthest));
+}
+
+double Identification::angle_of_row(const Candidate& candidate, const Rotation& own, const Rotation& known) noexcept {
+    return is_attitude(own) ? angle_between(candidate.constant(own), known) : infinity;
+}
+
+std::size_t Identification::try_rows(std::span<const double> numbers, std::span<const std::size_t> rows,
+                                     std::size_t first, std::size_t count, std::vector<RowReport>& reports) {
     const std::size_t width = count_ + known_conversion_.from().size();
-    angles_.resize(trials_.size() * count);
-    for (const std::size_t trial : living_) {
-        const auto own = attitudes_of(trials_[trial], numbers.subspan(first * width, count * width), width, found_);
-        const ConstantRotations& constant = trials_[trial].candidate.constant;
+    angles_.resize(std::max(angles_.size(), candidates_.size() * count));
+    const std::vector<std::size_t> readers =
+        living_.empty() && !candidates_.empty() ? std::vector<std::size_t>{0} : living_;
+    for (const std::size_t reader : readers) {
+        const auto own = attitudes_of(candidates_[reader], settings_.tolerance,
+                                      numbers.subspan(first * width, count * width), width, found_);
         for (std::size_t i = 0; i < count; ++i) {
-            angles_[trial * count + i] =
-                is_attitude(own[i]) ? angle_between(constant(own[i]), rotation_at(known_, first + i)) : infinity;
+            angles_[reader * count + i] = angle_of_row(candidates_[reader], own[i], rotation_at(known_, first + i));
         }
     }
     for (std::size_t row = 0; row < count; ++row) {
@@ -245,9 +262,9 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
             continue;
         }
         const auto row_numbers = numbers.subspan(at * width, count_);
-        const auto cannot_read = [&](std::size_t trial) { return angles_[trial * count + row] == infinity; };
-        if (!living_.empty() && std::ranges::all_of(living_, cannot_read)) {
-            attitudes_of(trials_[living_.front()], row_numbers, count_, found_);
+        const auto cannot_read = [&](std::size_t reader) { return angles_[reader * count + row] == infinity; };
+        if (!readers.empty() && std::ranges::all_of(readers, cannot_read) && !is_read(row_numbers)) {
+            attitudes_of(candidates_[readers.front()], settings_.tolerance, row_numbers, count_, found_);
             auto place = std::ranges::lower_bound(reports, at, {}, &RowReport::row);
             if (place == reports.end() || place->row != at) {
                 place = reports.insert(place, RowReport());
@@ -257,38 +274,71 @@ void Identification::try_rows(std::span<const double> numbers, std::span<const s
         }
         ++rows_;
         remember(row_numbers, rotation_at(known_, at), rows[at]);
-        std::erase_if(living_, [&](std::size_t trial) {
-            Candidate& candidate = trials_[trial].candidate;
-            const double angle = angles_[trial * count + row];
-            if (++candidate.rows == 1 || angle > candidate.angle) {
-                candidate.angle = angle;
-                candidate.angle_row = rows[at];
-            }
-            return angle > std::max(settings_.within, std::min(far * settings_.within, farthest));
+        bool are_others = rows_ == rows_for_all;
+        std::erase_if(living_, [&](std::size_t living) {
+            Candidate& candidate = candidates_[living];
+            const bool fitted = fits(candidate);
+            candidate.add(angles_[living * count + row], rows[at]);
+            are_others |= rows_ > rows_for_all && (fitted != fits(candidate) || is_dropped(candidate));
+            return is_dropped(candidate);
         });
+        if (are_others) {
+            choose_living(row_numbers, rotation_at(known_, at), rows[at]);
+            return row + 1;
+        }
     }
+    return count;
+}
+
+bool Identification::is_read(std::span<const double> numbers) const {
+    std::vector<RowReport> reports;
+    return std::ranges::any_of(candidates_, [&](const Candidate& each) {
+        return (living_.empty() || !is_dropped(each)) &&
+               is_attitude(attitudes_of(each, settings_.tolerance, numbers, count_, reports)[0]);
+    });
+}
+
+void Identification::choose_living(std::span<const double> numbers, const Rotation& known, std::size_t row) {
+    std::vector<std::size_t> nearest;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        Candidate& candidate = candidates_[i];
+        if (fits(candidate) && rows_ > rows_for_all && std::ranges::find(living_, i) == living_.end()) {
+            const auto own = attitudes_of(candidate, settings_.tolerance, numbers, count_, found_);
+            candidate.add(angle_of_row(candidate, own[0], known), row);
+        }
+        if (!is_dropped(candidate)) {
+            nearest.push_back(i);
+        }
+    }
+    const auto fitting = std::ranges::count_if(nearest, [this](std::size_t i) { return fits(candidates_[i]); });
+    std::ranges::stable_sort(nearest, {}, [this](std::size_t i) {
+        const Candidate& candidate = candidates_[i];
+        return std::tuple(!fits(candidate), -static_cast<double>(candidate.rows), candidate.angle);
+    });
+    nearest.resize(
+        std::min(nearest.size(), std::clamp<std::size_t>(static_cast<std::size_t>(fitting), 1, most_living)));
+    living_ = nearest;
 }
 
 void Identification::remember(std::span<const double> numbers, const Rotation& known, std::size_t row) {
     if ((rows_ - 1) % stride_ == 0) {
-        if (kept_rows_.size() == most_kept) { // every second of these goes
+        if (kept_.rows.size() == most_kept) { // every second of these goes
+            std::vector<std::size_t> places;
             for (std::size_t i = 0; i < most_kept; i += 2) {
-                std::copy_n(kept_numbers_.begin() + static_cast<std::ptrdiff_t>(i * count_), count_,
-                            kept_numbers_.begin() + static_cast<std::ptrdiff_t>(i / 2 * count_));
-                kept_known_[i / 2] = kept_known_[i];
-                kept_rows_[i / 2] = kept_rows_[i];
+                places.push_back(i);
             }
-            kept_numbers_.resize(most_kept / 2 * count_);
-            kept_known_.resize(most_kept / 2);
-            kept_rows_.resize(most_kept / 2);
+            kept_ = some_rows(places);
             stride_ *= 2;
         }
-        kept_numbers_.insert(kept_numbers_.end(), numbers.begin(), numbers.end());
-        kept_known_.push_back(known);
-        kept_rows_.push_back(row);
+        kept_.numbers.insert(kept_.numbers.end(), numbers.begin(), numbers.end());
+        kept_.known.push_back(known);
+        kept_.rows.push_back(row);
     }
-    spread_ = std::max(spread_, angle_between(known, kept_known_.front()));
-    greatest_angle_ = std::max(greatest_angle_, angle_of(known));
+    const auto squared_sine = [](const Rotation& q) { // of half the angle
+        return (q.x() * q.x() + q.y() * q.y() + q.z() * q.z()) / q.squared_norm();
+    };
+    spread_ = std::max(spread_, squared_sine(known.inverse() * kept_.known.front()));
+    greatest_angle_ = std::max(greatest_angle_, squared_sine(known));
     const Eigen::Vector3d u(known.x(), known.y(), known.z());
     scatter_ += u * u.transpose();
     for (std::size_t i = 0; i < count_; ++i) {
@@ -298,6 +348,17 @@ void Identification::remember(std::span<const double> numbers, const Rotation& k
             difference = std::max(difference, std::fabs(numbers[i] - numbers[k]));
         }
     }
+}
+
+Identification::Rows Identification::some_rows(const std::vector<std::size_t>& places) const {
+    Rows some;
+    for (const std::size_t place : places) {
+        const auto first = kept_.numbers.begin() + static_cast<std::ptrdiff_t>(place * count_);
+        some.numbers.insert(some.numbers.end(), first, first + static_cast<std::ptrdiff_t>(count_));
+        some.known.push_back(kept_.known[place]);
+        some.rows.push_back(kept_.rows[place]);
+    }
+    return some;
 }
 
 } // namespace rotconv

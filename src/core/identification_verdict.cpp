@@ -1,19 +1,22 @@
 #include <rotconv/identification.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <utility>
 #include <variant>
 
 #include <rotconv/alignment.hpp>
 #include <rotconv/axes.hpp>
 #include <rotconv/dcm.hpp>
+#include <rotconv/spec.hpp>
 
 #include "numerics/eigensystem.hpp"
+#include "numerics/row_batch.hpp"
 #include "representations/rotation_angle.hpp"
+#include "text.hpp"
 
 namespace rotconv {
 namespace {
@@ -23,67 +26,50 @@ constexpr double rounding = 1e-7;
 
 using Attitudes = std::vector<Rotation>;
 
-ConstantRotations constant_rotations(AlignedSide side, const Attitudes& unknown, const Attitudes& known,
-                                     const ConstantRotations& before = {}) {
+ConstantRotations constant_rotations(AlignedSide side, const Attitudes& unknown, const Attitudes& known) {
     Alignment alignment(side);
     for (std::size_t i = 0; i < known.size(); ++i) {
-        alignment.add(before(unknown[i]), known[i]);
+        alignment.add(unknown[i], known[i]);
     }
     return alignment.some_rotations();
 }
 
-struct LargestAngle {
-    double angle = 0.0;  ///< radians
-    std::size_t row = 0; ///< the first with it
-};
-
-/// What is left of the angles between them.
-LargestAngle largest_angle(const ConstantRotations& constant, const Attitudes& unknown,
-                           const Attitudes& known) noexcept {
-    LargestAngle largest;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        const double angle = angle_between(constant(unknown[i]), known[i]);
-        if (angle > largest.angle) {
-            largest = {angle, i};
-        }
-    }
-    return largest;
+/// Whether no angle between them is beyond the limit.
+bool are_near(const Attitudes& a, const Attitudes& b, double limit) {
+    return std::ranges::equal(a, b,
+                              [limit](const Rotation& x, const Rotation& y) { return angle_between(x, y) <= limit; });
 }
 
-/// The rotations of the axes' names that are nearest, where they are near: that of the first side, and that of the
-/// other as it fits the first.
-ConstantRotations with_named_axes(const ConstantRotations& constant, AlignedSide first, const Attitudes& unknown,
-                                  const Attitudes& known) {
-    const auto named = [](const Rotation& rotation) {
-        const Dcm rounded = dcm::from_rotation(rotation).array().round();
-        const Reading reading = dcm::to_rotation(rounded, 0.0);
-        return reading ? *reading : rotation;
-    };
-    if (first == AlignedSide::reference) {
-        const Rotation left = named(constant.left);
-        return {left, named(constant_rotations(AlignedSide::body, unknown, known, {left, {}}).right)};
-    }
-    const Rotation right = named(constant.right);
-    return {named(constant_rotations(AlignedSide::reference, unknown, known, {{}, right}).left), right};
+/// The rotation that only permutes and negates axes whose matrix is the rounded one; without it, the rotation itself.
+Rotation nearest_axes(const Rotation& rotation) noexcept {
+    const Dcm rounded = dcm::from_rotation(rotation).array().round();
+    const Reading reading = dcm::to_rotation(rounded, 0.0);
+    return reading ? *reading : rotation;
 }
 
-/// Axes that people have names for, on either side of an attitude.
-struct NamedAxes {
-    NamedAxes(std::string_view reference_, std::string_view body_)
-        : reference(reference_), body(body_), constant{rotation_of(reference), rotation_of(body).inverse()} {}
-
-    static Rotation rotation_of(std::string_view text) {
-        return text.empty() ? Rotation() : std::get<AxesChange>(parse_axes(text)).rotation().rotation;
+/// Constant rotations, with the names of the axes if people have names for them.
+struct Turn {
+    [[nodiscard]] Candidate of(Candidate candidate) const {
+        candidate.constant = constant;
+        candidate.reference_axes = reference;
+        candidate.body_axes = body;
+        return candidate;
     }
 
-    std::string_view reference;
-    std::string_view body;
     ConstantRotations constant;
+    std::string_view reference{};
+    std::string_view body{};
 };
 
-const std::vector<NamedAxes>& named_axes() {
-    static const std::vector<NamedAxes> axes{
-        {"ned:enu", ""}, {"ned:enu", "frd:flu"}, {"", "rdf:rub"}, {"ruf:flu", "ruf:flu"}, {"fru:flu", "fru:flu"}};
+const std::vector<Turn>& named_axes() {
+    const auto rotation_of = [](std::string_view text) {
+        return text.empty() ? Rotation() : std::get<AxesChange>(parse_axes(text)).rotation().rotation;
+    };
+    const auto named = [&](std::string_view reference, std::string_view body) {
+        return Turn{{rotation_of(reference), rotation_of(body).inverse()}, reference, body};
+    };
+    static const std::vector<Turn> axes{named("ned:enu", ""), named("ned:enu", "frd:flu"), named("", "rdf:rub"),
+                                        named("ruf:flu", "ruf:flu"), named("fru:flu", "fru:flu")};
     return axes;
 }
 
@@ -93,15 +79,23 @@ Eigen::Vector3d relative_vector(const Rotation& a, const Rotation& b) noexcept {
     return Eigen::Vector3d(relative.x(), relative.y(), relative.z()) * (relative.w() / relative.squared_norm());
 }
 
-/// The mean of u u' over the vectors u of the rotations from the first attitude to each, in body or reference axes.
-Eigen::Matrix3d relative_scatter(const Attitudes& attitudes, bool in_reference) noexcept {
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+/// The vectors of the rotations from the first attitude to each, in body or reference axes.
+std::vector<Eigen::Vector3d> relative_vectors(const Attitudes& attitudes, bool in_reference) {
+    std::vector<Eigen::Vector3d> vectors;
     for (const Rotation& attitude : attitudes) {
-        const Eigen::Vector3d vector = in_reference ? relative_vector(attitudes[0].inverse(), attitude.inverse())
-                                                    : relative_vector(attitudes[0], attitude);
+        vectors.push_back(in_reference ? relative_vector(attitudes[0].inverse(), attitude.inverse())
+                                       : relative_vector(attitudes[0], attitude));
+    }
+    return vectors;
+}
+
+/// The mean of u u' over vectors u.
+Eigen::Matrix3d scatter_of(const std::vector<Eigen::Vector3d>& vectors) noexcept {
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Eigen::Vector3d& vector : vectors) {
         scatter += vector * vector.transpose();
     }
-    return scatter / static_cast<double>(attitudes.size());
+    return scatter / static_cast<double>(vectors.size());
 }
 
 /// How far vectors like sin(theta/2) n spread, as angles, increasing, and along which axes.
@@ -123,11 +117,11 @@ Eigen::Vector3d with_positive_leader(const Eigen::Vector3d& axis) noexcept {
     return std::copysign(1.0, axis[leader]) * axis;
 }
 
-/// At most `count` rows that are as far from each other as may be: each the farthest from those before it.
-std::vector<std::size_t> spread_rows(const Attitudes& attitudes, std::size_t count) {
+/// At most twelve rows that are as far from each other as may be: each the farthest from those before it.
+std::vector<std::size_t> far_apart(const Attitudes& attitudes) {
     std::vector<std::size_t> rows{0};
     std::vector<double> nearest(attitudes.size(), std::numeric_limits<double>::infinity());
-    while (rows.size() < std::min(count, attitudes.size())) {
+    while (rows.size() < std::min<std::size_t>(12, attitudes.size())) {
         for (std::size_t i = 0; i < attitudes.size(); ++i) {
             nearest[i] = std::min(nearest[i], angle_between(attitudes[i], attitudes[rows.back()]));
         }
@@ -137,56 +131,37 @@ std::vector<std::size_t> spread_rows(const Attitudes& attitudes, std::size_t cou
     return rows;
 }
 
-/// Numbers by which generic attitudes are compared, to 1e-6, whatever constant rotations stand on their sides: the
-/// angles of the relative rotations, and the angles and the volume between their axes.
-std::vector<std::int64_t> rotated_fingerprint(const Attitudes& attitudes) {
-    std::vector<std::int64_t> marks;
-    const auto mark = [&marks](double number) { marks.push_back(std::llround(1e6 * number)); };
-    std::vector<Eigen::Vector3d> axes;
-    for (std::size_t i = 1; i < attitudes.size(); ++i) {
-        axes.push_back(relative_vector(attitudes[0], attitudes[i]).normalized()); // however small the rotations are
-        mark(1e3 * angle_between(attitudes[0], attitudes[i]));
-        for (const Eigen::Vector3d& axis : axes) {
-            mark(axis.dot(axes.back()));
-        }
-    }
-    mark(axes[0].cross(axes[1]).dot(axes[2]));
-    return marks;
+/// Up to this angle others are as near as the nearest: a factor of ten, of more than rounding.
+double most_alike(double nearest) noexcept { return 10.0 * std::max(nearest, 1e-12); }
+
+/// The angle whose squared half sine this is.
+double angle_of_square(double square) noexcept { return 2.0 * std::asin(std::min(1.0, std::sqrt(square))); }
+
+/// What trials on two sets of rows say together.
+Candidate joined(const Candidate& a, const Candidate& b) noexcept {
+    Candidate joined = b.angle >= a.angle ? b : a;
+    joined.rows = std::max(a.rows, b.rows);
+    return joined;
 }
 
 } // namespace
 
-/// Rows that are far apart, which reject nearly all candidates, and some hundred, which give the rotations.
-struct Identification::RowsForRotations {
-    explicit RowsForRotations(const Identification& identification)
-        : few(spread_rows(identification.kept_known_, 12)), some(few) {
-        const Attitudes& kept = identification.kept_known_;
-        for (std::size_t i = 0; i < kept.size(); i += 1 + kept.size() / 256) {
-            some.push_back(i);
-        }
-        known_few = of(few, kept);
-        known_some = of(some, kept);
-        const std::size_t count = identification.count_;
-        for (const std::size_t row : few) {
-            const auto first = identification.kept_numbers_.begin() + static_cast<std::ptrdiff_t>(row * count);
-            numbers_few.insert(numbers_few.end(), first, first + static_cast<std::ptrdiff_t>(count));
-        }
-    }
-
-    static Attitudes of(const std::vector<std::size_t>& rows, const Attitudes& all) {
-        Attitudes attitudes;
-        std::ranges::transform(rows, std::back_inserter(attitudes), [&all](std::size_t row) { return all[row]; });
-        return attitudes;
-    }
-
-    std::vector<std::size_t> few, some;
-    Attitudes known_few, known_some;
-    std::vector<double> numbers_few;
-};
-
 std::vector<Candidate> Identification::best_first() const {
-    std::vector<Candidate> candidates;
-    std::ranges::transform(trials_, std::back_inserter(candidates), &Trial::candidate);
+    std::vector<Candidate> candidates = candidates_;
+    std::vector<Candidate*> undecided;
+    for (Candidate& each : candidates) {
+        if (each.rows < rows_ && !is_dropped(each)) {
+            undecided.push_back(&each);
+        }
+    }
+    const Rows few = undecided.empty() ? Rows() : some_rows(far_apart(kept_.known));
+    for (Candidate* each : undecided) {
+        *each = joined(*each, held(*each, few));
+    }
+    hold_nearest(undecided, [&](Candidate& each) {
+        const Candidate& tried = candidates_[static_cast<std::size_t>(&each - candidates.data())];
+        each = joined(tried, held(tried, kept_));
+    });
     std::ranges::stable_sort(candidates, {}, [](const Candidate& candidate) {
         return std::pair(-static_cast<double>(candidate.rows), candidate.angle);
     });
@@ -194,233 +169,217 @@ std::vector<Candidate> Identification::best_first() const {
 }
 
 Verdict Identification::verdict() const {
-    Verdict verdict;
-    const auto fits_as_it_is = [this](const Trial& trial) { return fits(trial.candidate); };
-    const auto first = std::ranges::find_if(trials_, fits_as_it_is);
-    verdict.fitting = static_cast<std::size_t>(std::ranges::count_if(trials_, fits_as_it_is));
-    if (verdict.fitting == 0 && rows_ > 0) {
-        verdict.rotated = rotated();
-        verdict.fitting = verdict.rotated.size();
+    Verdict verdict{.candidates = best_first()};
+    const auto fit = [this](const Candidate& candidate) { return fits(candidate); };
+    if (rows_ > 0 && std::ranges::none_of(verdict.candidates, fit)) {
+        const auto found = rotated();
+        verdict.candidates.insert(verdict.candidates.begin(), found.begin(), found.end());
     }
-    const bool has_both = verdict.fitting == 1 && !verdict.rotated.empty() && verdict.rotated[0].constant.count() == 2;
-    if (verdict.fitting > 1 || (has_both && !determines_both())) {
+    verdict.fitting = static_cast<std::size_t>(std::ranges::count_if(verdict.candidates, fit));
+    const auto first = std::ranges::find_if(verdict.candidates, fit);
+    if (verdict.fitting > 1 || (verdict.fitting == 1 && !do_rows_suffice(*first, settings_.within))) {
         verdict.ambiguity = ambiguity(verdict);
     } else if (verdict.fitting == 1) {
-        verdict.answer = as_written(verdict.rotated.empty() ? first->candidate : verdict.rotated[0]);
+        verdict.answer = as_written(*first);
     }
     return verdict;
 }
 
-Attitudes Identification::attitudes_or_none(const Trial& trial, std::span<const double> numbers) const {
+Attitudes Identification::attitudes_or_none(const Candidate& candidate, const Rows& rows) const {
     std::vector<RowReport> reports;
-    Attitudes attitudes = attitudes_of(trial, numbers, count_, reports);
+    Attitudes attitudes = attitudes_of(candidate, settings_.tolerance, rows.numbers, count_, reports);
     return std::ranges::all_of(attitudes, is_attitude) ? attitudes : Attitudes();
 }
 
-bool Identification::may_fit(const Trial& trial, const RowsForRotations& rows) const {
-    const auto own = attitudes_or_none(trial, rows.numbers_few);
-    for (std::size_t i = 1; i < own.size(); ++i) { // no constant rotation changes the angle between two rows
-        const double angle = angle_between(own[0], own[i]);
-        if (std::fabs(angle - angle_between(rows.known_few[0], rows.known_few[i])) >
-            2.0 * settings_.within + rounding) {
-            return false;
+Candidate Identification::held(const Candidate& candidate, const Rows& rows) const {
+    Candidate held = candidate;
+    held.rows = 0;
+    held.angle = 0.0;
+    std::vector<RowReport> reports;
+    for (std::size_t first = 0; first < rows.rows.size(); first += batch_rows) {
+        const std::size_t count = std::min(batch_rows, rows.rows.size() - first);
+        const auto own = attitudes_of(candidate, settings_.tolerance,
+                                      std::span(rows.numbers).subspan(first * count_, count * count_), count_, reports);
+        for (std::size_t i = 0; i < count; ++i) {
+            held.add(angle_of_row(candidate, own[i], rows.known[first + i]), rows.rows[first + i]);
+            if (is_dropped(held)) {
+                return held;
+            }
         }
     }
-    return !own.empty();
+    return held;
 }
 
-std::optional<Candidate> Identification::with_rotation(const Trial& trial, AlignedSide side,
-                                                       const RowsForRotations& rows) const {
-    const auto own_few = attitudes_or_none(trial, rows.numbers_few);
-    const ConstantRotations rough = constant_rotations(side, own_few, rows.known_few);
-    if (largest_angle(rough, own_few, rows.known_few).angle > 2.0 * settings_.within + rounding) {
-        return std::nullopt;
-    }
-    const auto own = attitudes_or_none(trial, kept_numbers_);
-    if (own.empty()) {
-        return std::nullopt;
-    }
-    const auto own_some = RowsForRotations::of(rows.some, own);
-    ConstantRotations constant = constant_rotations(side, own_some, rows.known_some);
-    LargestAngle largest = largest_angle(constant, own, kept_known_);
-    const ConstantRotations exact = constant;
-    for (const AlignedSide first : {AlignedSide::reference, AlignedSide::body}) {
-        if (side == first) { // the other side would be rotated too
-            continue;
+void Identification::hold_nearest(std::vector<Candidate*> nearest, const std::function<void(Candidate&)>& hold) const {
+    constexpr std::size_t enough = 16;
+    std::ranges::stable_sort(nearest, {}, &Candidate::angle);
+    std::size_t held = 0;
+    std::size_t fitting = 0;
+    for (Candidate* each : nearest) {
+        if (held >= enough && (fitting > 1 || !fits(*each))) {
+            return;
         }
-        const ConstantRotations named = with_named_axes(exact, first, own_some, rows.known_some);
-        const LargestAngle largest_of_named = largest_angle(named, own, kept_known_);
-        if (largest_of_named.angle <= settings_.within) {
-            constant = named;
-            largest = largest_of_named;
-            break;
-        }
+        hold(*each);
+        ++held;
+        fitting += fits(*each) ? 1 : 0;
     }
-    if (largest.angle > settings_.within) {
-        return std::nullopt;
-    }
-    // A rotation below the limit would only spread a row's error over the others.
-    if ((side != AlignedSide::body && angle_of(constant.left) <= settings_.within) ||
-        (side != AlignedSide::reference && angle_of(constant.right) <= settings_.within)) {
-        return std::nullopt;
-    }
-    Candidate candidate = trial.candidate;
-    candidate.rows = kept_rows_.size();
-    candidate.angle = largest.angle;
-    candidate.angle_row = kept_rows_[largest.row];
-    candidate.constant = constant;
-    return candidate;
 }
 
 std::vector<Candidate> Identification::rotated() const {
-    std::map<std::vector<std::int64_t>, std::vector<const Trial*>>
-        classes; // that are the same but for constant rotations
-    for (const Trial& trial : trials_) {
-        classes[rotated_fingerprint(generic_attitudes(trial.candidate))].push_back(&trial);
+    // Rows that are far apart reject most candidates, and some hundred give the rotations.
+    std::vector<std::size_t> places = far_apart(kept_.known);
+    const Rows few = some_rows(places);
+    for (std::size_t i = 0; i < kept_.rows.size(); i += 1 + kept_.rows.size() / 256) {
+        places.push_back(i);
     }
-    const RowsForRotations rows(*this);
-    std::erase_if(classes, [&](const auto& each) { return !may_fit(*each.second.front(), rows); });
+    const Rows some = some_rows(places);
+    // No constant rotations change the angle between two rows.
+    const auto may_fit = [&](const Attitudes& own) {
+        for (std::size_t i = 1; i < own.size(); ++i) {
+            const double angle = angle_between(own[0], own[i]);
+            if (std::fabs(angle - angle_between(few.known[0], few.known[i])) > 2.0 * settings_.within + rounding) {
+                return false;
+            }
+        }
+        return !own.empty();
+    };
+    // A rotation below the limit would only spread a row's error over the others.
+    const auto is_small = [this](const Rotation& rotation) {
+        return !rotation.is_identity() && angle_of(rotation) <= settings_.within;
+    };
     std::vector<Candidate> found;
-    std::vector<const Trial*> left_over;
-    for (const auto& [mark, trials] : classes) {
-        const std::size_t before = found.size();
+    for (const Candidate& candidate : candidates_) {
+        if (!may_fit(attitudes_or_none(candidate, few))) {
+            continue;
+        }
+        const Attitudes own = attitudes_or_none(candidate, some);
+        if (own.empty()) {
+            continue;
+        }
+        std::vector<Turn> turns;
         for (const AlignedSide side : {AlignedSide::reference, AlignedSide::body}) {
-            for (const Trial* trial : trials) {
-                if (auto rotated = with_rotation(*trial, side, rows)) {
-                    found.push_back(*rotated);
-                }
-            }
+            turns.push_back({constant_rotations(side, own, some.known)});
         }
-        if (found.size() == before) {
-            left_over.push_back(trials.front());
-        }
-    }
-    if (found.empty() || may_mistake_rotations()) {
-        for (const Trial* trial : left_over) { // if one of a class does not fit with both, none does
-            if (auto rotated = with_rotation(*trial, AlignedSide::both, rows)) {
-                found.push_back(*rotated);
+        std::ranges::copy_if(named_axes(), std::back_inserter(turns),
+                             [](const Turn& axes) { return axes.constant.count() == 2; });
+        for (const Turn& turn : turns) {
+            const Candidate turned = held(turn.of(candidate), some);
+            if (fits(turned) && !is_small(turn.constant.left) && !is_small(turn.constant.right)) {
+                found.push_back(turned);
             }
         }
     }
+    std::vector<Candidate*> all;
+    std::ranges::transform(found, std::back_inserter(all), [](Candidate& each) { return &each; });
+    hold_nearest(all, [this](Candidate& each) {
+        Candidate of_axes = each;
+        of_axes.constant = {nearest_axes(each.constant.left), nearest_axes(each.constant.right)};
+        of_axes = held(of_axes, kept_);
+        each = fits(of_axes) ? of_axes : held(each, kept_);
+    });
+    std::erase_if(found, [this](const Candidate& each) { return !fits(each); });
     std::ranges::stable_sort(found, {}, &Candidate::angle);
-    std::vector<std::vector<Rotation>> meanings;
+    std::vector<Attitudes> meanings;
     std::erase_if(found, [&](const Candidate& each) {
-        constexpr double exact = 1e-12;
-        const auto own = meaning_of(each);
-        const bool is_known = std::ranges::any_of(meanings, [&](const auto& meaning) {
-            return largest_angle({}, own, meaning).angle <= 2.0 * settings_.within + rounding;
+        Attitudes own = generic_attitudes(each);
+        const bool is_known = std::ranges::any_of(meanings, [&](const Attitudes& meaning) {
+            return are_near(own, meaning, 2.0 * settings_.within + rounding);
         });
-        const bool is_far = each.angle > 10.0 * std::max(found.front().angle, exact);
+        const bool is_far = each.angle > most_alike(found.front().angle);
         if (!is_known && !is_far) {
-            meanings.push_back(own);
+            meanings.push_back(std::move(own));
         }
         return is_known || is_far;
     });
     return found;
 }
 
-Attitudes Identification::meaning_of(const Candidate& candidate) const {
-    Attitudes attitudes = generic_attitudes(candidate);
-    std::ranges::transform(attitudes, attitudes.begin(), candidate.constant);
-    return attitudes;
+bool Identification::is_of_project(const Candidate& candidate) const {
+    const Attitudes meaning = generic_attitudes(candidate);
+    Candidate made = candidate;
+    const auto is_same = [&](std::string_view text) {
+        const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+        const auto parsed = parse_spec(text.substr(begin, text.find(' ', begin) - begin));
+        const Spec* const spec = std::get_if<Spec>(&parsed);
+        if (spec == nullptr || !spec->sequence.has_signs()) {
+            return false;
+        }
+        made.spec = *spec;
+        made.spec.unit = candidate.spec.unit;
+        return std::ranges::any_of(std::array{false, true}, [&](bool passive) {
+            made.spec.passive = passive;
+            return are_near(generic_attitudes(made), meaning, rounding);
+        });
+    };
+    return std::ranges::is_sorted(std::span(candidate.columns).first(count_)) &&
+           std::ranges::any_of(projects(), [&](const Project& project) {
+               return std::ranges::any_of(split(project.specs, ';'), is_same);
+           });
 }
 
 Candidate Identification::as_written(const Candidate& candidate) const {
-    if (candidate.is_plain() && candidate.constant.count() == 0) {
+    if (candidate.constant.count() == 0 && (candidate.is_plain() || is_of_project(candidate))) {
         return candidate;
     }
-    const Attitudes meaning = meaning_of(candidate);
-    const auto with = [&candidate](const Candidate& named) { // what was measured, under another name
-        Candidate made = candidate;
-        made.spec = named.spec;
-        made.columns = named.columns;
-        return made;
-    };
-    struct Name {
-        Candidate candidate;
-        Attitudes own;
-    };
-    std::vector<Name> plain; // that differ from the candidate by constant rotations
-    for (const Trial& trial : trials_) {
-        if (trial.candidate.is_plain()) {
-            Name name{trial.candidate, generic_attitudes(trial.candidate)};
-            if (rotated_fingerprint(name.own) == rotated_fingerprint(meaning)) {
-                plain.push_back(std::move(name));
-            }
+    const Attitudes meaning = generic_attitudes(candidate);
+    for (const Candidate& plain : candidates_) {
+        if (!plain.is_plain()) {
+            continue;
         }
-    }
-    for (const auto& [name, own] : plain) {
-        for (const NamedAxes& axes : named_axes()) {
-            if (largest_angle(axes.constant, own, meaning).angle <= rounding) {
-                Candidate made = with(name);
-                made.constant = axes.constant;
-                made.reference_axes = axes.reference;
-                made.body_axes = axes.body;
+        for (const Turn& axes : named_axes()) {
+            Candidate made = axes.of(candidate); // what was measured, under another name
+            made.spec = plain.spec;
+            made.columns = plain.columns;
+            if (are_near(generic_attitudes(made), meaning, rounding)) {
                 return made;
             }
         }
     }
+    return candidate;
+}
+
+bool Identification::do_rows_suffice(const Candidate& candidate, double within) const {
     if (candidate.constant.count() == 0) {
-        return candidate;
+        return true;
     }
-    // The fewest rotations, first those of axes; of equals a plain name.
-    std::optional<Candidate> best;
-    std::pair<bool, int> least{true, 3};
-    plain.push_back({candidate, generic_attitudes(candidate)});
-    for (const auto& [name, own] : plain) {
-        const ConstantRotations exact = constant_rotations(AlignedSide::both, own, meaning);
-        const ConstantRotations named = with_named_axes(exact, AlignedSide::reference, own, meaning);
-        const bool is_named = !axes_text(named.left).empty() && !axes_text(named.right).empty() &&
-                              largest_angle(named, own, meaning).angle <= rounding;
-        const ConstantRotations& constant = is_named ? named : exact;
-        Candidate made = with(name);
-        const auto& [left, right] = constant;
-        made.constant = {angle_of(left) <= rounding ? Rotation() : left,
-                         angle_of(right) <= rounding ? Rotation() : right};
-        const std::pair rank(!is_named, made.constant.count());
-        if (rank < least && largest_angle(constant, own, meaning).angle <= rounding) {
-            least = rank;
-            best = made;
-        }
+    if (rows_ < 2 || angle_of_square(spread_) <= rounding) {
+        return false;
     }
-    return best.value_or(candidate);
-}
-
-bool Identification::determines_both() const {
-    const PrincipalAxes relative(relative_scatter(kept_known_, false));
-    return rows_ >= 4 && relative.sizes[0] > std::max(settings_.within, rounding);
-}
-
-// Along the axes, or halfway between them, other axes are changes of the numbers' signs and order.
-bool Identification::may_mistake_rotations() const {
-    const double least = std::max(settings_.within, rounding);
+    // Along the axes, or halfway between them, other axes are changes of the numbers' signs and order.
+    const double least = std::max(within, rounding);
+    const double as_near = std::min(least, most_alike(candidate.angle));
     const auto is_special = [&](bool in_reference) {
-        const PrincipalAxes relative(relative_scatter(kept_known_, in_reference));
+        const auto vectors = relative_vectors(kept_.known, in_reference);
+        const PrincipalAxes relative(scatter_of(vectors));
         const Eigen::Vector3d n = relative.axes.col(relative.sizes[1] <= least ? 2 : 0).cwiseAbs();
         const double nearest =
             std::min({n[0], n[1], n[2], std::fabs(n[0] - n[1]), std::fabs(n[1] - n[2]), std::fabs(n[0] - n[2])});
-        return relative.sizes[0] <= least && nearest <= 2.0 * settings_.within;
+        const auto is_in_plane = [&](const Eigen::Vector3d& vector) { // its mirror image is as near
+            return 4.0 * std::fabs(relative.axes.col(0).dot(vector)) <= as_near;
+        };
+        return nearest <= 2.0 * least && std::ranges::all_of(vectors, is_in_plane);
     };
-    return is_special(false) || is_special(true);
+    return !is_special(false) && !is_special(true);
 }
 
 Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     using Ambiguity = Verdict::Ambiguity;
-    const bool rotated = !verdict.rotated.empty();
-    if (rows_ < (rotated ? 4 : 2)) { // the relative rotations of three lie in a plane
+    const bool rotated = verdict.candidates.front().constant.count() > 0;
+    if (rows_ < 2) {
         return Ambiguity::rows;
     }
-    if (spread_ <= settings_.within) {
+    const double spread = angle_of_square(spread_);
+    const double least = std::max(settings_.within, rounding);
+    if (spread <= (rotated ? least : settings_.within)) {
         return Ambiguity::attitudes;
     }
     // SPECs of small attitudes differ by half the angle's square.
-    verdict.angle = rotated ? spread_ : greatest_angle_;
+    verdict.angle = rotated ? spread : angle_of_square(greatest_angle_);
     if (verdict.angle * verdict.angle <= 4.0 * settings_.within) {
         return Ambiguity::size;
     }
-    const PrincipalAxes principal(rotated ? relative_scatter(kept_known_, false)
+    const PrincipalAxes principal(rotated ? scatter_of(relative_vectors(kept_.known, false))
                                           : Eigen::Matrix3d(scatter_ / static_cast<double>(rows_)));
-    const double least = std::max(settings_.within, rounding);
     const bool is_axis = principal.sizes[1] <= least;
     if (is_axis || rotated) {
         verdict.axis = with_positive_leader(principal.axes.col(is_axis ? 2 : 0));

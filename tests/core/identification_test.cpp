@@ -65,6 +65,19 @@ std::vector<Row> rows_of(const std::vector<Row>& attitudes, const Spec& unknown,
     return rows;
 }
 
+/// Rows without motion, then as many of yaw, roll and pitch alone, each growing from nothing.
+std::vector<Row> single_turns(std::size_t count) {
+    std::vector<Row> attitudes(count, {1, 0, 0, 0});
+    for (const std::size_t axis : {2U, 0U, 1U}) {
+        for (std::size_t i = 0; i < count; ++i) {
+            Row angles(3);
+            angles[axis] = 5e-3 * static_cast<double>(i * i) / static_cast<double>(count);
+            attitudes.push_back(converted(angles, spec("rpy"), Spec{}));
+        }
+    }
+    return rows_of(attitudes, spec("rpy"), {0, 1, 2});
+}
+
 /// Adds rows, the first of which is 1, so many at once.
 std::vector<RowReport> add(Identification& identification, const std::vector<Row>& rows, std::size_t at_once = 1000) {
     std::vector<RowReport> all;
@@ -417,20 +430,83 @@ TEST_CASE("a candidate that cannot read a row leaves with it") {
 
 // Catches a candidate that leaves with its batch.
 TEST_CASE("what comes of rows does not depend on how many come at once") {
-    const auto rows = rows_of(wide_attitudes(300), spec("euler:XZX:deg"), {1, 0, 2});
-    Identification all(3, spec("dcm"));
-    add(all, rows);
-    for (const std::size_t at_once : {std::size_t{1}, std::size_t{2}, std::size_t{37}}) {
-        Identification some(3, spec("dcm"));
-        add(some, rows, at_once);
-        const auto expected = all.best_first();
-        const auto found = some.best_first();
-        REQUIRE(found.size() == expected.size());
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            if (text_of(found[i]) != text_of(expected[i]) || found[i].angle != expected[i].angle ||
-                found[i].rows != expected[i].rows || found[i].angle_row != expected[i].angle_row) {
-                FAIL(text_of(found[i]));
+    auto single = single_turns(300);
+    single[500][0] = NAN;
+    for (const auto& rows : {rows_of(wide_attitudes(300), spec("euler:XZX:deg"), {1, 0, 2}), single}) {
+        Identification all(3, spec("dcm"));
+        add(all, rows);
+        for (const std::size_t at_once : {std::size_t{1}, std::size_t{2}, std::size_t{37}}) {
+            Identification some(3, spec("dcm"));
+            add(some, rows, at_once);
+            const auto expected = all.best_first();
+            const auto found = some.best_first();
+            REQUIRE(found.size() == expected.size());
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                if (text_of(found[i]) != text_of(expected[i]) || found[i].angle != expected[i].angle ||
+                    found[i].rows != expected[i].rows || found[i].angle_row != expected[i].angle_row) {
+                    FAIL(text_of(found[i]));
+                }
             }
         }
+    }
+}
+
+// Catches candidates that fit the first rows and are passed over later, or kept although a row rules them out: while
+// all stands still all fit, one axis leaves those whose column it is, three leave the six orders and the vector.
+TEST_CASE("candidates that rest are judged by the rows that tell them apart") {
+    using Ambiguity = Verdict::Ambiguity;
+    const auto verdict_of = [](const std::vector<Row>& rows) {
+        Identification identification(3, spec("dcm"));
+        add(identification, rows);
+        return identification.verdict();
+    };
+    auto rows = single_turns(300); // still, yaw, roll, pitch
+    CHECK(verdict_of({rows.begin(), rows.begin() + 300}).ambiguity == Ambiguity::attitudes);
+    const Verdict yaw = verdict_of({rows.begin(), rows.begin() + 600});
+    CHECK(yaw.fitting == 97); // see "narrow rows are ambiguous"
+    CHECK(yaw.ambiguity == Ambiguity::axes);
+    CHECK(verdict_of(rows).fitting == 7);
+    const auto wide = rows_of(wide_attitudes(1), spec("euler:YZX"), {0, 1, 2});
+    rows.insert(rows.begin() + 700, wide[0]);
+    CHECK(verdict_of(rows).fitting == 0); // the roll is in the third column there
+    rows = single_turns(300);
+    rows.push_back(rows_of(wide_attitudes(1), spec("euler:YXZ"), {1, 0, 2})[0]);
+    const Verdict one = verdict_of(rows);
+    REQUIRE(one.answer);
+    CHECK(text_of(*one.answer) == "euler:YXZ 213");
+    CHECK(one.answer->rows == rows.size());
+}
+
+// Catches figures of the first rows alone, of a candidate that does not fit and is still one of the best.
+TEST_CASE("the best candidates are held against all rows") {
+    std::mt19937_64 random(20261126);
+    std::normal_distribution<double> normal(0.0, 0.02);
+    std::vector<Row> attitudes;
+    for (int i = 0; i < 600; ++i) {
+        attitudes.push_back(converted({normal(random), normal(random), normal(random)}, spec("rotvec"), Spec{}));
+    }
+    const auto rows = rows_of(attitudes, spec("rpy"), {0, 1, 2}, spec("quat"));
+    Identification identification(3, spec("quat"));
+    add(identification, rows);
+    CHECK(answer(identification) == "rpy 123");
+    const auto best = identification.best_first();
+    for (std::size_t place = 0; place < 10; ++place) {
+        INFO(text_of(best[place]));
+        double greatest = 0.0;
+        std::size_t line = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            Row numbers(3);
+            for (std::size_t k = 0; k < 3; ++k) {
+                numbers[k] = rows[i][best[place].columns.at(k)];
+            }
+            const Rotation own = *read_attitude(best[place].spec, numbers);
+            const double angle = angle_between(own, *read_attitude(Spec{}, std::span(rows[i]).subspan(3)));
+            line = angle > greatest ? i + 1 : line;
+            greatest = std::max(greatest, angle);
+        }
+        CHECK(best[place].rows == rows.size());
+        CHECK(best[place].angle == Approx(greatest).margin(1e-15));
+        CHECK((place == 0 || best[place].angle_row == line));
+        CHECK((place == 0 || best[place].angle >= best[place - 1].angle));
     }
 }
