@@ -20,8 +20,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-fuzz::Reach reach{
-    "prefixes", "suffixes", "units", "names found in order", "names found in another order", "names of repeated texts"};
+fuzz::Reach reach{"prefixes", "suffixes", "units", "names of repeated texts"};
 
 const auto quat = std::get<rotconv::Spec>(rotconv::parse_spec("quat"));
 
