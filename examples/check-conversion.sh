@@ -21,20 +21,20 @@ estimate() { # ESTIMATE TRUTH
 # PX4's attitudes (north, east, down; forward, right, down) against ROS's (east, north, up; forward, left, up).
 convention() { # FILE REFERENCE
     rotconv compare -f quat -t quat:tum --columns 2-5 --reference-columns 5-8 --key 1 --reference-axes ned:enu --body-axes frd:flu \
-        --within 1e-12deg --diagnostics off "$1" "$2"
+        --within 1e-12deg "$1" "$2"
 }
 
 echo "A conversion against a golden file:"
-rotconv -f quat:tum -t rpy:deg --columns 5-8 --diagnostics off tum_fr1_xyz.txt > "$work/angles"
+rotconv -f quat:tum -t rpy:deg --columns 5-8 tum_fr1_xyz.txt > "$work/angles"
 golden "$work/angles" "${1:-tum_fr1_xyz_rpy.txt}" || failed=1
 
 echo "An estimate, of each third row, 2 ms late and 0.2 degrees off, against the truth:"
-rotconv -f quat:tum -t quat:tum --columns 5-8 --right 'rotvec:deg: 0 0.2 0' --diagnostics off tum_fr1_xyz.txt |
+rotconv -f quat:tum -t quat:tum --columns 5-8 --right 'rotvec:deg: 0 0.2 0' tum_fr1_xyz.txt |
     awk '/^#/ { print; next } ++row % 3 == 1 { $1 = sprintf("%.4f", $1 + 0.002); print }' > "$work/estimate"
 estimate "$work/estimate" tum_fr1_xyz.txt || failed=1
 
 echo "The same attitudes in the axes of PX4 and of ROS:"
 cut -d ' ' -f 1,5-8 tum_fr1_xyz.txt |
-    rotconv -f quat:tum -t quat --columns 2-5 --reference-axes enu:ned --body-axes flu:frd --diagnostics off > "$work/px4"
+    rotconv -f quat:tum -t quat --columns 2-5 --reference-axes enu:ned --body-axes flu:frd > "$work/px4"
 convention "$work/px4" tum_fr1_xyz.txt || failed=1
 exit "$failed"

@@ -5,11 +5,11 @@ set -eu
 cd "$(dirname "$0")/data"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-grep -v '^#' tum_fr1_xyz.txt | cut -d ' ' -f 1,5-8 | rotconv -f quat:tum -t quat --columns 2-5 --diagnostics off |
+grep -v '^#' tum_fr1_xyz.txt | cut -d ' ' -f 1,5-8 | rotconv -f quat:tum -t quat --columns 2-5 |
     sed '1i t qw qx qy qz' > "$work/truth.txt"
 cd "$work"
 
-made() { rotconv -f quat -t "$1" --columns 2-5 --diagnostics off truth.txt; } # the truth in another representation
+made() { rotconv -f quat -t "$1" --columns 2-5 truth.txt; } # the truth in another representation
 try() { # SITUATION OPTIONS-AND-FILE
     status=0
     eval "rotconv compare -t quat --reference-columns 2-5 --key t --within 0.3deg -p 3 $2 truth.txt" > answer 2> messages || status=$?
@@ -39,7 +39,7 @@ try 'flipped signs' '-f quat --columns 2-5 flipped.txt'
 made quat | rotconv -f quat -t quat --columns 2-5 --right 'rpy:deg: 0 0 30' > mounted.txt
 try 'a mounting' '-f quat --columns 2-5 mounted.txt'
 try '' '-f quat --columns 2-5 --align body mounted.txt'
-rotconv -f quat -t quat --columns 2-5 --reference-axes enu:ned --diagnostics off truth.txt > ned.txt
+rotconv -f quat -t quat --columns 2-5 --reference-axes enu:ned truth.txt > ned.txt
 try 'NED against ENU' '-f quat --columns 2-5 ned.txt'
 try '' '-f quat --columns 2-5 --reference-axes ned:enu ned.txt'
 made rpy:deg > degrees.txt

@@ -16,8 +16,8 @@ echo "The smallest set that serves: $set"
 
 # Rows t,qw,qx,qy,qz. Each row of differences has the angular velocity of the interval before it; the velocity at a row is the
 # mean of the intervals before and after it.
-cut -d, -f1,5-8 "$file" | rotconv -f quat -t quat --columns $columns --diagnostics off > "$work/attitudes"
-rotconv rates --differences -f quat --time-unit ns --columns 1-5 --diagnostics off "$work/attitudes" |
+cut -d, -f1,5-8 "$file" | rotconv -f quat -t quat --columns $columns > "$work/attitudes"
+rotconv rates --differences -f quat --time-unit ns --columns 1-5 "$work/attitudes" |
     awk -F, -v OFS=, '
         NR > 2 { print t, (x + $2) / 2, (y + $3) / 2, (z + $4) / 2 }
         { t = $1; x = $2; y = $3; z = $4 }
@@ -26,4 +26,4 @@ rotconv propagate -t quat --with "$set" --interpolation cubic --time-unit ns \
     --initial "quat: $(sed -n 2p "$work/attitudes" | cut -d, -f2-)" "$work/velocities" > "$work/propagated"
 
 echo "The propagated attitudes against those of the table, at the same times:"
-rotconv compare -f quat --columns 2-5 --key 1 --within 0.1mrad -p 2 --diagnostics off "$work/propagated" "$work/attitudes"
+rotconv compare -f quat --columns 2-5 --key 1 --within 0.1mrad -p 2 "$work/propagated" "$work/attitudes"

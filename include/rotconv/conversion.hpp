@@ -39,30 +39,16 @@ struct ConversionSettings {
     FixedRotation left{};                            ///< R becomes left R: other reference axes
     FixedRotation right{};                           ///< R becomes R right: other body axes
     bool fast = false;                               ///< plain double arithmetic, accurate to a few eps
-    bool decimal = false;                            ///< the numbers were read from text: see last_place()
 };
 
 /// The attitude of one row of numbers in the conventions of the spec.
 /// @throw std::invalid_argument if there are fewer than spec.size() numbers
 [[nodiscard]] Reading read_attitude(const Spec& spec, std::span<const double> numbers);
 
-/// By how much (radians, to first order) the attitude of a row is off if its numbers are off by `error`: the error in
-/// radians of angles, the error itself of a matrix, and for the others times the turn that a unit of error makes.
-/// @throw std::invalid_argument if there are fewer than spec.size() numbers
-[[nodiscard]] double attitude_error(const Spec& spec, std::span<const double> numbers, double error);
-
-/// The unit of the last place of numbers read from text: the finest decimal place, as they are printed with the fewest
-/// digits, among those that are at least half as large as the largest one; 0, which means exact, if one of these is an
-/// integer. Rounding to it explains a defect of up to two units, and DiagnosticKind::few_digits is about half a unit.
-/// @param enough what is at most this need not be exact: any number up to it may be returned
-[[nodiscard]] double last_place(std::span<const double> numbers, double enough = 0.0) noexcept;
-
 /// What is unusual about a row of finite numbers.
-/// @param defect that of a quaternion or matrix, reported above `reported_defect` and, if the numbers are `decimal`,
-/// above two units of the last place
+/// @param defect that of a quaternion or matrix, reported above `reported_defect`
 /// @throw std::invalid_argument if there are fewer than spec.size() numbers
-[[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect = 0.0,
-                                             bool decimal = false);
+[[nodiscard]] UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect = 0.0);
 
 /// All numbers of a matrix of Eigen, as they are stored: one column after the other, except for Eigen::RowMajor.
 template <class Derived> [[nodiscard]] std::span<double> numbers_of(Eigen::PlainObjectBase<Derived>& matrix) noexcept {
@@ -105,7 +91,6 @@ private:
     Spec to_;
     ConversionSettings settings_;
     const Codec* out_codec_;
-    bool looks_at_digits_; ///< rows may have DiagnosticKind::few_digits
 };
 
 } // namespace rotconv

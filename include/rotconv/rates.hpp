@@ -24,7 +24,6 @@ struct RateSettings {
     Frame frame = Frame::body;            ///< axes of the angular velocity
     double tolerance = default_tolerance; ///< largest defect that is accepted; see Reading::defect
     bool sensitivity = false;             ///< report each row
-    bool decimal = false;                 ///< see ConversionSettings
 };
 
 /// The kinematic equation of a representation on rows of numbers in the conventions of its Spec. Angles have rates in

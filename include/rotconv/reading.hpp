@@ -89,10 +89,9 @@ enum class DiagnosticKind : std::uint8_t {
     identity_axis,    ///< the identity: the axis is a convention
     method_error,     ///< a published method's result is off by more than 1e-6 rad
     coarse_step,      ///< an estimated error of a step above `reported_step_error`
-    beyond,           ///< an angle above ComparisonSettings::within
-    few_digits        ///< an uncertainty above `reported_openness`
+    beyond            ///< an angle above ComparisonSettings::within
 };
-inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::few_digits) + 1;
+inline constexpr std::size_t diagnostic_kind_count = static_cast<std::size_t>(DiagnosticKind::beyond) + 1;
 inline constexpr auto all_diagnostic_kinds = [] {
     std::array<DiagnosticKind, diagnostic_kind_count> kinds{};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -143,8 +142,8 @@ struct Sensitivity {
     double condition = 1.0;
 };
 
-/// A defect above this is reported.
-inline constexpr double reported_defect = 1e-6;
+/// A defect above this is reported. What four decimal places leave is below.
+inline constexpr double reported_defect = 2e-4;
 /// An axis whose length differs from 1 by more than this is reported as normalized.
 inline constexpr double reported_axis_defect = 1e-3;
 /// An angle, or the norm of a rotation vector, that is read in radians and is larger than this is reported.
@@ -162,7 +161,6 @@ struct UnusualNumbers {
 struct PartReport {
     DiagnosticSet diagnostics{};
     Sensitivity sensitivity{};
-    double openness = 0.0; ///< as in RowReport
 };
 
 /// The report on one row.
@@ -177,7 +175,6 @@ struct RowReport {
     double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
     double deviation =
         0.0; ///< radians, or a comparison's unit: the angle that method_error, coarse_step and beyond are about
-    double openness = 0.0;              ///< radians: what half a unit of last_place() may change in the result
     UnusualNumbers unusual{};           ///< in the first attitude
     UnusualNumbers reference_unusual{}; ///< in the second attitude
     std::vector<PartReport> parts{};    ///< one for each representation of the result, if there are several
@@ -193,10 +190,6 @@ struct RowReport {
 inline constexpr double half_turn_margin = 1e-15;
 /// Euler angles with a larger condition are reported as near gimbal lock.
 inline constexpr double near_lock_condition = 1e6;
-/// Only rows with a larger condition are held against the digits of their numbers.
-inline constexpr double few_digits_condition = 10.0;
-/// A result that half a unit of the last place may change by more than this (radians) is reported as of few digits.
-inline constexpr double reported_openness = 1e-2;
 /// An integration step whose estimated error (radians) is above this is reported.
 inline constexpr double reported_step_error = 1e-3;
 

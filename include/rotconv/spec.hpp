@@ -68,7 +68,6 @@ struct Representation {
     std::string_view range;                    ///< range of the numbers on output, for people
     std::string_view singular = "none";        ///< where it is singular, for people
     std::string_view singular_attitude{};      ///< where its kinematic equation is, such as "a half-turn"
-    std::string_view open{};                   ///< what too few digits leave open, for people
     std::string_view formula;                  ///< for people
 
     [[nodiscard]] bool has_angles() const noexcept { return modifiers.has(Modifier::deg); }

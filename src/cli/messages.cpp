@@ -57,7 +57,6 @@ DiagnosticWords words_for(DiagnosticKind kind) {
     case coarse_step:
         return {"estimate", "the error of a step may exceed 1e-3 rad; --substeps or a finer sampling helps"};
     case beyond: return {"angle", "the attitudes differ by more than --within"};
-    case few_digits: return {{}, "the digits given leave "}; // opened(), with the figure
     }
     return {};
 }
@@ -67,17 +66,6 @@ std::string rough(double size) {
     std::string text = fmt::format("{:.2g}", size);
     const std::size_t power = text.find("e+");
     return power == std::string::npos ? text : text.erase(power + 1, text[power + 2] == '0' ? 2 : 1);
-}
-
-/// What few digits leave open, and how far.
-std::string opened(const stream::Diagnostic& diagnostic) {
-    const double degrees = diagnostic.figure * degrees_per_radian;
-    const Representation& result = representation(diagnostic.result);
-    return !result.has_angles()
-               ? fmt::format("{} open by {:.2g}", result.open, diagnostic.figure)
-               : fmt::format("{} open {}", result.open,
-                             degrees >= 180.0 ? "altogether"
-                                              : fmt::format("by {:.{}f} deg", degrees, degrees < 10.0 ? 1 : 0));
 }
 
 std::string why(const stream::RowError& error, const Subject& subject) {
@@ -250,17 +238,13 @@ std::string few_keys_met(const stream::KeysMet& keys) {
 }
 
 std::string meaning(const stream::Diagnostic& diagnostic) {
-    const bool is_opened = diagnostic.kind == DiagnosticKind::few_digits;
     const bool is_mark =
         diagnostic.kind == DiagnosticKind::large_angle && std::abs(diagnostic.figure - 12.56637) < 1e-4;
-    return fmt::format("{}{}{}", words_for(diagnostic.kind).meaning, is_opened ? opened(diagnostic) : "",
+    return fmt::format("{}{}", words_for(diagnostic.kind).meaning,
                        is_mark ? "; 4 pi marks points without an attitude in .ang files" : "");
 }
 
 std::string describe(const stream::Diagnostic& diagnostic) {
-    if (diagnostic.kind == DiagnosticKind::few_digits) { // whose figure is in its words
-        return fmt::format("{}: {}", name_of(diagnostic.kind), meaning(diagnostic));
-    }
     const std::string text = diagnostic.text.empty() ? std::string() : fmt::format("{}: ", diagnostic.text);
     return fmt::format("{}: {}{} {:.3g}{}{}; {}", name_of(diagnostic.kind), text, words_for(diagnostic.kind).figure,
                        diagnostic.figure, diagnostic.unit.empty() ? "" : " ", diagnostic.unit, meaning(diagnostic));

@@ -27,8 +27,7 @@ struct RatesOptions final : RowOptions {
                                  .degrees = degrees.given(),
                                  .frame = axes,
                                  .tolerance = reading.tolerance,
-                                 .sensitivity = reading.sensitivity,
-                                 .decimal = reading.decimal};
+                                 .sensitivity = reading.sensitivity};
         const auto name = representation(spec.name).text;
         if (differences.given()) {
             return rows_command(operations::differences(spec, rates, time_power_of(time_unit)),

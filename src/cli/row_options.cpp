@@ -173,9 +173,7 @@ stream::OnError RowOptions::policy() const {
 }
 
 ConversionSettings RowOptions::settings() const {
-    return {.tolerance = most_defect(),
-            .sensitivity = shown_diagnostics_of(diagnostics) == ShowDiagnostics::columns,
-            .decimal = !values.empty() || input_format.text() != "f64"};
+    return {.tolerance = most_defect(), .sensitivity = shown_diagnostics_of(diagnostics) == ShowDiagnostics::columns};
 }
 
 ConversionSettings RowOptions::attitude_settings() const {

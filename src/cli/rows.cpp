@@ -186,7 +186,7 @@ public:
     [[nodiscard]] bool met_diagnostic() const noexcept {
         return !notes_.empty() || std::ranges::any_of(counts_, [](const auto& count) {
             using enum DiagnosticKind;
-            constexpr DiagnosticSet ignored{normalized, large_angle, few_digits};
+            constexpr DiagnosticSet ignored{normalized, large_angle};
             return !ignored.has(count.first.second);
         });
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "checks.hpp"
 #include "input_batch.hpp"
@@ -32,36 +31,6 @@ bool any_remarkable(const InputBatch& input, const DiagnosticSet* diagnostics, s
     return defects != 0 || errors != 0 || !kinds.empty() || input.any_unusual(rows);
 }
 
-/// See RowReport::openness; 0 if the condition is not above `few_digits_condition`. Below `reported_openness` it is
-/// only a bound.
-double openness(const InputBatch& input, const Spec& from, const Spec& to, std::size_t row) noexcept {
-    if (input.attitudes.error[row] != Error::none) {
-        return 0.0;
-    }
-    const std::span numbers(input.own() + row * from.size(), from.size());
-    const double condition = codec_of(to.name).sensitivity(to, input.attitudes.at(row)).condition;
-    if (!(condition > few_digits_condition)) {
-        return 0.0;
-    }
-    const double enough = reported_openness / (condition * attitude_error(from, numbers, 1.0)); // half of it is used
-    return condition * attitude_error(from, numbers, 0.5 * last_place(numbers, enough));
-}
-
-/// Whether the result is the given numbers, but for their order, signs, unit and quarter turns (from ZXZ to ZYZ): then
-/// a singularity leaves nothing open.
-bool passes_numbers(const Spec& from, const Spec& to) noexcept {
-    const bool reversed = (from.sequence.intrinsic() != to.sequence.intrinsic()) != (from.passive != to.passive);
-    const auto same = [&](std::size_t i) { return from.sequence.axis(i) == to.sequence.axis(reversed ? 2 - i : i); };
-    const bool are_angles = representation(from.name).has_gimbal_lock && representation(to.name).has_gimbal_lock;
-    return are_angles ? same(0) && same(2) : from.name == to.name;
-}
-
-/// Whether numbers of the result are a convention, and another kind says so.
-bool is_convention(DiagnosticSet found) noexcept {
-    return found.has(DiagnosticKind::gimbal_lock) || found.has(DiagnosticKind::infinite) ||
-           found.has(DiagnosticKind::identity_axis);
-}
-
 ExactQuaternion exact(const FixedRotation& fixed) noexcept {
     const Rotation& q = fixed.rotation;
     return {{q.w(), q.x(), q.y(), q.z()}, {fixed.rest[0], fixed.rest[1], fixed.rest[2], fixed.rest[3]}};
@@ -75,6 +44,31 @@ Reading read_attitude(const Spec& spec, std::span<const double> numbers) {
     to_own_order(spec, numbers.data(), 1, own.data());
     const Reading reading = read_row(spec, own.data());
     return reading && spec.passive ? Reading(reading->inverse(), reading.defect()) : reading;
+}
+
+UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers, double defect) {
+    check_size(numbers.size(), spec.size());
+    UnusualNumbers found;
+    if (defect > reported_defect) {
+        found.defect = defect;
+    }
+    const Representation& read = representation(spec.name);
+    if (!read.has_angles()) {
+        return found;
+    }
+    const bool has_axis = read.first_angle > 0;
+    const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
+    const double length = norm_of(numbers[0], numbers[1], numbers[2]);
+    const double angle = has_axis                                ? std::abs(numbers[read.first_angle])
+                         : spec.name == RepresentationId::rotvec ? length
+                                                                 : largest;
+    if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
+        found.defect = std::abs(length - 1.0);
+    }
+    if (spec.unit == AngleUnit::radians && angle > reported_angle) {
+        found.angle = angle;
+    }
+    return found;
 }
 
 FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double> numbers) {
@@ -103,9 +97,7 @@ FixedRotations fixed_rotations(const FixedRotation& left, const FixedRotation& r
 }
 
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
-    : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)),
-      looks_at_digits_(settings.decimal && out_codec_->well_conditioned != nullptr &&
-                       !(settings.left.is_identity() && settings.right.is_identity() && passes_numbers(from, to))) {}
+    : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)) {}
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
@@ -129,16 +121,6 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
                     diagnostics.data());
             std::for_each_n(written, rows * width, [](double& number) { number += 0.0; }); // -0 becomes 0
         }
-        if (looks_at_digits_) {
-            const NumberRange range = out_codec_->well_conditioned(to_);
-            const auto is_outside = [&range](double number) { return number < range.least || number > range.greatest; };
-            for (std::size_t i = 0; i < rows; ++i) {
-                const std::span chosen(written + i * width + range.first, range.count);
-                if (std::ranges::any_of(chosen, is_outside) && !is_convention(diagnostics[i])) {
-                    diagnostics[i] |= {DiagnosticKind::few_digits, openness(input, from_, to_, i) > reported_openness};
-                }
-            }
-        }
         if (!any_remarkable(input, diagnostics.data(), rows, InputBatch::largest_unreported(settings_))) {
             return;
         }
@@ -151,9 +133,6 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
                     found.sensitivity = out_codec_->sensitivity(to_, input.attitudes.at(i));
                 }
                 found.diagnostics |= diagnostics[i];
-                if (found.diagnostics.has(DiagnosticKind::few_digits)) {
-                    found.openness = openness(input, from_, to_, i);
-                }
             });
     };
     for_each_batch(in, from_.size(), out, width, run_batch);

@@ -66,7 +66,7 @@ public:
         if (report.defect > settings.tolerance) {
             report.error = Error::defect;
         } else {
-            report.unusual = unusual_numbers(*spec_, {own_ + row * size_, size_}, report.defect, settings.decimal);
+            report.unusual = unusual_numbers(*spec_, {own_ + row * size_, size_}, report.defect);
             report.report_numbers();
         }
         return report;

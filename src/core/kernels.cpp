@@ -3,7 +3,6 @@
 #include <rotconv/version.hpp>
 
 #include "careful_rows.hpp"
-#include "linear_rows.hpp"
 #include "numerics/elementary.hpp"
 
 namespace rotconv {
@@ -70,61 +69,42 @@ void convert_carefully(const ConversionBatch& batch, const double* in, std::size
     set_rounded(q, i, rounded);
 }
 
-/// Converts the rows that are open, and have no error, to 106 bits, most of them together. `exactly`: those that are
-/// plain for BatchKernel<DoubleDouble> may be among them.
-void convert_open(const ConversionBatch& batch, const double* in, std::size_t rows, const bool* open, bool exactly,
-                  AttitudeBatch<double>& rounded, double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
+/// Converts to 106 bits the rows that are open and have no error, the plain ones together.
+void convert_open(const ConversionBatch& batch, const double* in, std::size_t rows, const bool* open,
+                  AttitudeBatch<double>& rounded, double* out, DiagnosticSet* diagnostics) noexcept {
     const Spec& from = *batch.from;
     const std::size_t from_size = from.size();
     const std::size_t to_size = batch.to->size();
     std::size_t count = 0;
-    bool any_scaled = false;
     std::size_t places[batch_rows];
-    double scales[batch_rows];
     double numbers[most_numbers * batch_rows];
     for (std::size_t i = 0; i < rows; ++i) {
         if (!open[i] || rounded.error[i] != Error::none) {
             continue;
         }
         const double* const own = in + i * from_size;
-        const bool is_plain = all_plain(rounded, i, 1) && all_plain_numbers(from, own, 1, exactly);
-        const double scale = is_plain ? 0.0 : linear_scale(batch, own, rounded.defect[i]);
-        if (rest != nullptr || (!is_plain && scale == 0.0)) {
-            convert_carefully(batch, in, i, rounded, out, rest, diagnostics);
+        if (!(all_plain(rounded, i, 1) && all_plain_numbers(from, own, 1, true))) {
+            convert_carefully(batch, in, i, rounded, out, nullptr, diagnostics);
             continue;
         }
         for (std::size_t k = 0; k < from_size; ++k) {
-            numbers[count * from_size + k] = is_plain || is_ordinary(__builtin_fabs(own[k])) ? own[k] : own[k] * scale;
+            numbers[count * from_size + k] = own[k];
         }
-        any_scaled |= !is_plain;
-        places[count] = i;
-        scales[count++] = scale;
+        places[count++] = i;
     }
     if (count == 0) {
         return;
     }
     double results[most_numbers * batch_rows];
-    double lows[most_numbers * batch_rows];
-    for (std::size_t k = 0; k < count * to_size && any_scaled; ++k) {
-        lows[k] = 0.0; // of representations that have none
-    }
     AttitudeBatch<DoubleDouble> attitudes;
     DiagnosticSet found[batch_rows];
-    convert_plainly(batch, numbers, count, attitudes, results, any_scaled ? lows : nullptr, found);
+    convert_plainly(batch, numbers, count, attitudes, results, nullptr, found);
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t i = places[n];
-        double q[4] = {attitudes[0].hi[n], attitudes[1].hi[n], attitudes[2].hi[n], attitudes[3].hi[n]};
-        double* const result = results + n * to_size;
-        const bool is_scaled = scales[n] != 0.0;
-        if (is_scaled &&
-            !(round_clearly(result, lows + n * to_size, to_size) && unscale(scales[n], q, result, to_size))) {
-            convert_carefully(batch, in, i, rounded, out, rest, diagnostics);
-            continue;
-        }
         for (std::size_t k = 0; k < to_size; ++k) {
-            out[i * to_size + k] = result[k];
+            out[i * to_size + k] = results[n * to_size + k];
         }
-        rounded.set(i, q);
+        rounded.set(i, {attitudes[0].hi[n], attitudes[1].hi[n], attitudes[2].hi[n], attitudes[3].hi[n]});
         diagnostics[i] = found[n];
     }
 }
@@ -133,19 +113,14 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
                                 AttitudeBatch<double>& rounded, double* out, double* rest,
                                 DiagnosticSet* diagnostics) noexcept {
     AttitudeBatch<T> attitudes;
-    bool any_open = false;
-    bool open[batch_rows] = {};
     convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics);
     round(attitudes, rows, rounded);
-    const auto set_open = [&](std::size_t i) {
-        open[i] = batch.to->name != RepresentationId::quat || !keeps_bits(attitudes, i);
-        any_open |= open[i];
+    const auto careful = [&](std::size_t i) {
+        if (batch.to->name != RepresentationId::quat || !keeps_bits(attitudes, i)) {
+            convert_carefully(batch, in, i, rounded, out, rest, diagnostics);
+        }
     };
-    constexpr bool exactly = !std::is_same_v<T, double>;
-    for_each_careful_row(*batch.from, in, attitudes, rows, set_open, exactly);
-    if (any_open) {
-        convert_open(batch, in, rows, open, exactly, rounded, out, rest, diagnostics);
-    }
+    for_each_careful_row(*batch.from, in, attitudes, rows, careful, !std::is_same_v<T, double>);
 }
 
 bool convert_first(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
@@ -189,7 +164,7 @@ void convert_in_phases(const ConversionBatch& batch, const double* in, std::size
     if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
         convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
     } else {
-        convert_open(batch, in, rows, open, true, rounded, out, rest, diagnostics);
+        convert_open(batch, in, rows, open, rounded, out, diagnostics);
     }
 }
 

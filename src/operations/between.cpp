@@ -23,9 +23,7 @@ public:
     Between(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& reference,
             const ConversionSettings& settings)
         : at_(std::move(at)), between_(std::move(between)), columns_(columns),
-          reading_(
-              reference, Spec{},
-              {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}) {}
+          reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
 
     void operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
                     std::span<double> rest);

@@ -25,7 +25,7 @@ Composition composition_of(const Spec& spec, const RateSettings& settings) {
             {.name = RepresentationId::rotvec,
              .unit = settings.degrees ? AngleUnit::degrees : AngleUnit::radians,
              .passive = of_body},
-            {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity, .decimal = settings.decimal}};
+            {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}};
 }
 
 /// Compares each row with the last row before it that was not refused.

@@ -80,11 +80,10 @@ private:
                 both.sensitivity = {std::min(merged.sensitivity.margin, report.sensitivity.margin),
                                     std::max(merged.sensitivity.condition, report.sensitivity.condition)};
                 both.deviation = std::max(merged.deviation, report.deviation);
-                both.openness = std::max(merged.openness, report.openness);
             }
             both.parts = std::move(merged.parts);
             both.parts.resize(parts_.size());
-            both.parts[part] = {report.diagnostics, report.sensitivity, report.openness};
+            both.parts[part] = {report.diagnostics, report.sensitivity};
             merged = std::move(both);
         }
     }

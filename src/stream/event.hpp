@@ -65,7 +65,6 @@ struct Diagnostic {
     Place place{};
     DiagnosticKind kind = DiagnosticKind::normalized;
     double figure = 0.0;
-    RepresentationId result{};
     std::string_view text{}; ///< the result's, see TextColumn
     std::string_view unit{}; ///< the figure's, for kinds with several units
 };

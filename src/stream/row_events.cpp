@@ -4,22 +4,21 @@
 
 namespace rotconv::stream {
 
-double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind kind) noexcept {
+double figure_of(const RowReport& report, const Sensitivity& sensitivity, DiagnosticKind kind) noexcept {
     switch (kind) {
     case DiagnosticKind::normalized: return std::max(report.unusual.defect, report.reference_unusual.defect);
     case DiagnosticKind::large_angle: return std::max(report.unusual.angle, report.reference_unusual.angle);
-    case DiagnosticKind::near_gimbal_lock: return part.sensitivity.condition;
+    case DiagnosticKind::near_gimbal_lock: return sensitivity.condition;
     case DiagnosticKind::method_error:
     case DiagnosticKind::coarse_step:
     case DiagnosticKind::beyond: return report.deviation;
-    case DiagnosticKind::few_digits: return part.openness;
-    default: return part.sensitivity.margin;
+    default: return sensitivity.margin;
     }
 }
 
 void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report, std::size_t index,
                      const RowOperation& operation) {
-    for_each_diagnostic(report, row.number, operation.attitudes, [&](Diagnostic diagnostic) {
+    for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
         if (diagnostic.kind == DiagnosticKind::method_error && operation.text) {
             diagnostic.text = operation.text->texts[index];
         } else if (index > 0) {

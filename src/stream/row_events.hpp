@@ -11,12 +11,11 @@
 /// The events of a row that was answered.
 namespace rotconv::stream {
 
-/// The figure of a diagnostic of a row, or of a part of its result.
-[[nodiscard]] double figure_of(const RowReport& report, const PartReport& part, DiagnosticKind kind) noexcept;
+/// The figure of a diagnostic of a row, from the sensitivity of its result or of the part that has it.
+[[nodiscard]] double figure_of(const RowReport& report, const Sensitivity& sensitivity, DiagnosticKind kind) noexcept;
 
-/// Visits the diagnostics of a row with their figures, in order of kind. `attitudes`: those of the result, if any.
-template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line,
-                                                const std::vector<Spec>& attitudes, const Visit& visit) {
+/// Visits the diagnostics of a row with their figures, in order of kind.
+template <class Visit> void for_each_diagnostic(const RowReport& report, std::size_t line, const Visit& visit) {
     if (report.diagnostics.empty()) {
         return;
     }
@@ -24,14 +23,8 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
         if (report.diagnostics.has(kind)) {
             const auto part = std::ranges::find_if(
                 report.parts, [kind](const PartReport& each) { return each.diagnostics.has(kind); });
-            const bool is_of_part = part != report.parts.end();
-            const auto index = is_of_part ? static_cast<std::size_t>(part - report.parts.begin()) : 0;
-            const PartReport of =
-                is_of_part ? *part : PartReport{report.diagnostics, report.sensitivity, report.openness};
-            visit(Diagnostic{{line},
-                             kind,
-                             figure_of(report, of, kind),
-                             index < attitudes.size() ? attitudes[index].name : RepresentationId::quat});
+            const Sensitivity& sensitivity = part != report.parts.end() ? part->sensitivity : report.sensitivity;
+            visit(Diagnostic{{line}, kind, figure_of(report, sensitivity, kind)});
         }
     }
 }

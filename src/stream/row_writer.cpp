@@ -24,7 +24,7 @@ std::string notes_of(const ConvertedRow& row) {
         return "error";
     }
     std::string notes;
-    for_each_diagnostic(*row.report, row.number, {}, [&](const Diagnostic& diagnostic) {
+    for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
         notes.append(notes.empty() ? "" : "+").append(name_of(diagnostic.kind));
     });
     return notes;
@@ -408,7 +408,7 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     if (row.failed) {
         append(to, "  error\n");
     } else if (options_->show_diagnostics) {
-        for_each_diagnostic(*row.report, row.number, specs, [&](const Diagnostic& diagnostic) {
+        for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
             fmt::format_to(out, "{}{}\n", options_->block ? "" : "  ", options_->describe(diagnostic));
         });
     }

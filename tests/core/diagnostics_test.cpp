@@ -73,7 +73,7 @@ double condition_by_differences(const std::string& to, const oracle::Quaternion&
 TEST_CASE("each kind is reported where it holds and nowhere else") {
     const double s = std::sqrt(0.5);
     CHECK(kinds_of(report_of("quat", "dcm", {1, 0, 0, 2e-6})).empty());
-    CHECK(kinds_of(report_of("quat", "dcm", {1.00001, 0, 0, 0})) == std::vector{DiagnosticKind::normalized});
+    CHECK(kinds_of(report_of("quat", "dcm", {1.0003, 0, 0, 0})) == std::vector{DiagnosticKind::normalized});
     CHECK(kinds_of(report_of("quat", "euler:ZYX", {s, 0, s, 0})) == std::vector{DiagnosticKind::gimbal_lock});
     CHECK(kinds_of(report_of("quat", "euler:ZXZ", {1, 0, 0, 0.5}, {.tolerance = 1})) ==
           std::vector{DiagnosticKind::normalized, DiagnosticKind::gimbal_lock});
@@ -200,7 +200,7 @@ TEST_CASE("each way in which columns can be off is seen") {
         std::vector<double> row{1, 0, 0, 0, 1, 0};
         row[entry] += 0.01;
         CHECK(report_of("6d", "quat", row, {}).error == Error::defect);
-        row[entry] -= 0.0099;
+        row[entry] -= 0.0094;
         const auto report = report_of("6d", "quat", row, {});
         CHECK(report.error == Error::none);
         CHECK(report.diagnostics.has(DiagnosticKind::normalized));
@@ -236,75 +236,24 @@ TEST_CASE("numbers without an attitude are errors") {
     }
 }
 
-// Catches a representation whose numbers are said to turn the attitude by a multiple of what they do.
-TEST_CASE("an error in a number turns the attitude by about what is said") {
-    constexpr double error = 1e-7;
-    strata::Source source(24);
-    for (const auto id : rotconv::all_representations) {
-        const auto& entry = rotconv::representation(id);
-        INFO(entry.text);
-        const rotconv::Spec from =
-            spec(std::string(entry.text) + (id == rotconv::RepresentationId::euler ? ":ZYX" : ""));
-        double largest = 0.0; // of a row, over what is said
-        for (int row = 0; row < 200; ++row) {
-            const auto numbers = oracle::numbers(from, source.attitude());
-            const auto turn_of = [&](std::size_t i) {
-                auto off = numbers;
-                off[i] += error;
-                return oracle::eps * oracle::error_in_eps(oracle::attitude(from, numbers), oracle::attitude(from, off));
-            };
-            for (std::size_t i = 0; i < entry.size; ++i) {
-                largest = std::max(largest, turn_of(i) / rotconv::attitude_error(from, numbers, error));
-            }
-        }
-        CHECK(largest > 0.49); // an entry of a matrix
-        CHECK(largest < 2.01); // a component of an axis: 2 sin(theta/2)
-    }
-}
-
-// Catches a small number, an exponent, zeros at the end or a sign that has a part in the last place, an integer
-// that has none.
-TEST_CASE("the last place of numbers is that of the large ones, printed with the fewest digits") {
-    const auto last_place = [](const std::vector<double>& numbers) { return rotconv::last_place(numbers); };
-    CHECK(last_place({0.7071, 0.0001234, -0.70711, 0}) == 1e-5);
-    CHECK(last_place({9.999999e-01, 9.043680e-12, -2.3e-11}) == 1e-7);
-    CHECK(last_place({-9.25, 4.6200}) == 1e-2);
-    CHECK(last_place({-9.25, 4.625}) == 1e-3);
-    CHECK(last_place({12.55E+1, 100.25}) == 1e-2);
-    CHECK(last_place({1.50e-200, 0}) == Approx(1e-201).epsilon(1e-12));
-    CHECK(last_place({.5, 0}) == 0.1);
-    CHECK(last_place({1e-3}) == 1e-3);
-    CHECK(last_place({0, 0, 0.01}) == 0.01);
-    CHECK(last_place({0.1 + 0.2}) == 1e-17); // 0.30000000000000004
-    for (const double exact : {1.0, -1.0, 1.5e1, 1.25e2, 1e300}) {
-        INFO(exact);
-        CHECK(last_place({exact, 0.001}) == 0.0);
-    }
-    CHECK(last_place({1, 0.501}) == 0.0);
-    CHECK(last_place({0, 0}) == 0.0);
-}
-
-// Catches a search that ends before it has seen enough, and thus takes a fine last place for a coarse one.
-TEST_CASE("the search for the last place ends only below what is enough") {
-    const std::vector<double> finer_and_finer{0.75, 0.625, 0.70711};
-    CHECK(rotconv::last_place(finer_and_finer, 0.9e-5) == 1e-5);
-    CHECK(rotconv::last_place(finer_and_finer, 1e-4) <= 1e-4);
-    CHECK(rotconv::last_place(finer_and_finer, 1.0) <= 1.0);
-}
-
-// Catches a defect that the digits explain and that is reported, or one that they do not explain and that is not;
-// a sum of both sides of a pair.
-TEST_CASE("a defect is reported where two units of the last place do not explain it") {
-    const auto is_normalized = [](const std::vector<double>& row, bool decimal) {
-        return report_of("quat", "dcm", row, {.decimal = decimal}).diagnostics.has(rotconv::DiagnosticKind::normalized);
+// Catches a limit that rounding to four decimals exceeds, one for text alone or for quaternions alone, and a sum of
+// both sides of a pair.
+TEST_CASE("a defect is reported above 2e-4") {
+    const auto is_normalized = [](const std::string& from, const std::vector<double>& row) {
+        return report_of(from, "dcm", row).diagnostics.has(rotconv::DiagnosticKind::normalized);
     };
-    const std::vector<double> rounded{0.7071, 0.7071, 0, 0}; // 1 - |q| = 9.6e-6, a unit is 1e-4
-    CHECK_FALSE(is_normalized(rounded, true));
-    CHECK(is_normalized(rounded, false));
-    CHECK(is_normalized({0.707100, 0.707107, 0, 0}, true)); // 5e-6, a unit is 1e-6
-    CHECK(is_normalized({1, 0.002, 0, 0}, true));           // exact
-    const rotconv::Comparison pair(spec("quat"), spec("quat"), {.reading = {.decimal = true}});
-    const std::vector<double> numbers{0.7071, 0.7071, 0, 0, 1, 0.002, 0, 0};
+    CHECK_FALSE(is_normalized("quat", {0.70715, 0.70705, 0.00005, 0.00005}));
+    for (const double sign : {1.0, -1.0}) {
+        for (const double factor : {0.999, 1.001}) {
+            const double s = 1 + sign * factor * 2e-4;
+            INFO(s);
+            CHECK(is_normalized("quat", {0.6 * s, 0, 0.8 * s, 0}) == (factor > 1));
+            CHECK(is_normalized("dcm", {s, 0, 0, 0, 1, 0, 0, 0, 1}) == (factor > 1));
+            CHECK(is_normalized("6d", {1, 0, 0, 0, s, 0}) == (factor > 1));
+        }
+    }
+    const rotconv::Comparison pair(spec("quat"), spec("quat"));
+    const std::vector<double> numbers{1, 0.0175, 0, 0, 1, 0.0225, 0, 0}; // |q| - 1 is 1.53e-4 and 2.53e-4
     std::vector<double> angle(1);
     std::vector<rotconv::RowReport> reports;
     pair.run(numbers, angle, reports);
@@ -313,149 +262,9 @@ TEST_CASE("a defect is reported where two units of the last place do not explain
     CHECK(reports[0].reference_unusual.defect == reports[0].reference_defect);
 }
 
-// Catches a figure that says too little or too much for one of the representations that are read, or at one end of
-// the conditions.
-TEST_CASE("numbers within half a digit leave the result open by as much as is said") {
-    constexpr int rows = 20'000;
-    int judged = 0; // of 63
-    strata::Source source(23);
-    const auto check = [&](const std::string& from_text, const std::string& to_text, double condition) {
-        const rotconv::Spec from = spec(from_text);
-        const rotconv::Spec to = spec(to_text);
-        INFO(from_text << " to " << to_text << " at " << condition);
-        std::vector<double> result(to.size());
-        double turn = 0.0; // after which numbers are the same
-        if (to.name == rotconv::RepresentationId::cayley) {
-            const oracle::Vector3 axis = source.axis();
-            for (std::size_t i = 0; i < 3; ++i) {
-                result[i] = std::sqrt(2 * condition - 1) * static_cast<double>(axis[static_cast<Eigen::Index>(i)]);
-            }
-        } else {
-            const double unit = to.unit == rotconv::AngleUnit::degrees ? rotconv::degrees_per_radian : 1.0;
-            const double limit = to.sequence.proper() ? 0.0 : pi / 2;
-            turn = 2 * pi * unit;
-            result = {source.uniform(-pi, pi) * unit,
-                      std::abs(limit - 2 * std::asin(1 / (std::sqrt(2.0) * condition))) * unit,
-                      source.uniform(-pi, pi) * unit};
-        }
-        auto numbers = accuracy::own(to, from)(result);
-        double units =
-            1.0; // of the digits in 1, with which the figure is 0.012 to 0.12: small angles that are reported
-        while (rotconv::attitude_error(from, numbers, 0.5 / units) * condition > 0.12) {
-            units *= 10.0;
-        }
-        const double half = 0.5 / units;
-        for (double& number : numbers) {
-            number = std::round(number * units) / units;
-        }
-        const auto settings = rotconv::ConversionSettings{.tolerance = 1.0, .sensitivity = true, .decimal = true};
-        const auto [given, report] = accuracy::converted(from, to, numbers, settings);
-        if (rotconv::last_place(numbers) == 0.0) { // one is an integer, such as an entry of a matrix near the lock
-            CHECK_FALSE(report.diagnostics.has(DiagnosticKind::few_digits));
-            return;
-        }
-        ++judged;
-        REQUIRE(report.diagnostics.has(DiagnosticKind::few_digits));
-        const double figure = rotconv::attitude_error(from, numbers, half) * report.sensitivity.condition;
-        const bool is_quaternion = from.name == rotconv::RepresentationId::quat;
-        double worst = 0.0;
-        int further = 0;
-        const auto convert = accuracy::own(from, to);
-        for (int row = 0; row < rows; ++row) {
-            auto near = numbers;
-            bool rounds_to_given = false;
-            while (!rounds_to_given) {
-                double square = 0.0;
-                for (std::size_t i = 0; i < near.size(); ++i) {
-                    near[i] = numbers[i] + source.uniform(-half, half);
-                    square += near[i] * near[i];
-                }
-                rounds_to_given = true;
-                for (std::size_t i = 0; i < near.size() && is_quaternion; ++i) {
-                    near[i] /= std::sqrt(square); // attitudes have unit quaternions
-                    rounds_to_given = rounds_to_given && std::abs(near[i] - numbers[i]) <= half;
-                }
-            }
-            const auto found = convert(near);
-            double off = 0.0;
-            for (std::size_t i = 0; i < found.size(); ++i) {
-                const double difference = found[i] - given[i];
-                off = std::max(off, turn == 0.0 ? std::abs(difference)
-                                                : std::abs(std::remainder(difference, turn)) / turn * 2 * pi);
-            }
-            worst = std::max(worst, off);
-            further += off > figure ? 1 : 0;
-        }
-        CHECK(further <= rows / 100);
-        CHECK(figure <= 4 * worst);
-    };
-    for (const double condition : {25.0, 2'773.0, 1e6}) {
-        for (const char* from : {"quat", "dcm", "6d", "5d", "mrp", "rotvec", "rotvec:deg", "cayley", "euler:ZXZ:deg"}) {
-            for (const char* to : {"euler:ZYX:deg", "rpy"}) {
-                check(from, to, condition);
-            }
-        }
-        check("quat:xyzw", "euler:ZXZ", condition);
-        check("quat", "cayley", condition);
-        check("dcm", "cayley", condition);
-    }
-    CHECK(judged > 45);
-}
-
-// Catches a word about digits where the result has those that were given, or where it is a convention.
-TEST_CASE("few digits are looked at from a condition of 10 on, where asked for") {
-    const auto found = [](const std::string& from, const std::string& to, const std::vector<double>& row,
-                          bool asked = true) {
-        const auto is_reported = [&](bool figures) {
-            const auto report =
-                report_of(from, to, row, {.tolerance = infinity, .sensitivity = figures, .decimal = asked});
-            return report.diagnostics.has(DiagnosticKind::few_digits);
-        };
-        CHECK(is_reported(true) == is_reported(false));
-        return is_reported(false);
-    };
-    const auto coarse = [](std::vector<double> row) { // in halves, as quaternions of any norm may be
-        std::ranges::for_each(row, [](double& v) { v = v == 0.0 ? 0.0 : std::floor(1e5 * v) + 0.5; });
-        return row;
-    };
-    for (const double factor : {0.999, 1.001}) {
-        const double half_margin = factor * std::asin(0.1 / std::sqrt(2.0)); // of a condition of 10, times the factor
-        const double up = std::tan(pi / 4 - half_margin);
-        const double small = std::tan(half_margin);
-        const double axis = std::tan(factor * std::asin(0.05));
-        const double c = std::sqrt(19.0) / factor;
-        INFO(factor);
-        CHECK(found("quat", "rpy:deg", coarse({1, 0, up, 0})) == (factor < 1));
-        CHECK(found("quat", "rpy", coarse({1, 0, -up, 0})) == (factor < 1));
-        CHECK(found("quat:xyzw", "euler:ZYX:deg", coarse({0, up, 0, 1})) == (factor < 1));
-        CHECK(found("quat", "euler:ZXZ", coarse({1, small, 0, 0})) == (factor < 1));
-        CHECK(found("quat", "euler:ZYZ:deg", coarse({small, 1, 0, 0})) == (factor < 1));
-        CHECK(found("quat", "axis-angle:deg", coarse({1, 0, 0.6 * axis, 0.8 * axis})) == (factor < 1));
-        CHECK(found("quat", "cayley", coarse({1 / c, 0, 0, 1})) == (factor < 1));
-        CHECK(found("quat", "rpy", coarse({1, 0, up, 0}), false) == false);
-        CHECK(found("quat", "rotvec", coarse({1 / c, 0, 0, 1})) == false);
-    }
-    // 0.1 degrees from the lock the condition is 810: half of 0.1 degrees is 0.71 radians, half of 1e-4 is 7e-4.
-    CHECK(found("rotvec:deg", "rpy", {0, 89.9, 0}) == true);
-    CHECK(found("rotvec:deg", "rpy", {0, 89.9, 1e-11}) == true);
-    CHECK(found("rotvec:deg", "rpy", {0, 89.9012, 0}) == false);
-    CHECK(found("rotvec:deg", "rpy", {0, 89.99912345, 0}) == false);
-    CHECK(found("rotvec:deg", "rpy", {0, 89.99991234567, 0}) == false);
-    // The numbers that were given.
-    CHECK(found("cayley:passive", "cayley", {0, 10, 0}) == false);
-    CHECK(found("rpy:deg", "euler:ZYX", {10, 89.99, 20}) == false);
-    CHECK(found("rpy:deg", "euler:XYZ:passive", {10, 89.99, 20}) == false);
-    CHECK(found("euler:ZXZ", "euler:zyz", {0.3, 0.001, 0.2}) == false);
-    CHECK(found("euler:XYZ:deg", "rpy", {0, 89.99, 0}) == true);
-    // Conventions.
-    CHECK(found("quat", "euler:ZYX", {1, 0, 1, 0}) == false);
-    CHECK(found("quat", "cayley", {0, 0.6, 0.8, 0}) == false);
-    CHECK(found("quat", "axis-angle", {1, 0, 0, 0}) == false);
-}
-
 // Catches a bound on the defect that is below it, so that a decision depends on whether figures are asked for.
 TEST_CASE("the defect decides the same with and without figures") {
-    for (const double off : {1e-6, 1e-3, 0.04}) {
+    for (const double off : {1e-6, 2e-4, 1e-3, 0.04}) {
         for (const double sign : {1.0, -1.0}) {
             for (const double nudge : {-1e-9, 1e-9}) {
                 const double s = 1 + sign * off * (1 + nudge);
@@ -487,34 +296,6 @@ TEST_CASE("nearly singular matrices have the polar factor of their sign") {
         mirrored[8] = -mirrored[8];
         CHECK(report_of("dcm", "quat", mirrored, any).error == Error::not_proper);
     }
-    strata::Source source(71);
-    int proper = 0;
-    for (int i = 0; i < 2000; ++i) {
-        std::vector<double> row(9);
-        for (std::size_t k = 0; k < 3; ++k) {
-            row[3 * k] = source.normal();
-            row[3 * k + 1] = source.normal();
-            row[3 * k + 2] = row[3 * k] - 0.5 * row[3 * k + 1] + 1e-12 * source.normal();
-        }
-        std::array<oracle::Real, 9> m;
-        std::copy(row.begin(), row.end(), m.begin());
-        const oracle::Real determinant = m[0] * (m[4] * m[8] - m[5] * m[7]) + m[1] * (m[5] * m[6] - m[3] * m[8]) +
-                                         m[2] * (m[3] * m[7] - m[4] * m[6]);
-        if (abs(determinant) < 1e-14) {
-            continue; // its sign may be rounding
-        }
-        const Error error = report_of("dcm", "quat", row, any).error;
-        REQUIRE(error == (determinant > 0 ? Error::none : Error::not_proper));
-        if (error != Error::none) {
-            continue;
-        }
-        ++proper;
-        const auto exact = oracle::attitude(spec("dcm"), row);
-        const auto got = oracle::attitude(spec("quat"), accuracy::own(spec("dcm"), spec("quat"))(row));
-        // conditioned by 1/(s2 + s3), which is about 1 here
-        REQUIRE(oracle::error_in_eps(exact, got) < 1e3);
-    }
-    CHECK(proper > 500);
 }
 
 // Catches digits of the plane lost in a difference of products.
@@ -546,9 +327,9 @@ TEST_CASE("reports are of the remarkable rows alone, in their order") {
     }
     const auto set_w = [&rows](std::size_t row, double w) { rows[4 * row] = w; };
     set_w(5, std::numeric_limits<double>::quiet_NaN());
-    set_w(127, 0.800001); // a defect of 0.8e-6
-    set_w(128, 0.80001);  // of 0.8e-5
-    set_w(300, 0.9);      // of 0.08
+    set_w(127, 0.8001); // a defect of 0.8e-4
+    set_w(128, 0.8004); // of 3.2e-4
+    set_w(300, 0.9);    // of 0.08
     const rotconv::Conversion conversion(spec("quat"), spec("dcm"));
     std::vector<double> out(400 * 9);
     std::vector<RowReport> reports(7);
@@ -559,7 +340,7 @@ TEST_CASE("reports are of the remarkable rows alone, in their order") {
         CHECK(reports[0].error == Error::not_finite);
         CHECK(reports[1].row == 128);
         CHECK(kinds_of(reports[1]) == std::vector{DiagnosticKind::normalized});
-        CHECK(reports[1].defect == Approx(0.8e-5).epsilon(1e-4));
+        CHECK(reports[1].defect == Approx(3.2e-4).epsilon(1e-3));
         CHECK(reports[2].row == 300);
         CHECK(reports[2].error == Error::defect);
     }
@@ -571,7 +352,7 @@ TEST_CASE("reports are of the remarkable rows alone, in their order") {
     for (std::size_t i = 0; i < reports.size(); ++i) {
         CHECK(reports[i].row == i);
     }
-    CHECK(reports[127].defect == Approx(0.8e-6).epsilon(1e-4));
+    CHECK(reports[127].defect == Approx(0.8e-4).epsilon(1e-3));
     conversion.run(std::span(rows).first(4), out, reports);
     CHECK(reports.empty());
 }

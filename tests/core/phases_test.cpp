@@ -6,14 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <rotconv/conversion.hpp>
-#include <rotconv/sampling.hpp>
 
 #include "../../src/core/kernels.hpp"
 #include "../../src/core/representations/euler_formulas.hpp"
@@ -171,38 +169,6 @@ TEST_CASE("hostile rows have the exact kernels' numbers") {
             CHECK(counts.rows > 6 * 500);
         }
     }
-}
-
-// Catches rows of tiny numbers that are scaled though their result is not linear in them, or a scale left in.
-TEST_CASE("rows that are converted scaled have the careful scalar's numbers") {
-    std::size_t different = 0;
-    for (const std::string& from_text : accuracy::compared_specs()) {
-        const Spec from = accuracy::spec(from_text);
-        using enum rotconv::SampleKind;
-        rotconv::Sampler sampler(from, {.kinds = {small, half_turn, lock, border, cube}, .seed = 95});
-        std::vector<double> indices(tried(20'000) / batch_rows * batch_rows);
-        std::iota(indices.begin(), indices.end(), 0.0);
-        std::vector<double> rows(indices.size() * from.size());
-        sampler.run(indices, rows);
-        for (const std::string& to_text : accuracy::compared_specs()) {
-            const Spec to = accuracy::spec(to_text);
-            const rotconv::ConversionBatch task{&from, &to, 1e-15, &rotconv::no_rotations};
-            for (const auto convert : {&rotconv::KernelTable::convert, &rotconv::KernelTable::convert_fast}) {
-                for (std::size_t row = 0; row < indices.size(); row += batch_rows) {
-                    const auto answers_of = [&](double* rest) {
-                        Answers answers;
-                        (rotconv::kernel_table().*convert)(task, &rows[row * from.size()], batch_rows,
-                                                           answers.attitudes, answers.numbers.data(), rest,
-                                                           answers.diagnostics.data());
-                        return answers;
-                    };
-                    std::array<double, batch_rows * 9> rest{}; // scaled rows have none
-                    different += answers_of(nullptr).numbers == answers_of(rest.data()).numbers ? 0U : 1U;
-                }
-            }
-        }
-    }
-    CHECK(different == 0);
 }
 
 // Catches rows that people have, turns about one axis, left to the exact kernels.

@@ -522,75 +522,20 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
                                argument_of(words, "--reference-axes"), argument_of(words, "--body-axes"), degrees)};
 }
 
-/// What the manual says of digits: kinds that depend on how the numbers are written.
-struct ByDigits {
-    std::optional<Spec> from;
-    std::optional<Spec> to; ///< of a conversion
-    std::size_t first = 0;  ///< number of the attitude
-    std::size_t other = 0;  ///< first number of the attitude that it is compared with
-
-    [[nodiscard]] bool is_normalized(const RowReport& report, const std::vector<std::string>& texts) const {
-        const auto is_off = [&texts](double defect, std::size_t begin, std::size_t end) {
-            const auto at = [&texts](std::size_t i) { return texts.begin() + static_cast<std::ptrdiff_t>(i); };
-            return defect > 1e-6 && defect > 2 * fuzz::last_place_of({at(begin), at(end)});
-        };
-        return !from ? report.diagnostics.has(DiagnosticKind::normalized)
-                     : is_off(report.defect, first, first + from->size()) ||
-                           is_off(report.reference_defect, other, texts.size()) ||
-                           (report.defect == 0.0 && report.unusual.defect > 0.0) || // an axis has no defect
-                           (report.reference_defect == 0.0 && report.reference_unusual.defect > 0.0);
-    }
-    [[nodiscard]] bool has_few(const RowReport& report, const std::vector<double>& numbers,
-                               const std::vector<std::string>& texts) const {
-        const auto is_convention = [&report](auto... kinds) { return (report.diagnostics.has(kinds) || ...); };
-        if (!to || report.sensitivity.condition <= 10.0 ||
-            is_convention(DiagnosticKind::gimbal_lock, DiagnosticKind::infinite, DiagnosticKind::identity_axis)) {
-            return false;
-        }
-        const auto is_angles = [](const Spec& spec) { return representation(spec.name).has_gimbal_lock; };
-        const bool may_pass = from->name == to->name || (is_angles(*from) && is_angles(*to));
-        if (may_pass && !report.diagnostics.has(DiagnosticKind::few_digits)) {
-            return false; // where the given angles come back only the program knows
-        }
-        double square = 1.0;
-        for (const double number : numbers) {
-            square += number * number;
-        }
-        const double factor = from->name == RepresentationId::quat     ? 2.0
-                              : from->name == RepresentationId::mrp    ? 4.0
-                              : from->name == RepresentationId::cayley ? 2.0 / std::sqrt(square)
-                              : from->name == RepresentationId::five_d ? std::sqrt(8.0) / square
-                              : from->unit == AngleUnit::degrees       ? std::acos(-1.0) / 180
-                                                                       : 1.0;
-        return 0.5 * fuzz::last_place_of(texts) * factor * report.sensitivity.condition > 1e-2;
-    }
-};
-
-ByDigits by_digits(const std::vector<std::string>& words, const Program& program) {
-    const RowNumbers& read = program.options().input.numbers;
-    ByDigits digits{.from = read.attitude, .to = {}, .first = read.kept, .other = read.kept};
-    if (name_of_command(words) == "conversion") {
-        digits.to = program.operation().attitudes.front();
-    } else if (program.is_paired()) {
-        digits.other = read.names.size() + program.options().pairing->reference.numbers.kept;
-    } else if (read.attitude) {
-        digits.other += read.attitude->size();
-    }
-    return digits;
-}
-
 /// What the command makes of the numbers of one row alone.
 fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Program& program, bool diagnostic_columns) {
-    return [operation = std::shared_ptr<RowOperation>(program.operation().copy()),
-            kept = program.options().input.numbers.kept, by_key = program.is_by_key(), columns = diagnostic_columns,
-            digits = by_digits(words, program)](const std::vector<double>& numbers,
-                                                const std::vector<std::string>& texts) {
+    const RowNumbers& read = program.options().input.numbers;
+    const std::size_t reference_key = program.is_by_key()
+                                          ? read.names.size() + program.options().pairing->reference.numbers.kept - 1
+                                          : std::string::npos;
+    return [operation = std::shared_ptr<RowOperation>(program.operation().copy()), kept = read.kept, reference_key,
+            diagnostic_columns](const std::vector<double>& numbers, const std::vector<std::string>& texts) {
         fuzz::Answer answer{.numbers = std::vector<double>(operation->names.size()), .notes = {}};
         std::vector<double> others;
         std::vector<double> kept_numbers;
         std::vector<std::string_view> kept_texts;
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            if (i < kept || (by_key && i + 1 == digits.other)) { // the key of the reference
+            if (i < kept || i == reference_key) {
                 kept_numbers.push_back(numbers[i]);
                 kept_texts.emplace_back(texts[i]);
             } else {
@@ -606,16 +551,13 @@ fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Progra
         const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
         answer.of_reference = report.of_reference;
-        if (columns) {
+        if (diagnostic_columns) {
             answer.numbers.insert(answer.numbers.end(), {report.sensitivity.margin, report.sensitivity.condition,
                                                          std::max(report.defect, report.reference_defect)});
         }
         for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
             const auto kind = static_cast<DiagnosticKind>(i);
-            if (!answer.failed && columns &&
-                (kind == DiagnosticKind::normalized   ? digits.is_normalized(report, texts)
-                 : kind == DiagnosticKind::few_digits ? digits.has_few(report, numbers, texts)
-                                                      : report.diagnostics.has(kind))) {
+            if (!answer.failed && diagnostic_columns && report.diagnostics.has(kind)) {
                 answer.notes += (answer.notes.empty() ? "" : "+") + std::string(name_of(kind));
             }
         }

@@ -1204,30 +1204,6 @@ std::optional<Outcome> model(std::string_view text, std::string_view reference, 
     return Model(rules)(text, other, reference);
 }
 
-double last_place_of(const std::vector<std::string>& texts) {
-    std::vector<double> sizes;
-    for (const std::string& text : texts) {
-        sizes.push_back(std::abs(std::strtod(text.c_str(), nullptr)));
-    }
-    double unit = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        if (2 * sizes[i] < std::ranges::max(sizes)) {
-            continue;
-        }
-        const std::string number = fmt::format("{}", sizes[i]); // the fewest digits
-        const std::string mantissa = number.substr(0, number.find('e'));
-        const std::string fraction =
-            mantissa.find('.') == std::string::npos ? "" : mantissa.substr(mantissa.find('.') + 1);
-        const long power = mantissa == number ? 0 : std::strtol(number.c_str() + mantissa.size() + 1, nullptr, 10);
-        const long place = power - static_cast<long>(fraction.size());
-        if (place >= 0) {
-            return 0.0; // an integer
-        }
-        unit = std::min(unit, std::strtod(fmt::format("1e{}", place).c_str(), nullptr));
-    }
-    return unit;
-}
-
 bool json_agrees(std::string_view json, const Outcome& outcome, const Rules& rules) {
     for (const auto& others : outcome.others) {
         const std::size_t end = json.find('\n');

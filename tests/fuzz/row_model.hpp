@@ -80,9 +80,6 @@ struct Outcome {
 /// The same of two streams.
 [[nodiscard]] std::optional<Outcome> model(std::string_view text, std::string_view reference, const Rules& rules);
 
-/// The unit of the last place of a row of numbers, as the manual defines it; 0 where it is exact.
-[[nodiscard]] double last_place_of(const std::vector<std::string>& texts);
-
 /// Whether the lines of JSON hold what the outcome says.
 [[nodiscard]] bool json_agrees(std::string_view json, const Outcome& outcome, const Rules& rules);
 

@@ -19,6 +19,13 @@ SOURCE_DATE_EPOCH=1000000000 "$(dirname "$0")/../../src/package/archives" "$buil
     fail "src/package/archives"
 }
 
+# Catches a package without the licence of what is linked statically.
+if grep -q '^ROTCONV_STATIC:BOOL=ON' "$build/CMakeCache.txt" && [ -z "$emulator" ]; then
+    cmake -S "$(dirname "$0")/../.." -B "$work/unlicensed" -DROTCONV_LGPL="$work/none" > /dev/null
+    ! cpack --config "$work/unlicensed/CPackConfig.cmake" -B "$work/unlicensed" > "$work/log" 2>&1 || fail "packages without the LGPL"
+    grep -q "no $work/none" "$work/log" || fail "a licence that is missing is not named: $(cat "$work/log")"
+fi
+
 # holds FOLDER FILE...
 holds() {
     folder=$1

@@ -72,7 +72,7 @@ RowReport Rates::run_row(const double* in, double* out) const noexcept {
     if (!reading) {
         return report;
     }
-    if (codec.exact_defect != nullptr && settings_.tolerance < reading.defect()) {
+    if (codec.exact_defect != nullptr && (settings_.sensitivity || settings_.tolerance < reading.defect())) {
         report.defect = codec.exact_defect(numbers.data());
     }
     report.sensitivity = codec.sensitivity_of_numbers == nullptr
@@ -86,7 +86,7 @@ RowReport Rates::run_row(const double* in, double* out) const noexcept {
     if (report.error != Error::none) {
         return report;
     }
-    report.unusual = unusual_numbers(spec_, numbers, report.defect, settings_.decimal);
+    report.unusual = unusual_numbers(spec_, numbers, report.defect);
     const double speed = settings_.degrees || settings_.inverse ? 0.0 : Vector3d(given).norm();
     report.unusual.angle = std::max(report.unusual.angle, speed > reported_velocity ? speed : 0.0);
     report.report_numbers();

@@ -79,14 +79,8 @@ constinit const Codec codecs::axis_angle{
                        .range = "unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity",
                        .singular = "identity, half-turn",
                        .singular_attitude = "a half-turn",
-                       .open = "the axis",
                        .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"},
     .sensitivity = sensitivity_of<axis_angle::sensitivity>,
-    .well_conditioned =
-        [](const Spec& spec) noexcept {
-            const double unit = units_per_radian(spec.unit);
-            return NumberRange{3, 1, unit * 0.101, unit * 4.0};
-        },
     .nearest = nearest};
 
 } // namespace rotconv

@@ -1,8 +1,6 @@
 #include <rotconv/cayley.hpp>
 
-#include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -41,8 +39,6 @@ using Eigen::Vector3d;
 
 constexpr auto own_presets = presets_that_mean(passive, "spice", "bunge", "stuelpnagel", "colmap");
 
-double turn_per_error(const double* c) noexcept { return 2.0 / std::sqrt(1.0 + std::inner_product(c, c + 3, c, 0.0)); }
-
 double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
     return 2.0 * angle_of(Eigen::Map<const Vector3d>(c).norm(), 1.0, AngleUnit::radians).hi;
 }
@@ -60,14 +56,8 @@ constinit const Codec codecs::cayley{.representation = {.name = RepresentationId
                                                         .range = "infinite at a half-turn",
                                                         .singular = "half-turn",
                                                         .singular_attitude = "a half-turn",
-                                                        .open = "the vector",
                                                         .formula = "tan(theta/2) n; R = (I + [c])(I - [c])^-1"},
-                                     .turn_per_error = turn_per_error,
                                      .sensitivity = sensitivity_of<cayley::sensitivity>,
-                                     .well_conditioned =
-                                         [](const Spec& /*spec*/) noexcept {
-                                             return NumberRange{0, 3, -2.5, 2.5}; // |c|^2 is less than 19
-                                         },
                                      .rate = rate_of<Vector3d, cayley::rate>,
                                      .angular_velocity = angular_velocity_of<Vector3d, cayley::angular_velocity>,
                                      .greatest_distance = std::numbers::pi,

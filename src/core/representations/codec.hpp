@@ -13,14 +13,6 @@
 
 namespace rotconv {
 
-/// A range of some of the numbers of a row.
-struct NumberRange {
-    std::size_t first; ///< of the numbers...
-    std::size_t count; ///< ...and how many there are
-    double least;
-    double greatest;
-};
-
 /// Numbers whose range has an open end, and the other end, which means the same attitude.
 struct OpenEnds {
     std::array<std::size_t, 2> numbers;
@@ -35,13 +27,7 @@ struct Codec {
 
     /// The defect in full, where reading returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;
-    /// The angle, in radians, by which an error in the numbers turns the attitude, over that error; null where they are
-    /// angles or entries of a matrix, of which it is the unit or 1.
-    double (*turn_per_error)(const double* numbers) noexcept = nullptr;
     Sensitivity (*sensitivity)(const Spec& spec, const Rotation& rotation) noexcept = nullptr;
-
-    /// Numbers in this range have a condition of at most `few_digits_condition`; null where all have one.
-    NumberRange (*well_conditioned)(const Spec& spec) noexcept = nullptr;
 
     /// Null where all ranges are closed.
     OpenEnds (*open_ends)(const Spec& spec) noexcept = nullptr;

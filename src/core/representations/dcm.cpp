@@ -10,7 +10,6 @@
 #include <Eigen/Geometry>
 
 #include "../numerics/davenport.hpp"
-#include "../numerics/determinant_sign.hpp"
 #include "../numerics/eigensystem.hpp"
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/power_of_two.hpp"
@@ -93,10 +92,11 @@ double defect_of(const SingularValues& scaled, const PowerOfTwo& scale) noexcept
 Error polar_factor(const double* matrix, double* factor, double& defect) noexcept {
     const Eigen::Map<const RowMajor> given(matrix);
     const auto scale = PowerOfTwo::to_unit(given.cwiseAbs().maxCoeff());
-    if (determinant_sign(matrix) <= 0) {
+    const Matrix3d scaled = given.unaryExpr(scale);
+    if (scaled.determinant() <= 0.0) {
         return Error::not_proper;
     }
-    const SingularValues singular(given.unaryExpr(scale));
+    const SingularValues singular(scaled);
     const Vector3d& values = singular.values;
     constexpr double least_turning = 1e-12;
     if (values[1] + values[2] < least_turning * values[0]) {

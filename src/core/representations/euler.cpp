@@ -188,14 +188,6 @@ double distance_to_lock(const Spec& spec, const double* v) noexcept {
     return spec.sequence.proper() ? std::min(v[1], pi - v[1]) : 0.5 * pi - std::fabs(v[1]);
 }
 
-NumberRange well_conditioned(const Spec& spec) noexcept {
-    constexpr double half_pi = 0.5 * std::numbers::pi;
-    const double unit = units_per_radian(spec.unit);
-    const double middle = spec.sequence.proper() ? unit * half_pi : 0.0;
-    const double most = unit * (half_pi - 0.142); // a little more than 2 asin(1/(10 sqrt 2))
-    return {1, 1, middle - most, middle + most};
-}
-
 /// The outer angles, in (-pi, pi] or [0, 2 pi).
 OpenEnds open_ends(const Spec& spec) noexcept {
     const double half_turn = half_turn_in(spec.unit).hi;
@@ -216,7 +208,6 @@ constexpr Codec codec_of_angles(const Representation& representation) noexcept {
         .representation = representation,
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
-        .well_conditioned = well_conditioned,
         .open_ends = open_ends,
         .nearest = nearest,
         .rate = rate_of<Eigen::Vector3d, euler::rate, value_of>,
@@ -240,7 +231,6 @@ constinit const Codec codecs::euler = codec_of_angles(
      .range = "1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)",
      .singular = "gimbal lock: 2nd at its limit",
      .singular_attitude = "gimbal lock",
-     .open = "the first and third angle",
      .formula = "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"});
 
 constinit const Codec codecs::rpy =
@@ -253,7 +243,6 @@ constinit const Codec codecs::rpy =
                      .range = "roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]",
                      .singular = "gimbal lock: pitch at its limit",
                      .singular_attitude = "gimbal lock",
-                     .open = "the first and third angle",
                      .formula = "R = R_z(yaw) R_y(pitch) R_x(roll)"});
 
 } // namespace rotconv

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include "../numerics/least_squares_angular_velocity.hpp"
 #include "../numerics/power_of_two.hpp"
@@ -54,14 +53,6 @@ Eigen::Vector3d angular_velocity(const Vector5& y, const Vector5& rates, Frame f
 } // namespace rotconv::five_d
 
 namespace rotconv {
-namespace {
-
-/// sqrt 2 - r11.
-double turn_per_error(const double* y) noexcept {
-    return 2.0 * std::numbers::sqrt2 / (1.0 + std::inner_product(y, y + 5, y, 0.0));
-}
-
-} // namespace
 
 // NOLINTNEXTLINE(cert-err58-cpp): a constant, nothing runs
 constinit const Codec codecs::five_d{
@@ -75,7 +66,6 @@ constinit const Codec codecs::five_d{
                        .range = "norm between 0.41 and 2.41",
                        .formula = "(r21, r31, r12, r22, r32)/(sqrt 2 - r11): stereographic, Hopf 1940"},
     .exact_defect = [](const double* y) noexcept { return five_d::defect(Eigen::Map<const five_d::Vector5>(y)); },
-    .turn_per_error = turn_per_error,
     .sensitivity = sensitivity_of<five_d::sensitivity>,
     .rate = rate_of<five_d::Vector5, five_d::rate>,
     .angular_velocity = angular_velocity_of<five_d::Vector5, five_d::angular_velocity>};

@@ -13,8 +13,8 @@ inline constexpr double clean_square = 0x1p-58;
 inline constexpr double clean_defect = 0x1p-27;
 
 /// The polar factor of a finite matrix of any size, both nine numbers row by row, and the matrix's defect. Errors:
-/// not_proper, where the determinant, whose sign is exact, is not above 0; rank_deficient, where the two smaller
-/// singular values are together below 1e-12 of the largest, so that nothing tells how far the matrix turns.
+/// not_proper, where the determinant as computed is not above 0; rank_deficient, where the two smaller singular values
+/// are together below 1e-12 of the largest, so that nothing tells how far the matrix turns.
 [[nodiscard]] Error polar_factor(const double* matrix, double* factor, double& defect) noexcept;
 
 /// Largest singular value of M - (polar factor of M); see dcm::defect().

@@ -98,7 +98,6 @@ constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::m
                                                      .singular = "half-turn (changes to its shadow)",
                                                      .singular_attitude = "a full turn",
                                                      .formula = "tan(theta/4) n"},
-                                  .turn_per_error = [](const double*) noexcept { return 4.0; },
                                   .sensitivity = sensitivity_of<mrp::sensitivity>,
                                   .nearest = nearest,
                                   .rate = rate_of<Vector3d, mrp::rate>,

@@ -87,7 +87,6 @@ constinit const Codec codecs::quat{
                        .range = "unit; w > 0, or w = 0 and the first nonzero of x, y, z positive",
                        .formula = "w = cos(theta/2), (x, y, z) = sin(theta/2) n"},
     .exact_defect = [](const double* v) noexcept { return quaternion::defect(value_of({}, v)); },
-    .turn_per_error = [](const double*) noexcept { return 2.0; },
     .sensitivity = sensitivity_of<quaternion::sensitivity>,
     .nearest = nearest,
     .rate =
