@@ -21,8 +21,6 @@
 namespace rotconv::cli::messages {
 namespace {
 
-constexpr std::size_t most_kept = std::size_t{64} << 10U;
-
 /// A line in fields, and what it may be.
 struct Row : stream::HeaderLine {
     Row(const stream::Line& line_, const stream::InputOptions& input)
@@ -291,15 +289,18 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
         return "the input is not text: rows of numbers are read, as NumPy's savetxt or ros2 topic echo --csv write "
                "them";
     }
-    if (beginning.size() >= most_kept) { // its last line is cut
+    if (beginning.size() >= most_first_bytes) { // its last line is cut
         beginning = beginning.substr(0, beginning.rfind('\n') + 1);
     }
     return UnreadRows(beginning, options, file).advice(line - 1, has_header);
 }
 
 std::string contents_advice(const std::string& path) {
+    if (!stream::File::is_regular(path.c_str())) {
+        return {};
+    }
     stream::File file(path.c_str(), stream::File::Mode::read);
-    std::string text(file.is_open() ? std::min(file.size(), most_kept) : 0, '\0');
+    std::string text(file.is_open() ? std::min(file.size(), most_first_bytes) : 0, '\0');
     const std::ptrdiff_t count = text.empty() ? 0 : file.read(text);
     if (count <= 0) {
         return {};
@@ -307,7 +308,7 @@ std::string contents_advice(const std::string& path) {
     text.resize(static_cast<std::size_t>(count));
     const stream::InputOptions input;
     stream::Preamble preamble(input);
-    std::string_view rest = text;
+    std::string_view rest = stream::without_byte_order_mark(text);
     std::size_t line = 1;
     stream::Output nowhere;
     const bool has_row = preamble.read(rest, line, nowhere);

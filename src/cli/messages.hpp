@@ -80,6 +80,9 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 
 // The ends of messages that say how to read what stands in the way at the beginning of a stream:
 
+/// The most bytes of a stream that they are about: the first.
+inline constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
+
 /// For a line at which reading stopped: a command or option with which the text at hand can be read, or nothing.
 /// @param has_header the message names the columns of a header: only a later one that has the names is looked for
 /// @param file its name in the command

@@ -2,6 +2,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,6 +31,72 @@ ExitCode failed(const std::string& file, stream::StreamError::What what, int err
 constexpr double least_doubtful_step = 1000.0; ///< seconds: a millisecond in microseconds
 constexpr std::size_t most_errors = 20;        ///< of a run, told one by one
 
+/// A text to stderr, in one piece. If that fails there is nobody to tell.
+void show(std::string_view text) { static_cast<void>(stream::File(STDERR_FILENO).write(text)); }
+
+/// Reads a file, and keeps its first bytes. Shows on stderr how much of it is read, if that is a terminal and the file
+/// is large.
+class Input final : public stream::Source {
+public:
+    Input(stream::File& file, bool wanted)
+        : file_(&file), size_(wanted && ::isatty(STDERR_FILENO) != 0 ? static_cast<double>(file.size()) : 0.0) {}
+    Input(const Input&) = delete;
+    Input& operator=(const Input&) = delete;
+    ~Input() override { clear(); }
+
+    std::ptrdiff_t read(std::span<char> to) override {
+        const auto count = file_->read(to);
+        if (count > 0) {
+            const auto more = std::min(static_cast<std::size_t>(count), messages::most_first_bytes - beginning_.size());
+            beginning_.append(to.data(), more);
+        }
+        if (count > 0 && size_ >= large) {
+            done_ += static_cast<double>(count);
+            if (const auto now = Clock::now(); now >= next_) {
+                next_ = now + interval;
+                shown_ = true;
+                show(fmt::format("rotconv: {:.0f} %\r", 100.0 * done_ / size_)); // a message overwrites it
+            }
+        }
+        return count;
+    }
+    [[nodiscard]] bool is_ready() const override { return file_->is_ready(); }
+
+    /// The first bytes, up to 64 KiB: where fewer have been read it reads on, so that they do not depend on the pieces
+    /// in which they come. A pipe whose writer is silent is waited for two seconds, what a person types is not.
+    [[nodiscard]] std::string_view beginning() {
+        std::array<char, 4096> next{};
+        while (reads_on() && file_->is_ready_within(most_patience) && read(next) > 0) {
+        }
+        return stream::without_byte_order_mark(beginning_);
+    }
+    /// Whether beginning() may have to wait.
+    [[nodiscard]] bool may_wait() const { return reads_on() && !file_->is_regular(); }
+
+    void clear() {
+        if (std::exchange(shown_, false)) {
+            show("\033[K");
+        }
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr double large = 1e6; ///< bytes
+    static constexpr auto interval = std::chrono::milliseconds(200);
+    static constexpr std::chrono::milliseconds most_patience{2000};
+
+    [[nodiscard]] bool reads_on() const {
+        return beginning_.size() < messages::most_first_bytes && ::isatty(file_->descriptor()) == 0;
+    }
+
+    stream::File* file_;
+    std::string beginning_;
+    double size_; ///< bytes; 0 if nothing is shown
+    double done_ = 0.0;
+    Clock::time_point next_ = Clock::now() + interval;
+    bool shown_ = false;
+};
+
 std::string rows_from(std::size_t rows, std::size_t first_line) {
     return fmt::format("{}, first at line {}", counted(rows, "row"), first_line);
 }
@@ -37,22 +104,39 @@ std::string rows_from(std::size_t rows, std::size_t first_line) {
 /// Counts the events of a run, and prints them and their summary.
 class Reporter {
 public:
-    explicit Reporter(const RowsCommand& command)
-        : command_(&command), inputs_{command.has_values ? "argument" : shown(command.input),
-                                      shown(command.reference)} {}
+    Reporter(const RowsCommand& command, Input& input)
+        : command_(&command),
+          input_(&input), inputs_{command.has_values ? "argument" : shown(command.input), shown(command.reference)} {}
 
     void add(const stream::Event& event) {
         std::visit([this](const auto& what) { add(what); }, event);
     }
     void add(const stream::StreamError& error) const {
         using What = stream::StreamError::What;
-        std::string message = messages::explain(error, subject_of(error.place));
+        const std::string message = messages::explain(error, subject_of(error.place));
+        const stream::Place place{error.what == What::read ? 0 : error.place.line, error.place.side};
         if (error.what == What::json) {
-            message += messages::json_advice(beginning_, command_->options.input);
+            tell_with_advice(place, message, [this](std::string_view beginning) {
+                return messages::json_advice(beginning, command_->options.input);
+            });
         } else if (error.what == What::columns && !error.place.is_in_reference()) {
-            message += advice_at(error.place.line, !error.column.header.empty());
+            tell_with_advice(place, message, advice_at(place.line, !error.column.header.empty()));
+        } else {
+            tell(place, message);
         }
-        tell({error.what == What::read ? 0 : error.place.line, error.place.side}, message);
+    }
+    /// The error of a row that ended the run, with advice if no row could be read.
+    void add_last_error(const stream::RunResult& ending) const {
+        if (!last_error_) {
+            return;
+        }
+        const stream::Place& place = last_error_->place;
+        const std::string message = in_words(*last_error_);
+        if (ending.answered == 0) {
+            tell_with_advice(place, message, advice_at(place.line));
+        } else {
+            tell(place, message);
+        }
     }
     void add(const std::array<stream::Unpaired, 2>& unpaired) const {
         for (const stream::Side side : stream::both_sides) {
@@ -111,28 +195,25 @@ public:
 private:
     [[nodiscard]] std::size_t errors() const noexcept { return failed_[0] + failed_[1]; }
 
+    /// Makes the end of a message from the first bytes of the input.
+    using Advice = std::function<std::string(std::string_view)>;
     struct Count {
         std::size_t rows = 0;
         std::size_t last_line = 0;
         stream::Diagnostic first{};
     };
 
-    void add(const stream::FirstBytes& first) { beginning_ = first.text; }
     void add(const stream::RowError& error) {
-        const stream::Place& place = error.place;
         const bool ends_run = error.key == stream::KeyError::has_unit;
-        failed_.at(index_of(place.side)) += ends_run ? 0 : 1;
+        failed_.at(index_of(error.place.side)) += ends_run ? 0 : 1;
         if (errors() > most_errors && !ends_run) {
             return;
         }
-        const bool is_partners = error.cause.line > 0;
-        const bool is_key = error.what == stream::RowError::What::key; // which is told with its mend
-        const bool is_first = errors() == 1 && !place.is_in_reference() && !is_partners && !is_key;
-        tell(place, (is_partners ? fmt::format("its partner {}: ", text_of(error.cause)) : "") +
-                        messages::explain(error, subject_of(is_partners ? error.cause : place)) +
-                        (command_->has_values ? messages::mend(error)
-                         : is_first           ? advice_at(place.line)
-                                              : ""));
+        if (command_->options.on_error == stream::OnError::stop && may_be_advised(error)) {
+            last_error_ = error; // told after the run, in which the input may be read at the same time
+        } else {
+            tell(error.place, in_words(error) + (command_->has_values ? messages::mend(error) : ""));
+        }
     }
     void add(const stream::Diagnostic& diagnostic) {
         Count& count = counts_[{diagnostic.place.side, diagnostic.kind}];
@@ -148,74 +229,53 @@ private:
         }
     }
 
-    void tell(const stream::Place& place, const std::string& message) const {
-        print_error(fmt::format("{}: {}", text_of(place), message));
+    [[nodiscard]] std::string in_words(const stream::RowError& error) const {
+        const bool is_partners = error.cause.line > 0;
+        return (is_partners ? fmt::format("its partner {}: ", text_of(error.cause)) : "") +
+               messages::explain(error, subject_of(is_partners ? error.cause : error.place));
+    }
+    /// Whether there may be another way to read the row.
+    [[nodiscard]] bool may_be_advised(const stream::RowError& error) const noexcept {
+        using enum stream::RowError::What;
+        const bool is_text = !command_->has_values && command_->options.input.width == 0;
+        return is_text && !error.place.is_in_reference() && error.cause.line == 0 &&
+               (error.what == not_a_number || error.what == wrong_count || error.what == missing_column ||
+                error.what == other_width || error.what == open_quote);
     }
     [[nodiscard]] std::string text_of(const stream::Place& place) const {
         const std::string at = place.line == 0 || command_->has_values ? "" : fmt::format(":{}", place.line);
         return inputs_.at(index_of(place.side)) + at;
     }
-    /// The end of the message on a line before the first row that could be read.
-    [[nodiscard]] std::string advice_at(std::size_t line, bool has_header = false) const {
-        const bool is_text = !command_->has_values && command_->options.input.width == 0;
-        const std::string text =
-            is_text ? messages::advice(beginning_, line, has_header, command_->options, command_->input)
-                    : std::string();
-        return text.empty() ? text : "; " + text;
+    [[nodiscard]] std::string told(const stream::Place& place, const std::string& message) const {
+        return fmt::format("{}: {}", text_of(place), message);
+    }
+    void tell(const stream::Place& place, const std::string& message) const { print_error(told(place, message)); }
+    /// The message does not wait for more of the input, though the advice does.
+    void tell_with_advice(const stream::Place& place, const std::string& message, const Advice& advice) const {
+        std::string text = fmt::format("rotconv: {}", told(place, message));
+        if (input_->may_wait()) {
+            show(std::exchange(text, {}));
+        }
+        show(text + advice(input_->beginning()) + '\n');
+    }
+    /// On a line before the first row that could be read.
+    [[nodiscard]] Advice advice_at(std::size_t line, bool has_header = false) const {
+        return [this, line, has_header](std::string_view beginning) {
+            const std::string text = messages::advice(beginning, line, has_header, command_->options, command_->input);
+            return text.empty() ? text : "; " + text;
+        };
     }
     [[nodiscard]] const messages::Subject& subject_of(const stream::Place& place) const noexcept {
         return place.is_in_reference() ? command_->reference_subject : *command_->subject;
     }
 
     const RowsCommand* command_;
+    Input* input_;
     std::array<std::string, 2> inputs_; ///< by Side; no reference: empty
-    std::string beginning_;             ///< of the input
+    std::optional<stream::RowError> last_error_{};
     std::map<std::pair<stream::Side, DiagnosticKind>, Count> counts_;
     std::set<std::pair<stream::Note::Kind, stream::Side>> notes_; ///< that were met
     std::array<std::size_t, 2> failed_{};                         ///< see RowsResult
-};
-
-/// Reads a file, and shows on stderr how much of it is read, if that is a terminal and the file is large.
-class Progress final : public stream::Source {
-public:
-    Progress(stream::File& file, bool wanted)
-        : file_(&file), size_(wanted && ::isatty(STDERR_FILENO) != 0 ? static_cast<double>(file.size()) : 0.0) {}
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    ~Progress() override { clear(); }
-
-    std::ptrdiff_t read(std::span<char> to) override {
-        const auto count = file_->read(to);
-        if (count > 0 && size_ >= large) {
-            done_ += static_cast<double>(count);
-            if (const auto now = Clock::now(); now >= next_) {
-                next_ = now + interval;
-                shown_ = true;
-                show(fmt::format("rotconv: {:.0f} %\r", 100.0 * done_ / size_)); // a message overwrites it
-            }
-        }
-        return count;
-    }
-    [[nodiscard]] bool is_ready() const override { return file_->is_ready(); }
-
-    void clear() {
-        if (std::exchange(shown_, false)) {
-            show("\033[K");
-        }
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    static constexpr double large = 1e6; ///< bytes
-    static constexpr auto interval = std::chrono::milliseconds(200);
-
-    static void show(std::string_view text) { static_cast<void>(stream::File(STDERR_FILENO).write(text)); }
-
-    stream::File* file_;
-    double size_; ///< bytes; 0 if nothing is shown
-    double done_ = 0.0;
-    Clock::time_point next_ = Clock::now() + interval;
-    bool shown_ = false;
 };
 
 /// The input, and the reference if there is one, up to the first that cannot be opened: errno says why.
@@ -259,15 +319,15 @@ std::optional<std::string> run_silently(const RowsCommand& command, const Operat
     if (command.source) {
         return "";
     }
+    for (const std::string& path : {command.input, command.reference}) {
+        if (!path.empty() && stream::File::why_unreadable(path.c_str()) == 0 &&
+            !stream::File::is_regular(path.c_str())) {
+            return fmt::format("{}: the input is read twice, and a pipe cannot be", shown(path));
+        }
+    }
     const auto files = open_inputs(command);
-    for (const auto& file : files) {
-        if (!file->is_open()) {
-            return "";
-        }
-        if (!file->is_regular()) {
-            return fmt::format("{}: the input is read twice, and a pipe cannot be",
-                               shown(file == files.front() ? command.input : command.reference));
-        }
+    if (!files.back()->is_open()) {
+        return "";
     }
     stream::Options options = command.options;
     options.operation = operation;
@@ -311,9 +371,9 @@ ExitCode run_last_pass(const RowsCommand& command) {
 
     WhileRead rows_output(output, command.is_check);
     const bool on_screen = command.options.writes_rows && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
-    Progress progress(*inputs.front(), !on_screen);
-    stream::Source& source = command.source ? *command.source : progress;
-    Reporter reporter(command);
+    Input input(*inputs.front(), !on_screen);
+    stream::Source& source = command.source ? *command.source : input;
+    Reporter reporter(command, input);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });
     const stream::RunResult ending = stream::run(
         source, &rows_output, command.options, [&reporter](const stream::Event& event) { reporter.add(event); },
@@ -321,6 +381,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
     if (ending.reader_left) { // closed the pipe: nothing more is known, and nothing is to be said
         return ExitCode::done;
     }
+    reporter.add_last_error(ending);
     reporter.summarize();
     if (ending.error) {
         if (ending.error->what == What::write) {
@@ -328,7 +389,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
         }
         reporter.add(*ending.error);
     }
-    progress.clear();
+    input.clear();
     const bool is_whole = !ending.error && !ending.stopped;
     RowsResult result = reporter.result(ending);
     if (is_whole) {

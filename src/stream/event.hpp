@@ -85,11 +85,6 @@ struct Diagnostic {
     std::string_view unit{}; ///< the figure's, for kinds with several units
 };
 
-/// The first bytes of the stream, up to 64 KiB, before anything else is reported: for advice on what stands in the way.
-struct FirstBytes {
-    std::string text;
-};
-
 /// A remark in words: the input describes its numbers otherwise than they are read. Each kind is reported once.
 struct Note {
     enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, limit, axes };
@@ -99,7 +94,7 @@ struct Note {
     Place place{};         ///< line 0: the note is about the command line
 };
 
-using Event = std::variant<RowError, Diagnostic, FirstBytes, Note>;
+using Event = std::variant<RowError, Diagnostic, Note>;
 
 /// Rows of a stream that are in no pair.
 struct Unpaired {

@@ -79,6 +79,11 @@ bool File::is_regular() const noexcept {
     return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool File::is_regular(const char* path) noexcept {
+    struct stat status {};
+    return ::stat(path, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 bool File::shares_bytes(const char* path) const noexcept {
     struct stat mine {};
     struct stat other {};
@@ -123,7 +128,11 @@ std::ptrdiff_t File::read(std::span<char> to) {
     }
 }
 
-bool File::is_ready() const { return wait_for(descriptor_, POLLIN, 0) != 0; }
+bool File::is_ready() const { return is_ready_within({}); }
+
+bool File::is_ready_within(std::chrono::milliseconds time) const {
+    return wait_for(descriptor_, POLLIN, static_cast<int>(time.count())) != 0;
+}
 
 int File::write(std::string_view bytes) {
     while (!bytes.empty()) {

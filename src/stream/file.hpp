@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -70,6 +71,8 @@ public:
     /// @return an errno if no file of that name can be read; 0 if one can, and for "-"
     [[nodiscard]] static int why_unreadable(const char* path) noexcept;
     [[nodiscard]] bool is_regular() const noexcept;
+    /// Asked before it is opened: to open a pipe is to wait for its writer.
+    [[nodiscard]] static bool is_regular(const char* path) noexcept;
     /// Whether a file of that name, or "-", would miss bytes read here: a pipe, socket or terminal, or both stdin.
     [[nodiscard]] bool shares_bytes(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.
@@ -81,6 +84,8 @@ public:
 
     std::ptrdiff_t read(std::span<char> to) override;
     [[nodiscard]] bool is_ready() const override;
+    /// Whether read() has something, or its end, within that time.
+    [[nodiscard]] bool is_ready_within(std::chrono::milliseconds time) const;
     int write(std::string_view bytes) override;
 
 private:

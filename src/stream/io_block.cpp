@@ -41,9 +41,8 @@ bool IoBlockReader::read(IoBlock& block) {
     append(begun_, all.substr(*size));
     block.text = all.substr(0, *size);
     block.first_line = line_;
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (row_size_ == 0 && line_ == 1 && block.text.starts_with(byte_order_mark)) {
-        block.text.remove_prefix(byte_order_mark.size());
+    if (row_size_ == 0 && line_ == 1) {
+        block.text = without_byte_order_mark(block.text);
     }
     line_ += row_size_ > 0 ? *size / row_size_ : count_of('\n', block.text);
     return true;
@@ -90,6 +89,11 @@ Line next_line(std::string_view& text) noexcept {
     const Line line{{text.data(), length}, {text.data() + length, newline + 1 - length}};
     text.remove_prefix(newline + 1);
     return line;
+}
+
+std::string_view without_byte_order_mark(std::string_view text) noexcept {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.substr(text.starts_with(mark) ? mark.size() : 0);
 }
 
 bool is_blank(std::string_view line) noexcept { return line.find_first_not_of(" \t") == std::string_view::npos; }

@@ -31,6 +31,9 @@ struct Line {
 /// How often the character stands in the text. std::count adds up numbers of eight bytes, and takes twice as long.
 [[nodiscard]] std::size_t count_of(char character, std::string_view text) noexcept;
 
+/// A text without the UTF-8 byte order mark at its start.
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text) noexcept;
+
 /// Whether a line is nothing but blanks.
 [[nodiscard]] bool is_blank(std::string_view line) noexcept;
 

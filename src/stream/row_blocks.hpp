@@ -17,15 +17,12 @@ class RowBlocks final : public JobReader {
 public:
     /// `written`: how the lines before the first row are written; null: not at all.
     RowBlocks(Source& source, const InputOptions& options, const Options* written, std::size_t block_size)
-        : is_told_(written != nullptr && options.width == 0), options_(&options),
-          blocks_(source, options.width * sizeof(double), block_size), preamble_(options, written) {}
+        : options_(&options), blocks_(source, options.width * sizeof(double), block_size), preamble_(options, written) {
+    }
 
     bool read(Job& job) override {
         const bool goes_on = blocks_.read(job.block);
         IoBlock& block = job.block;
-        if (is_told_ && block.first_line == 1 && !block.text.empty()) {
-            job.output.events.emplace_back(FirstBytes{std::string(block.text.substr(0, most_first_bytes))});
-        }
         preamble_.read(block.text, block.first_line, job.output);
         if (width_.line == 0 && options_->width == 0 && !options_->columns.empty()) {
             find_width(block);
@@ -45,8 +42,6 @@ public:
     [[nodiscard]] std::array<RowWidth, 2> widths() const override { return {width_}; }
 
 private:
-    static constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
-
     /// Looks for the first row whose selected fields are numbers; a header with their names must be as wide.
     void find_width(IoBlock& block) {
         const RowReader reader(*options_, preamble_.layout());
@@ -71,7 +66,6 @@ private:
         }
     }
 
-    bool is_told_; ///< the first bytes of the stream are reported
     const InputOptions* options_;
     IoBlockReader blocks_;
     Preamble preamble_;
