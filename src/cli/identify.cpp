@@ -184,8 +184,9 @@ private:
         std::ranges::sort(angles);
         const double second = angles.at(1);
         return 1e6 * angles[0] < second
-                   ? fmt::format("; one is a million times nearer than the others: --within {:.0e}",
-                                 std::max(std::sqrt(angles[0] * second), 1e-3 * second) * settings_.unit.per_radian)
+                   ? fmt::format("; one is a million times nearer than the others: --within {:.0e}{}",
+                                 std::max(std::sqrt(angles[0] * second), 1e-3 * second) * settings_.unit.per_radian,
+                                 settings_.unit.text)
                    : "";
     }
 
@@ -262,7 +263,7 @@ struct IdentifyOptions final : RowOptions {
             .rows = {{paired_rows()}},
             .name = name_alone(),
             .identification = {.tolerance = most_defect()},
-            .unit = degrees.given() ? AngleUnitName{"degrees", degrees_per_radian} : AngleUnitName(),
+            .unit = degrees.given() ? in_degrees : AngleUnitName(),
             .json = one_of<bool>("format of identify", format, {{"pretty", false}, {"json", true}})};
         asked.identification.within = angle_of(within, degrees.given(), asked.identification.within);
         operations::IdentificationRows& rows = asked.rows;
@@ -320,7 +321,7 @@ private:
         return count;
     }
 
-    Option within{"--within", "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)"};
+    Option within{"--within", "ANGLE", "The largest angle that fits (default 1e-3rad)"};
 };
 
 } // namespace
