@@ -569,7 +569,7 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         }
         for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
             const auto kind = static_cast<DiagnosticKind>(i);
-            if (!answer.failed && columns && report.diagnostics.has(kind)) {
+            if (!answer.failed && columns && report.diagnostics.has(kind) && answer.notes != name_of(kind)) {
                 answer.notes += (answer.notes.empty() ? "" : "+") + std::string(name_of(kind));
             }
         }
