@@ -17,7 +17,7 @@ failed=0
 check() { # NAME SPEC COMMAND: prints a line of the table
     bash -c "$3" < "$work/in" > "$work/out" || echo "exit status $?: $3" >&2
     rotconv compare -f "$2" -t "$from" --header no --tolerance "${TOLERANCE:-0.002}" --on-error nan --diagnostics off --format csv \
-        "$work/out" "$work/in" 2> "$work/errors" | awk -F '[, \t]+' -v line="| $1 | $2 |" -v rows="$(wc -l < "$work/in")" '
+        --within 1e-12rad "$work/out" "$work/in" 2> "$work/errors" | awk -F '[, \t]+' -v line="| $1 | $2 |" -v rows="$(wc -l < "$work/in")" '
         $NF != "nan" { angle[NR] = $NF + 0 }
         END {
             for (first = 0; first < rows; first += 1000) { # those of a kind

@@ -80,7 +80,8 @@ private:
 
 /// Kinds of diagnostic, in the order in which they are reported.
 enum class DiagnosticKind : std::uint8_t {
-    normalized,       ///< the numbers were not a rotation by more than `reported_defect`, or the axis not of length 1
+    normalized,       ///< the numbers were not a rotation by more than `reported_defect`
+    axis_length,      ///< an axis not of length 1 by more than `reported_axis_defect`; it has the name of `normalized`
     large_angle,      ///< an angle in radians above `reported_angle`, or a velocity above `reported_velocity`
     gimbal_lock,      ///< within the lock margin: the third Euler angle is set to 0
     near_gimbal_lock, ///< a condition above `near_lock_condition`
@@ -144,7 +145,7 @@ struct Sensitivity {
 
 /// A defect above this is reported. What four decimal places leave is below.
 inline constexpr double reported_defect = 2e-4;
-/// An axis whose length differs from 1 by more than this is reported as normalized.
+/// An axis whose length differs from 1 by more than this is reported.
 inline constexpr double reported_axis_defect = 1e-3;
 /// An angle, or the norm of a rotation vector, that is read in radians and is larger than this is reported.
 inline constexpr double reported_angle = 2.0 * std::numbers::pi;
@@ -153,8 +154,16 @@ inline constexpr double reported_velocity = 35.0;
 
 /// What is unusual about the numbers of an attitude; 0 if nothing is.
 struct UnusualNumbers {
-    double defect = 0.0; ///< a defect that is reported, or | length - 1 | of an axis
-    double angle = 0.0;  ///< the largest angle or angular velocity that is reported
+    double defect = 0.0;  ///< a defect that is reported, or | length - 1 | of an axis
+    double angle = 0.0;   ///< the largest angle or angular velocity that is reported
+    bool of_axis = false; ///< the defect is an axis's
+
+    /// The figure of a diagnostic of this kind; 0 if there is none, or the kind is not about numbers.
+    [[nodiscard]] constexpr double figure_of(DiagnosticKind kind) const noexcept {
+        return kind == DiagnosticKind::large_angle                                            ? angle
+               : kind == (of_axis ? DiagnosticKind::axis_length : DiagnosticKind::normalized) ? defect
+                                                                                              : 0.0;
+    }
 };
 
 /// What a report says about one of several representations of its result.
@@ -181,8 +190,9 @@ struct RowReport {
 
     /// Adds the diagnostics of the unusual numbers of the first attitude.
     void report_numbers() noexcept {
-        diagnostics |= {DiagnosticKind::normalized, unusual.defect > 0.0};
-        diagnostics |= {DiagnosticKind::large_angle, unusual.angle > 0.0};
+        for (const DiagnosticKind kind : all_diagnostic_kinds) {
+            diagnostics |= {kind, unusual.figure_of(kind) > 0.0};
+        }
     }
 };
 

@@ -67,10 +67,10 @@ int time_power_of(const Option& option) {
 }
 
 double GivenAngle::in(const AngleUnitName& other) const noexcept {
-    if (unit.text == other.text) {
+    if (!unit || unit->text == other.text) {
         return value;
     }
-    const double radians = unit.text == "deg" ? value * radians_per_degree : value / unit.per_radian;
+    const double radians = unit->text == "deg" ? value * radians_per_degree : value / unit->per_radian;
     return radians * other.per_radian;
 }
 
@@ -85,7 +85,13 @@ GivenAngle given_angle(const Option& option, const std::string& text, bool degre
         throw Usage("{} {} must be an angle that is not negative, such as 0.3deg, 5mrad or 0.1rad", option.name(),
                     quoted(text));
     }
-    const AngleUnitName own = has_unit ? *unit : degrees ? in_degrees : AngleUnitName();
+    if (!has_unit && !degrees && value != 0.0) {
+        throw Usage("{0} {1}: {1}deg or {1}rad?", option.name(), number);
+    }
+    if (!has_unit && !degrees) {
+        return {.text = number};
+    }
+    const AngleUnitName own = has_unit ? *unit : in_degrees;
     return {fmt::format("{} {}", number, own.text), value, own};
 }
 

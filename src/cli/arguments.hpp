@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,12 +57,12 @@ inline constexpr AngleUnitName in_degrees{"deg", degrees_per_radian};
 struct GivenAngle {
     std::string text{}; ///< with its unit
     double value = 0.0;
-    AngleUnitName unit{};
+    std::optional<AngleUnitName> unit{}; ///< none: a bare 0
 
     [[nodiscard]] double in(const AngleUnitName& other) const noexcept;
 };
 /// @param text the option's argument, or the part of it that is an angle
-/// @param degrees the unit of a bare number
+/// @param degrees a bare number is in degrees; otherwise 0 alone may be bare
 [[nodiscard]] GivenAngle given_angle(const Option& option, const std::string& text, bool degrees);
 /// The ANGLE of an option in radians, finite.
 [[nodiscard]] double angle_of(const Option& option, bool degrees, double default_value);

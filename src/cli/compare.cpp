@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -47,9 +46,9 @@ struct CompareOptions final : RowOptions {
                                                {"first", AlignedSide::first}});
         const auto written = one_of<Format>("format of compare", format,
                                             {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}});
-        AngleUnitName unit = degrees.given() ? in_degrees : AngleUnitName();
-        std::vector<stream::Note> notes;
-        std::vector<operations::PairLimit> limits = limits_of_within(unit, notes);
+        const bool in_spec = read.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees;
+        AngleUnitName unit = degrees.given() || in_spec ? in_degrees : AngleUnitName();
+        std::vector<operations::PairLimit> limits = limits_of_within(unit);
         Check check{.format = written,
                     .unit = unit,
                     .least_pairs = least_pairs(),
@@ -76,9 +75,6 @@ struct CompareOptions final : RowOptions {
         made.options.writes_rows = as_rows;
         made.options.fold = pairs;
         made.allow_failed = allow_failed.given();
-        if (read.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees) {
-            std::ranges::copy(notes, std::back_inserter(made.notes));
-        }
         check.aligned = align.given() ? align_first(made, comparison, rows, side) : nullptr;
         made.is_check = true;
         made.conclude = [check](const RowsCommand& command, const RowsResult& result) {
@@ -95,11 +91,10 @@ private:
         return is_number && percent > 0.0 && percent <= 100.0 ? std::optional(percent) : std::nullopt;
     }
 
-    /// The limits of --within, each an ANGLE or ANGLE@PERCENT. `unit` becomes that of the first. `notes` are on limits
-    /// without a unit, which are in radians also if the angles that are read are in degrees.
-    [[nodiscard]] std::vector<operations::PairLimit> limits_of_within(AngleUnitName& unit,
-                                                                      std::vector<stream::Note>& notes) const {
+    /// The limits of --within, each an ANGLE or ANGLE@PERCENT. `unit` becomes that of the first that has one.
+    [[nodiscard]] std::vector<operations::PairLimit> limits_of_within(AngleUnitName& unit) const {
         std::vector<operations::PairLimit> all;
+        bool has_unit = false;
         for (const std::string& text : within.texts) {
             const std::size_t at = std::min(text.find('@'), text.size());
             const std::string given = text.substr(0, at);
@@ -119,13 +114,8 @@ private:
                 throw Usage("{} {} and {} are two limits for {} pairs", within.name(), same->text, angle.text,
                             is_of_all ? "all" : fmt::format("{} in 100", percent_text));
             }
-            if (angle.unit.text == "rad" && !given.ends_with("rad") && std::isfinite(angle.value)) {
-                notes.push_back({.kind = stream::Note::Kind::limit,
-                                 .text = fmt::format("{0} {1} is in radians, and the angles that are read are in "
-                                                     "degrees: {0} {2}deg{3}, or {2}rad{3}",
-                                                     within.name(), text, given, text.substr(at))});
-            }
-            unit = all.empty() ? angle.unit : unit;
+            unit = has_unit ? unit : angle.unit.value_or(unit);
+            has_unit = has_unit || angle.unit;
             all.push_back({angle.text, is_of_all ? "max" : "p" + percent_text, angle.in(unit), *percent});
         }
         return all;

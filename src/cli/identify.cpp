@@ -191,7 +191,7 @@ private:
         return 1e3 * std::max(fitting[0].angle, std::numeric_limits<double>::epsilon()) < limit &&
                        identification_->do_rows_suffice(fitting[0], limit)
                    ? fmt::format("; one is a million times nearer than the others: --within {:.0e}{}",
-                                 limit * settings_.unit.per_radian, settings_.unit.per_radian == 1.0 ? "rad" : "deg")
+                                 limit * settings_.unit.per_radian, settings_.unit.text)
                    : "";
     }
 
@@ -267,7 +267,7 @@ struct IdentifyOptions final : RowOptions {
             .rows = {{paired_rows()}},
             .name = name_alone(),
             .identification = {.tolerance = most_defect()},
-            .unit = degrees.given() ? AngleUnitName{"degrees", degrees_per_radian} : AngleUnitName(),
+            .unit = degrees.given() ? in_degrees : AngleUnitName(),
             .json = one_of<bool>("format of identify", format, {{"pretty", false}, {"json", true}})};
         asked.identification.within = angle_of(within, degrees.given(), asked.identification.within);
         operations::IdentificationRows& rows = asked.rows;
@@ -325,7 +325,7 @@ private:
         return count;
     }
 
-    Option within{"--within", "ANGLE", "The largest angle that fits (default 1e-3 rad; with -d in degrees)"};
+    Option within{"--within", "ANGLE", "The largest angle that fits (default 1e-3rad)"};
 };
 
 } // namespace

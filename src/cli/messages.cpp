@@ -43,6 +43,7 @@ DiagnosticWords words_for(DiagnosticKind kind) {
     using enum DiagnosticKind;
     switch (kind) {
     case normalized: return {"defect", "the numbers were not exactly those of a rotation"};
+    case axis_length: return {"defect", "the axis is not of length 1; its angle comes last: nx ny nz angle"};
     case large_angle:
         return {
             "angle",

@@ -45,7 +45,7 @@ struct RowOptions : CommandOptions {
     Option threads{"--threads", "N", "At most N threads; the output is the same for every N"};
     Option append{"--append", "", "Keep the whole row and add the result at its end"};
     Option diagnostics{"--diagnostics", "WHERE", "Where to show diagnostics: off, summary (default), rows or columns"};
-    Option strict{"--strict", "", "Exit with 1 if there was a diagnostic other than normalized"};
+    Option strict{"--strict", "", "Exit with 1 if a diagnostic was met (normalized: only of an axis)"};
     Option continuous{"--continuous", "", "Write the numbers nearest to the last result, so that they do not jump"};
     Option lock_margin{"--lock-margin", "ANGLE", "Treat attitudes this near gimbal lock as locked (default 1e-15rad)"};
     Option time_unit{"--time-unit", "UNIT", "Unit of the times: s (default), ms, us or ns"};

@@ -6,8 +6,10 @@ namespace rotconv::stream {
 
 double figure_of(const RowReport& report, const Sensitivity& sensitivity, DiagnosticKind kind) noexcept {
     switch (kind) {
-    case DiagnosticKind::normalized: return std::max(report.unusual.defect, report.reference_unusual.defect);
-    case DiagnosticKind::large_angle: return std::max(report.unusual.angle, report.reference_unusual.angle);
+    case DiagnosticKind::normalized:
+    case DiagnosticKind::axis_length:
+    case DiagnosticKind::large_angle:
+        return std::max(report.unusual.figure_of(kind), report.reference_unusual.figure_of(kind));
     case DiagnosticKind::near_gimbal_lock: return sensitivity.condition;
     case DiagnosticKind::method_error:
     case DiagnosticKind::coarse_step:
@@ -20,18 +22,19 @@ void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport
                      const RowOperation& operation) {
     for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
-        const bool is_angle = diagnostic.kind == DiagnosticKind::large_angle;
-        if (row.partner.number == 0 || !(is_angle || diagnostic.kind == DiagnosticKind::normalized)) {
+        const double own = report.unusual.figure_of(diagnostic.kind);
+        const double reference = report.reference_unusual.figure_of(diagnostic.kind);
+        if (row.partner.number == 0 || (own == 0.0 && reference == 0.0)) {
             events.emplace_back(diagnostic);
             return;
         }
-        const auto add = [&](const UnusualNumbers& unusual, Place place) {
-            if (const double figure = is_angle ? unusual.angle : unusual.defect; figure > 0.0) {
+        const auto add = [&](double figure, Place place) {
+            if (figure > 0.0) {
                 events.emplace_back(Diagnostic{.place = place, .kind = diagnostic.kind, .figure = figure});
             }
         };
-        add(report.reference_unusual, {row.partner.number, Side::reference});
-        add(report.unusual, {row.number});
+        add(reference, {row.partner.number, Side::reference});
+        add(own, {row.number});
     });
 }
 

@@ -17,14 +17,16 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The kinds of the row's diagnostics, joined by '+'.
+/// The names of the kinds of the row's diagnostics, each once, joined by '+'.
 std::string notes_of(const ConvertedRow& row) {
     if (row.failed) {
         return "error";
     }
     std::string notes;
     for_each_diagnostic(*row.report, row.number, [&](const Diagnostic& diagnostic) {
-        notes.append(notes.empty() ? "" : "+").append(name_of(diagnostic.kind));
+        if (const std::string_view name = name_of(diagnostic.kind); name != notes) { // such kinds are the first
+            notes.append(notes.empty() ? "" : "+").append(name);
+        }
     });
     return notes;
 }

@@ -158,8 +158,7 @@ Agreement check_angle(const Compared& compared, Numbers numbers, double angle) {
     const double exact =
         oracle::eps * oracle::error_in_eps(turns.left * oracle::attitude(compared.from, first) * turns.right,
                                            oracle::attitude(compared.reference, second));
-    const double unit = compared.degrees ? rotconv::degrees_per_radian : 1.0;
-    return std::fabs(angle / unit - exact) <= 4.0 * oracle::eps ? Agreement::yes : Agreement::no;
+    return std::fabs(angle / compared.per_radian - exact) <= 4.0 * oracle::eps ? Agreement::yes : Agreement::no;
 }
 
 Agreement ComparedTurns::check_angle(const Compared& compared, Numbers numbers, double angle) {
@@ -180,8 +179,7 @@ Agreement ComparedTurns::check_angle(const Compared& compared, Numbers numbers, 
         return oracle::Quaternion(before->at(side).conjugate() * now->at(side)).normalized();
     };
     const double exact = oracle::eps * oracle::error_in_eps(turn(0), turn(1));
-    const double unit = compared.degrees ? rotconv::degrees_per_radian : 1.0;
-    return std::fabs(angle / unit - exact) <= 32.0 * oracle::eps ? Agreement::yes : Agreement::no;
+    return std::fabs(angle / compared.per_radian - exact) <= 32.0 * oracle::eps ? Agreement::yes : Agreement::no;
 }
 
 Agreement check_product(const Compared& compared, Numbers numbers, Numbers product) {

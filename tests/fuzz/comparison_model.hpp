@@ -26,7 +26,7 @@ struct Compared {
     rotconv::Spec from;
     rotconv::Spec reference;
     std::optional<rotconv::Spec> product; ///< in which the product of the two is written, in the place of the angle
-    bool degrees = false;                 ///< the angle
+    double per_radian = 1.0;              ///< of the unit of the angle
     double tolerance = 1e-3;
     double lock_margin = 1e-15;
     std::size_t delta = 0; ///< not 0: the turns from each pair to the so many-th after it are compared

@@ -457,11 +457,26 @@ void check_report(const Result& result, const std::vector<std::string>& words) {
     }
 }
 
+/// Of the unit of compare's angles: that of the first limit which has one, otherwise that of --degrees or of a SPEC.
+double per_radian_of(const std::vector<std::string>& words) {
+    const auto in_degrees = [&words](std::string_view option) {
+        const auto spec = parse_spec(argument_of(words, option, "quat"));
+        return std::get<Spec>(spec).unit == AngleUnit::degrees;
+    };
+    for (const std::string& word : words) {
+        const auto has_unit = [&word](std::string_view unit) { return word.find(unit) != std::string::npos; };
+        if (word.starts_with("--within=") && (has_unit("rad") || has_unit("deg") || has(words, "--degrees"))) {
+            return has_unit("mrad") ? 1000.0 : has_unit("rad") ? 1.0 : degrees_per_radian;
+        }
+    }
+    return has(words, "--degrees") || in_degrees("--from") || in_degrees("--to") ? degrees_per_radian : 1.0;
+}
+
 /// What --align promises: the sum of the squared sines of the half angles does not grow. With both sides it is looked
 /// for, and may be missed, where noise is as large as the motion.
 void check_alignment(const Result& result, const std::vector<std::string>& words) {
     const std::string side = argument_of(words, "--align");
-    const double unit = has(words, "--degrees") ? rotconv::radians_per_degree : 1.0;
+    const double unit = 1.0 / per_radian_of(words);
     const auto sum_of = [unit](const std::vector<double>& angles) {
         double sum = 0.0;
         for (const double angle : angles) {
@@ -512,7 +527,7 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
     return {.from = *program.options().input.numbers.attitude,
             .reference = degrees ? reference.in_degrees() : reference,
             .product = composes ? std::optional(program.operation().attitudes.front()) : std::nullopt,
-            .degrees = degrees,
+            .per_radian = per_radian_of(words),
             .tolerance = std::strtod(argument_of(words, "--tolerance", "1e-3").c_str(), nullptr),
             .lock_margin = std::strtod(argument_of(words, "--lock-margin", "1e-15").c_str(), nullptr),
             .delta = std::strtoul(argument_of(words, "--delta", "0").c_str(), nullptr, 10),
@@ -554,7 +569,7 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         }
         for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
             const auto kind = static_cast<DiagnosticKind>(i);
-            if (!answer.failed && columns && report.diagnostics.has(kind)) {
+            if (!answer.failed && columns && report.diagnostics.has(kind) && answer.notes != name_of(kind)) {
                 answer.notes += (answer.notes.empty() ? "" : "+") + std::string(name_of(kind));
             }
         }
@@ -788,18 +803,18 @@ const std::vector<std::string> option_words =
              "--delimiter=tab --delimiter=semicolon --delimiter=blank --delimiter=| --append --strict --degrees "
              "--precision=6 --precision=17 --decimals=0 --decimals=6 --threads=16 --input-format=f64 --width=4 "
              "--width=6 --width=10 --comment=none --comment=% --comment=1 --tolerance=inf --tolerance=0 "
-             "--lock-margin=0.01 --diagnostics=columns "
+             "--lock-margin=0.01rad --diagnostics=columns "
              "--diagnostics=off --diagnostics=rows --inverse --differences --frame=reference --with=rpy --with=mrp "
              "--integrator=rk4 --integrator=magnus6 --substeps=3 --interpolation=cubic --renormalise "
              "--initial=quat:0,1,0,0 --continuous --left=quat:0,1,0,0 --right=rpy:deg:0,90,30 --time-unit=ns "
              "--reference-axes=ned:enu --body-axes=frd:flu --reference-axes=ruf:flu --body-axes=ruf:flu "
              "--condition=10 --method=shepperd --method=all --key=1 --key=t --key-within=0.5 --key-within=0.000000001 "
              "--reference-key=2 --reference-columns=2-5 --reference-columns=a,b,c,d --reference-columns=3,1,2 "
-             "--reference-columns=2-4 --within=0.1 --within=0 --by=quat --by=rpy:deg --by=cayley --by=dcm:passive "
+             "--reference-columns=2-4 --within=0.1rad --within=0 --by=quat --by=rpy:deg --by=cayley --by=dcm:passive "
              "--from=mrp:passive --from=euler --columns=1-4 --columns=1-8 --columns=5-8,1-4 --columns=1-12 "
              "--align=reference --align=body --align=both --align=yaw --align=first --delta=1 --delta=2 --interpolate "
-             "--key-offset=0.25 --key-offset=-1 --worst=1 --worst=3 --min-pairs=2 --min-pairs=60% --within=0.1@95 "
-             "--within=2@50 --allow-failed --allow-unpaired=file --allow-unpaired=reference --allow-unpaired=both "
+             "--key-offset=0.25 --key-offset=-1 --worst=1 --worst=3 --min-pairs=2 --min-pairs=60% --within=0.1rad@95 "
+             "--within=100deg@50 --allow-failed --allow-unpaired=file --allow-unpaired=reference --allow-unpaired=both "
              "--ragged --columns=roll,pitch,yaw --rows=40 --seed=7 --kind=cube,small --kind=noise --kind=many-turns "
              "--noise=0.1",
              ' ');

@@ -54,7 +54,7 @@ aligned = {
 
 
 def check(what, angles, options):
-    run = subprocess.run(["rotconv", "compare", "--format", "json", "--within", "9@10", "--within", "9@99", "--diagnostics", "off"]
+    run = subprocess.run(["rotconv", "compare", "--format", "json", "--within", "9rad@10", "--within", "9rad@99", "--diagnostics", "off"]
                          + options, capture_output=True, text=True)
     if run.returncode != 0:
         return print(f"FAILED: {what}: exit {run.returncode}: {run.stderr}") or 1

@@ -61,7 +61,7 @@ while read -r spec numbers; do
     written=$("$program" -f quat -t "$spec" -p 8 0.96 0.08 0.12 0.24)
     [ "$written" = "$numbers" ] || fail "the worked example in $spec: $numbers, not $written"
     # shellcheck disable=SC2086 # the numbers are words
-    "$program" compare -f "$spec" -t quat --within 1e-7 --diagnostics off $numbers 0.96 0.08 0.12 0.24 > /dev/null ||
+    "$program" compare -f "$spec" -t quat --within 1e-7rad --diagnostics off $numbers 0.96 0.08 0.12 0.24 > /dev/null ||
         fail "the worked example from $spec: $numbers"
 done << EOF
 $lines

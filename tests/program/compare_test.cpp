@@ -188,7 +188,7 @@ TEST_CASE("an interpolated reference is answered as soon as its later row has co
 TEST_CASE("rows of doubles are compared too") {
     Files files;
     files.add("new", bytes_of({7, 0, 0, 0, 8, 0, 0, 0.25})).add("old", bytes_of({7, 0, 0, 0, 8, 0, 0, 0}));
-    const std::string options = "compare -f rotvec --input-format f64 --width 4 --columns 2-4 --within 0.25 ";
+    const std::string options = "compare -f rotvec --input-format f64 --width 4 --columns 2-4 --within 0.25rad ";
     CHECK(missing(files(options + "@new @old").out, {"max       0.25 rad at 2\nrms       0.176777 rad\n"}) == "");
     CHECK(missing(files(options + "--key 1 @new @old").out, {"rows      2\n", "max       0.25 rad at 2 (key 8)\n"}) ==
           "");

@@ -85,10 +85,10 @@ TEST_CASE("identify has a line for each of the best candidates") {
     const auto of_best = words_of(fields_of(degrees.out, '\n').at(1));
     CHECK(of_best.at(2) == "0.1");
     CHECK(of_best.at(3) == "2");
-    CHECK(missing(degrees.out, {"within 0.2 degrees:\n"}) == "");
+    CHECK(missing(degrees.out, {"within 0.2 deg:\n"}) == "");
     CHECK(answer("-t dcm -d --within 0.05", off) == nothing);
     CHECK(answer("-t dcm", off) == nothing);
-    CHECK(answer("-t dcm --within 0.002", off) == "-f rpy:deg --columns 1-3");
+    CHECK(answer("-t dcm --within 0.002rad", off) == "-f rpy:deg --columns 1-3");
 }
 
 // Catches one of many taken for the answer, and exit 0.
