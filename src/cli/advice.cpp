@@ -16,6 +16,7 @@
 #include "../stream/run.hpp"
 #include "column_names.hpp"
 #include "messages.hpp"
+#include "option_set.hpp"
 #include "values.hpp"
 
 namespace rotconv::cli::messages {
@@ -257,9 +258,11 @@ private:
         if (std::ranges::any_of(rows_, [](const Row& row) { return row.line.text == "---"; })) {
             return "messages that are parted by --- are printed as rows by ros2 topic echo --csv";
         }
-        Values values = values_of({std::string(text_)}, std::nullopt);
-        if (input_.numbers.attitude && values.labels.empty()) {
-            take_attitude(values, *input_.numbers.attitude);
+        Values values;
+        try {
+            values = values_of({std::string(text_)}, std::nullopt, input_.numbers, {}, false);
+        } catch (const cli::Usage&) {
+            return {};
         }
         std::vector<std::string_view> fields;
         static_cast<void>(values.delimiter.split(values.row, fields));

@@ -298,6 +298,9 @@ std::string explain(const SpecError& error) {
 
 std::string mend(std::string_view text) {
     constexpr std::string_view of_numbers = "0123456789+-.*/,; \t\r\n[](){}<>";
+    if (text.find('\\') != std::string_view::npos) { // of DICOM
+        return "; write blanks for backslashes";
+    }
     std::string rest(text);
     std::ranges::replace_if(
         rest, [of_numbers](char c) { return of_numbers.find(c) != std::string_view::npos; }, ' ');

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "../stream/file.hpp"
+#include "value_text.hpp"
 #include "values.hpp"
 
 namespace rotconv::cli {
@@ -121,7 +122,8 @@ std::size_t OptionSet::read(const std::vector<std::string>& words, std::size_t b
     for (; at < words.size(); ++at) {
         const std::string& word = words[at];
         const bool is_number = is_value(word);
-        if (only_operands || is_number || !word.starts_with('-') || word == "-" || resembles_number(word)) {
+        if (only_operands || is_number || !word.starts_with('-') || word == "-" || resembles_number(word) ||
+            (!word.starts_with("--") && word.find_first_of("([{") != std::string::npos)) { // -Quaternion(...)
             const bool takes_value = is_number && !takes_names();
             if (!only_operands && !takes_value && values.empty() && files.empty() && is_command(word)) {
                 break;

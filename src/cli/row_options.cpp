@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -112,46 +113,6 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     in.numbers.has_unit = unit.given() && (&unit == &options.time_unit || unit.text() != "s"); // as ISO 8601 is
     add_notes(options, selected, time_option, refuses, in);
     return in;
-}
-
-/// What the labels of VALUEs say of them, as a header's names do.
-void hold_labels(const Values& given, RowsCommand& command) {
-    const std::vector<std::string>& labels = given.labels;
-    const stream::InputOptions& in = command.options.input;
-    if (labels.size() != in.numbers.names.size() || !in.columns.empty()) {
-        return; // the count is told, or other numbers are read
-    }
-    const auto parts = parts_of(in.numbers);
-    for (const Part& part : parts) {
-        const auto own = part.of(labels);
-        for (auto label = own.begin(); label != own.end(); ++label) {
-            if (!label->empty() && std::count(own.begin(), label, *label) > 0) {
-                throw Usage("two of the numbers are called {}: {}", quoted(*label), given.row);
-            }
-        }
-    }
-    for (stream::Note& note : in.notes_of({.names = labels, .header = labels})) {
-        if (note.text.starts_with("the header")) {
-            note.text.replace(4, 6, note.kind == stream::Note::Kind::order ? "order of the labels" : "label");
-        }
-        if (note.ends_run) {
-            throw Usage(note.text);
-        }
-        command.notes.push_back(std::move(note));
-    }
-    const auto part = std::ranges::find_if(parts, [](const Part& each) { return each.attitude.has_value(); });
-    if (part == parts.end()) {
-        return;
-    }
-    const auto own = part->of(labels);
-    const auto named = filtered(own, [](const std::string& label) { return !label.empty(); });
-    const auto known = find_names({part->names}, own);
-    if (!named.empty() && !find_names(*part, own) && !(known && known->are_in_order())) {
-        command.notes.push_back(
-            {.kind = stream::Note::Kind::order,
-             .text = fmt::format("the labels {} are not names of {}: the numbers are read as they stand",
-                                 fmt::join(named, ","), part->attitude->text())});
-    }
 }
 
 } // namespace
@@ -269,13 +230,9 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
     command.notes = notes_on_options(*this);
     if (command.has_values) {
         stream::InputOptions& in = command.options.input;
-        Values given = values_of(values, in.delimiter);
-        const auto& spec = in.numbers.attitude;
-        if (spec && in.numbers.names.size() == spec->size() && in.columns.empty()) {
-            take_attitude(given, *spec);
-        }
+        Values given = values_of(values, in.delimiter, in.numbers, from.text(), !in.columns.empty());
         in.delimiter = given.delimiter;
-        hold_labels(given, command);
+        std::ranges::move(given.notes, std::back_inserter(command.notes));
         command.source = std::make_shared<stream::TextSource>(std::move(given.row));
         in.header = in.header == stream::HeaderMode::add ? in.header : stream::HeaderMode::no;
     }

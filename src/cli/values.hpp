@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include <rotconv/spec.hpp>
-
 #include "../stream/delimiter.hpp"
+#include "../stream/event.hpp"
+#include "../stream/row_operation.hpp"
 
 /// Numbers as people type them, and as programs print them.
 namespace rotconv::cli {
@@ -15,24 +15,19 @@ namespace rotconv::cli {
 /// The word is a number, or begins with one before a separator; after brackets its first character is enough.
 [[nodiscard]] bool is_value(std::string_view word);
 
-/// A number stands in the word by itself: bounded by its ends, blanks, commas, semicolons, brackets, quotes, : or =.
-[[nodiscard]] bool holds_number(std::string_view word);
-
-/// VALUEs as one row, with what the numbers are called.
+/// VALUEs as one row, in the order of the numbers that are read.
 struct Values {
     std::string row{};
     stream::Delimiter delimiter = stream::Delimiter::blanks();
-    std::vector<std::string> labels{}; ///< of each number, empty where it has none; none at all: no number has one
+    std::vector<stream::Note> notes{}; ///< what was chosen although the command line does not say it
 };
 
-/// Several words are a row with commas or blanks, whatever delimiter is `given`. Brackets, semicolons and line ends
-/// separate numbers too, as commas do if there are any, otherwise as blanks do: so a matrix of NumPy, MATLAB or JSON
-/// can be pasted. A word before :, = or a blank and a number is its label; words before brackets and quotes, keys
-/// without a number, a word before the first number alone, and marks without letters and digits are left out.
-[[nodiscard]] Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given);
-
-/// Leaves the rotation of a matrix of 4x4, row by row, whose last row is 0 0 0 1.
-/// @throw Usage if there are more numbers than the SPEC has, and labels that name its own among them
-void take_attitude(Values& values, const Spec& spec);
+/// Reads VALUEs by the grammar of value_text.hpp: chooses the numbers of the attitude among others, and orders them by
+/// their labels. Several words are a row with commas or blanks, whatever delimiter is `given`.
+/// @param from the SPEC of the attitude as it is given, which may name an order
+/// @param are_selected numbers are selected by their index: they stay as they stand
+/// @throw Usage for anything that is not understood, or that contradicts the SPEC
+[[nodiscard]] Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given,
+                               const stream::RowNumbers& numbers, std::string_view from, bool are_selected);
 
 } // namespace rotconv::cli
