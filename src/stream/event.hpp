@@ -87,7 +87,7 @@ struct Diagnostic {
 
 /// A remark in words: the input describes its numbers otherwise than they are read. Each kind is reported once.
 struct Note {
-    enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, limit, axes };
+    enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, axes };
     Kind kind = Kind::order;
     std::string text;
     bool ends_run = false; ///< it is an error
