@@ -298,6 +298,9 @@ std::string advice(std::string_view beginning, std::size_t line, bool has_header
 }
 
 std::string contents_advice(const std::string& path) {
+    if (!stream::File::is_regular(path.c_str())) {
+        return {};
+    }
     stream::File file(path.c_str(), stream::File::Mode::read);
     std::string text(file.is_open() ? std::min(file.size(), most_kept) : 0, '\0');
     const std::ptrdiff_t count = text.empty() ? 0 : file.read(text);

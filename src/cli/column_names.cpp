@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstdint>
+#include <unordered_map>
 
 #include <rotconv/euler.hpp>
 
 #include "../operations/operations.hpp"
+#include "../stream/key.hpp"
 
 namespace rotconv::cli {
 namespace {
+
+/// Bytes of the longest text that is a unit, without blanks and _: microseconds.
+constexpr std::size_t longest_unit = 12;
+
+bool is_in_unit(char c) noexcept { return c != ' ' && c != '\t' && c != '_'; }
 
 /// deg or rad, also of a rate, or a unit of time, as headers write it; empty for others.
 std::string_view unit_of(std::string_view text) {
@@ -21,7 +28,10 @@ std::string_view unit_of(std::string_view text) {
          {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
          {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
     std::string unit = lower(text);
-    std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
+    std::erase_if(unit, [](char c) { return !is_in_unit(c); });
+    if (unit.size() > longest_unit) {
+        return {};
+    }
     for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
         const std::string word = ' ' + unit.substr(0, unit.size() - std::min(unit.size(), per_second.size())) + ' ';
         for (const auto& [name, words] : units) {
@@ -95,19 +105,84 @@ std::array<Spec, 2> alike(const Spec& like) {
     return specs;
 }
 
+/// The sum of a text's bytes, each times a power of a base by its place, modulo 2^61 - 1. Where a part of a text is
+/// replaced the new sum follows from the old one, without a look at the rest: names of any length take linear time.
+struct TextSum {
+    static constexpr std::uint64_t modulus = (std::uint64_t{1} << 61U) - 1;
+    static constexpr std::uint64_t base = 1'229'363'429'801'019'168;
+    static constexpr std::uint64_t inverse = 1'000'003; ///< base * inverse is 1
+
+    std::uint64_t value = 0;
+    std::uint64_t weight = 1; ///< of the byte behind the text
+
+    explicit TextSum(std::string_view text = {}) { add(text); }
+    void add(std::string_view text) {
+        for (const char c : text) {
+            value = reduced(stream::Uint128{weight} * (static_cast<unsigned char>(c) + 1U) + value);
+            weight = reduced(stream::Uint128{weight} * base);
+        }
+    }
+    static std::uint64_t reduced(stream::Uint128 number) noexcept {
+        const auto sum = static_cast<std::uint64_t>((number & modulus) + (number >> 61U));
+        return sum % modulus;
+    }
+};
+
+/// A word that may stand in the place of another.
+struct Replacement {
+    Replacement(std::string_view word, std::size_t size) : text(word), sum(TextSum(word).value) {
+        for (std::size_t i = std::min(size, word.size()); i < std::max(size, word.size()); ++i) {
+            shift = TextSum::reduced(stream::Uint128{shift} * (size < word.size() ? TextSum::base : TextSum::inverse));
+        }
+    }
+    /// The sum of the text with the word between what stands before it and after it.
+    [[nodiscard]] std::uint64_t sum_between(const TextSum& before, std::uint64_t after) const noexcept {
+        return TextSum::reduced(stream::Uint128{before.weight} * sum + stream::Uint128{after} * shift + before.value);
+    }
+    [[nodiscard]] bool is_between(std::string_view before, std::string_view after, std::string_view name) const {
+        return name.size() == before.size() + text.size() + after.size() && name.starts_with(before) &&
+               name.substr(before.size()).starts_with(text) && name.ends_with(after);
+    }
+
+    std::string_view text;
+    std::uint64_t sum;
+    std::uint64_t shift = 1; ///< what the weights of the bytes behind it are multiplied by
+};
+
 /// The places of a spelling among names, which may share a prefix and a suffix; none if not all of it is there.
 std::vector<std::size_t> places_of(const Spelling& spelling, const std::vector<std::string>& names) {
-    std::map<std::string_view, std::size_t> place_of;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        place_of.emplace(names[i], i);
+    if (names.size() < spelling.size()) {
+        return {};
     }
-    for (const std::string& name : names) {
-        for (auto at = name.find(spelling.front()); at != std::string::npos; at = name.find(spelling.front(), at + 1)) {
-            auto places = mapped(spelling, [&](const std::string& each) {
-                const auto found = place_of.find(std::string(name).replace(at, spelling.front().size(), each));
-                return found == place_of.end() ? names.size() : found->second;
-            });
-            if (std::ranges::count(places, names.size()) == 0) {
+    const std::string& first = spelling.front();
+    const auto words = mapped(spelling, [&first](const std::string& word) { return Replacement(word, first.size()); });
+    const auto sums = mapped(names, [](const std::string& name) { return TextSum(name).value; });
+    std::unordered_map<std::uint64_t, std::size_t> place_of;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        place_of.emplace(sums[i], i);
+    }
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string_view name = names[i];
+        TextSum before;
+        std::size_t begin = 0;
+        for (auto at = name.find(first); at != std::string_view::npos; at = name.find(first, at + 1)) {
+            before.add(name.substr(begin, at - begin));
+            begin = at;
+            const std::uint64_t with_first = words.front().sum_between(before, 0);
+            const std::uint64_t after = TextSum::reduced(stream::Uint128{sums[i]} + TextSum::modulus - with_first);
+            places.clear();
+            for (const Replacement& word : words) {
+                const auto found = place_of.find(word.sum_between(before, after));
+                if (found == place_of.end()) {
+                    break;
+                }
+                places.push_back(found->second);
+            }
+            const auto is_there = [&](const Replacement& word, std::size_t place) { // and no other text of that sum
+                return word.is_between(name.substr(0, at), name.substr(at + first.size()), names[place]);
+            };
+            if (std::ranges::equal(words, places, is_there)) {
                 return places;
             }
         }
@@ -125,12 +200,23 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
         return {lower(stream::trimmed(text.substr(0, bracket))),
                 unit_of(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2))};
     }
-    for (auto at = text.find('_', 1); at != std::string::npos; at = text.find('_', at + 1)) {
-        if (const auto unit = unit_of(std::string_view(text).substr(at)); !unit.empty()) {
-            return {lower(text.substr(0, at)), unit};
+    std::size_t end = text.size(); // of the name: the first _ behind which there is a unit and nothing else
+    std::string_view unit;
+    std::string_view unit_of_tail;
+    bool is_new = true; // the tail has bytes that unit_of_tail has not seen
+    for (std::size_t at = text.size(), count = 0; at-- > 1 && count <= longest_unit;) {
+        if (is_in_unit(text[at])) {
+            ++count;
+            is_new = true;
+        } else if (text[at] == '_') {
+            unit_of_tail = std::exchange(is_new, false) ? unit_of(std::string_view(text).substr(at)) : unit_of_tail;
+            if (!unit_of_tail.empty()) {
+                end = at;
+                unit = unit_of_tail;
+            }
         }
     }
-    return {lower(text), {}};
+    return {lower(text.substr(0, end)), unit};
 }
 
 bool KnownNames::are_in_order() const noexcept {
@@ -162,11 +248,12 @@ std::optional<KnownNames> find_names(const Part& part, std::span<const std::stri
     if (!spec || spec->has_own_columns) { // which come first
         spellings.insert(spellings.begin(), spec ? mapped(part.names, lower) : part.names);
     }
-    const auto texts = mapped(names, lower);
-    const auto without_units = mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
+    std::vector<std::vector<std::string>> texts{mapped(names, lower)};
+    texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
+    texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
     for (const Spelling& spelling : spellings) {
-        for (const auto* each : {&texts, &without_units}) {
-            if (auto places = places_of(spelling, *each); !places.empty()) {
+        for (const auto& each : texts) {
+            if (auto places = places_of(spelling, each); !places.empty()) {
                 return KnownNames{std::move(places), std::ranges::count(spelling, "0") > 0};
             }
         }

@@ -301,6 +301,7 @@ void RowOptions::pair(RowsCommand& command, const Spec& reference) const {
     command.reference_subject = messages::subject_of(numbers, most_defect());
     pairs.reference = input_of(*this, selected, reference_time_unit, numbers, command.reference_subject.text, refuses);
     pairs.by_key = key.given();
+    pairs.looks_for_key = strict.given() || command.diagnostics != ShowDiagnostics::off;
     pairs.interpolates = interpolate.given();
     if (key_within.given()) {
         static_cast<void>(amount_of(key_within, 0.0, false));

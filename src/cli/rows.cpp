@@ -259,15 +259,15 @@ std::optional<std::string> run_silently(const RowsCommand& command, const Operat
     if (command.source) {
         return "";
     }
+    for (const std::string& path : {command.input, command.reference}) {
+        if (!path.empty() && stream::File::why_unreadable(path.c_str()) == 0 &&
+            !stream::File::is_regular(path.c_str())) {
+            return fmt::format("{}: the input is read twice, and a pipe cannot be", shown(path));
+        }
+    }
     const auto files = open_inputs(command);
-    for (const auto& file : files) {
-        if (!file->is_open()) {
-            return "";
-        }
-        if (!file->is_regular()) {
-            return fmt::format("{}: the input is read twice, and a pipe cannot be",
-                               shown(file == files.front() ? command.input : command.reference));
-        }
+    if (!files.back()->is_open()) {
+        return "";
     }
     stream::Options options = command.options;
     options.operation = operation;

@@ -79,6 +79,11 @@ bool File::is_regular() const noexcept {
     return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool File::is_regular(const char* path) noexcept {
+    struct stat status {};
+    return ::stat(path, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 bool File::shares_bytes(const char* path) const noexcept {
     struct stat mine {};
     struct stat other {};

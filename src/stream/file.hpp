@@ -70,6 +70,8 @@ public:
     /// @return an errno if no file of that name can be read; 0 if one can, and for "-"
     [[nodiscard]] static int why_unreadable(const char* path) noexcept;
     [[nodiscard]] bool is_regular() const noexcept;
+    /// Asked before it is opened: to open a pipe is to wait for its writer.
+    [[nodiscard]] static bool is_regular(const char* path) noexcept;
     /// Whether a file of that name, or "-", would miss bytes read here: a pipe, socket or terminal, or both stdin.
     [[nodiscard]] bool shares_bytes(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.

@@ -91,7 +91,7 @@ ReadKey time_key(std::string_view text, std::string_view form) {
     }
     const bool has_seconds = form.substr(hour - 1).starts_with("T00:00:00");
     std::string_view fraction = text.substr(std::min(text.size(), hour + (has_seconds ? 8 : 5)));
-    fraction.remove_suffix(fraction.ends_with('Z') ? 1 : 0);
+    fraction.remove_suffix(fraction.ends_with('Z') ? 1 : fraction.ends_with("+00:00") ? 6 : 0);
     const bool has_fraction = has_seconds && fraction.size() > 1 && fraction[0] == '.' &&
                               leading_digits(fraction.substr(1)).size() + 1 == fraction.size();
     const auto number = [text](std::size_t at, std::size_t size) {

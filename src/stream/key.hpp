@@ -61,7 +61,7 @@ struct ReadKey {
 
 /// Reads a number times 10^power, rounded to a whole unit, ties to even. Or a time of ISO 8601, which becomes seconds
 /// since 1970, without leap seconds as in POSIX: a date of the calendar (2026-11-22) or of the year (2026-326), a T and
-/// at least hours and minutes, in UTC with or without Z. Valid range: power -18 to 0, keys below 1e20 in size.
+/// at least hours and minutes, in UTC, with Z, +00:00 or neither. Valid range: power -18 to 0, keys below 1e20 in size.
 [[nodiscard]] ReadKey read_key(std::string_view text, int power = 0);
 
 /// Reads a number as a distance: the largest distance if it is too large, 0 if it is negative or not a number.

@@ -77,6 +77,7 @@ struct Pairing {
     /// `within`. See PairColumns.
     bool interpolates = false;
     bool needs_partner = false; ///< a row of the stream without a partner is a row error
+    bool looks_for_key = false; ///< among the columns of rows that are paired by their number: see LikelyKey
     bool tells_partner = true;  ///< text has the columns partner_names, if rows are paired by key
 };
 

@@ -187,7 +187,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
 void PairReader::pair(Job& job, bool is_between) {
     const Waiting& first = rows_.waiting.front();
     const Waiting& other = references_.waiting.front();
-    if (!pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
+    if (pairing_->looks_for_key && !pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
         if (!any_pair_) {
             likely_key_.emplace(std::array{rows_.layout(), references_.layout()});
         }
