@@ -78,7 +78,7 @@ std::size_t width_of(const RowOptions& options, const std::string& columns_optio
 
 /// How one stream is read, or the VALUEs.
 stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& selected, const Option& time_option,
-                              stream::RowNumbers numbers, std::string_view subject, bool refuses) {
+                              stream::RowNumbers numbers, std::string_view subject, bool names_decide) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
     in.header = one_of<HeaderMode>(
@@ -110,14 +110,14 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     const Option& unit = time_option.given() ? time_option : options.time_unit;
     in.key_power = time_power_of(unit);
     in.numbers.has_unit = unit.given() && (&unit == &options.time_unit || unit.text() != "s"); // as ISO 8601 is
-    add_notes(options, selected, time_option, refuses, in);
+    read_names(options, time_option, names_decide, in);
     return in;
 }
 
 /// What the labels of VALUEs say of them, as a header's names do.
 void hold_labels(const Values& given, RowsCommand& command) {
     const std::vector<std::string>& labels = given.labels;
-    const stream::InputOptions& in = command.options.input;
+    stream::InputOptions& in = command.options.input;
     if (labels.size() != in.numbers.names.size() || !in.columns.empty()) {
         return; // the count is told, or other numbers are read
     }
@@ -132,12 +132,13 @@ void hold_labels(const Values& given, RowsCommand& command) {
     }
     for (stream::Note& note : in.notes_of({.names = labels, .header = labels})) {
         if (note.text.starts_with("the header")) {
-            note.text.replace(4, 6, note.kind == stream::Note::Kind::order ? "order of the labels" : "label");
-        }
-        if (note.ends_run) {
-            throw Usage(note.text);
+            note.text.replace(4, 6, "label");
         }
         command.notes.push_back(std::move(note));
+    }
+    if (const auto places = in.order_of(labels).places; !std::ranges::is_sorted(places)) {
+        const auto indices = mapped(places, [](std::size_t place) { return place + 1; });
+        in.columns = parse(joined(indices), indices.size(), "", "");
     }
     const auto part = std::ranges::find_if(parts, [](const Part& each) { return each.attitude.has_value(); });
     if (part == parts.end()) {
@@ -146,7 +147,7 @@ void hold_labels(const Values& given, RowsCommand& command) {
     const auto own = part->of(labels);
     const auto named = filtered(own, [](const std::string& label) { return !label.empty(); });
     const auto known = find_names({part->names}, own);
-    if (!named.empty() && !find_names(*part, own) && !(known && known->are_in_order())) {
+    if (!named.empty() && !find_names(*part, own) && !(known && std::ranges::is_sorted(known->places))) {
         command.notes.push_back(
             {.kind = stream::Note::Kind::order,
              .text = fmt::format("the labels {} are not names of {}: the numbers are read as they stand",
@@ -255,7 +256,7 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
     command.output = or_else(output.text(), command.output);
     command.options = {
         .input = input_of(*this, selected, time_unit, numbers, command.subject->text,
-                          numbers.attitude || !numbers.second), // identify does not refuse names
+                          numbers.attitude || !numbers.second), // identify reads columns as they stand
         .operation = std::move(operation),
         .format = one_of<Format>(
             "format", format,
@@ -297,9 +298,10 @@ void RowOptions::pair(RowsCommand& command, const Spec& reference) const {
                  reference_key, key.given() ? or_else(reference_key.text(), key.text()) : "");
     stream::InputOptions& in = command.options.input;
     stream::Pairing& pairs = command.options.pairing.emplace();
-    const bool refuses = in.numbers.attitude.has_value(); // identify does not
+    const bool names_decide = in.numbers.attitude.has_value(); // identify reads columns as they stand
     command.reference_subject = messages::subject_of(numbers, most_defect());
-    pairs.reference = input_of(*this, selected, reference_time_unit, numbers, command.reference_subject.text, refuses);
+    pairs.reference =
+        input_of(*this, selected, reference_time_unit, numbers, command.reference_subject.text, names_decide);
     pairs.by_key = key.given();
     pairs.looks_for_key = strict.given() || command.diagnostics != ShowDiagnostics::off;
     pairs.interpolates = interpolate.given();

@@ -205,7 +205,7 @@ void take_attitude(Values& values, const Spec& spec) {
         return;
     }
     const bool has_more = fields.size() > spec.size() && std::ranges::all_of(fields, stream::is_number);
-    if (const auto known = has_more ? find_names(spec, values.labels) : std::nullopt; known && !known->is_numbered) {
+    if (const auto known = has_more ? find_names(spec, values.labels) : std::nullopt; known && known->decides) {
         throw Usage("{0} where {1} has {2}: {3} are at {4} (--columns {4})", counted(fields.size(), "number"),
                     spec.text(), spec.size(), joined(known->of(values.labels)), known->columns());
     }
