@@ -96,6 +96,7 @@ struct Spec {
     bool positive = false;                   ///< outer Euler angles are written in [0, 2 pi)
     const Project* project = nullptr;        ///< the one whose name, or preset, the SPEC has
     bool has_own_columns = false;            ///< the numbers have the project's names
+    bool has_given_order = false;            ///< xyzw, wxyz or col is one of the modifiers, of no preset
 
     [[nodiscard]] std::size_t size() const noexcept { return representation(name).size; }
     /// The modifiers; wxyz, which changes nothing, is not one of them.

@@ -95,7 +95,8 @@ public:
             return {};
         }
         for (std::size_t i = at + 1; by_name_ && i < rows_.size(); ++i) {
-            if (std::holds_alternative<std::vector<std::size_t>>(input_.columns.positions(rows_[i].names()))) {
+            if (!rows_[i].is_remark() &&
+                std::holds_alternative<std::vector<std::size_t>>(input_.columns.positions(rows_[i].names()))) {
                 return fmt::format("line {0} has them: tail -n +{0}{1} | rotconv ...", i + 1, file_);
             }
         }

@@ -44,65 +44,84 @@ std::string_view unit_of(std::string_view text) {
     return {};
 }
 
+/// What names may share that are those of numbers.
+enum class Shared : std::uint8_t {
+    anything,
+    nothing,       ///< they stand side by side
+    of_velocities, ///< a prefix that says so, or nothing where all other names are times
+};
+
 /// What the names of a part's numbers may be, without what they share, in the order of the part.
-using Spelling = std::vector<std::string>;
+struct Spelling {
+    std::vector<std::string> words;
+    bool decides = true; ///< which of the words is which number
+    Shared shared = Shared::anything;
+};
 
-/// How headers spell a representation's own names, in its own order.
-constexpr auto usual_spellings =
-    std::to_array<std::pair<RepresentationId, std::string_view>>({{RepresentationId::quat, "w x y z"},
-                                                                  {RepresentationId::quat, "s x y z"},
-                                                                  {RepresentationId::quat, "scalar x y z"},
-                                                                  {RepresentationId::quat, "0 1 2 3"},
-                                                                  {RepresentationId::dcm, "11 12 13 21 22 23 31 32 33"},
-                                                                  {RepresentationId::dcm, "00 01 02 10 11 12 20 21 22"},
-                                                                  {RepresentationId::rpy, "roll pitch yaw"}});
-
-/// In the order of a SPEC; none for most representations.
-std::vector<Spelling> spellings_of(const Spec& spec) {
+/// Those that do not decide are the last.
+std::vector<Spelling> spellings_of(const Part& part) {
+    using enum RepresentationId;
+    std::vector<Spelling> spellings{{mapped(part.names, lower)}};
+    if (part.names.front() == "wx") {
+        spellings.push_back({{"p", "q", "r"}});
+        spellings.push_back({{"x", "y", "z"}, true, Shared::of_velocities});
+    }
+    if (!part.attitude) {
+        return spellings;
+    }
+    const Spec& spec = *part.attitude;
     std::array<std::size_t, 9> places{};
     std::ranges::copy(spec.order(), places.begin());
-    RepresentationId name = spec.name;
-    if (name == RepresentationId::euler || name == RepresentationId::rpy) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            places.at(i) = static_cast<std::size_t>(spec.sequence.axis(i));
-        }
-        // Roll is about x and pitch about y: not in Metashape's -ZXY of yaw, pitch and roll, for example.
-        const bool has_usual_axes = !spec.sequence.has_signs() || places[1] == 1;
-        name = !spec.sequence.proper() && has_usual_axes ? RepresentationId::rpy : name;
+    const bool has_axes = spec.name == euler || spec.name == rpy;
+    for (std::size_t i = 0; has_axes && i < 3; ++i) {
+        places.at(i) = static_cast<std::size_t>(spec.sequence.axis(i));
     }
-    std::vector<Spelling> spellings;
-    for (const auto& [known, text] : usual_spellings) {
-        if (known == name) {
-            const auto words = words_in(text);
-            Spelling& spelling = spellings.emplace_back();
-            for (std::size_t i = 0; i < spec.size(); ++i) {
-                spelling.push_back(words[places.at(i)]);
+    const auto add = [&](std::string_view text, bool decides = true, Shared shared = Shared::anything) {
+        const auto words = words_in(text);
+        auto& added = spellings.emplace_back(words, decides, shared).words;
+        for (std::size_t i = 0; decides && i < words.size(); ++i) {
+            added[i] = words[places.at(i)];
+        }
+    };
+    if (spec.name == quat) {
+        add("w x y z");
+        add("s x y z");
+        add("scalar x y z");
+        add("0 1 2 3", false);
+        add("1 2 3 4", false);
+    } else if (spec.name == dcm) {
+        add("11 12 13 21 22 23 31 32 33");
+        add("00 01 02 10 11 12 20 21 22");
+    } else if (has_axes) {
+        const bool decides = !spec.sequence.proper() && places[1] == 1; // roll is about x, and pitch about y
+        for (const std::string_view roll : {"roll", "bank"}) {
+            for (const std::string_view yaw : {"yaw", "heading", "azimuth"}) {
+                add(fmt::format("{} pitch {}", roll, yaw), decides);
             }
         }
+        add("r p y", decides, Shared::nothing);
     }
     return spellings;
 }
 
-/// The SPECs with the same modifiers whose numbers have those names in an order of their own.
-std::array<Spec, 2> alike(const Spec& like) {
-    std::array<Spec, 2> specs{like, like};
-    auto& [first, second] = specs;
-    if (like.name == RepresentationId::quat) {
-        second.scalar_last = !like.scalar_last;
-    } else if (like.name == RepresentationId::dcm) {
-        second.column_major = !like.column_major;
-    } else { // yaw, pitch, roll about the body's axes are roll, pitch, yaw about the fixed ones
-        std::array<bool, 3> is_negative{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            is_negative.at(static_cast<std::size_t>(like.sequence.axis(i))) = like.sequence.sign(i) < 0.0;
+/// Whether one of the words, which have blanks between them, is the first or the last of a name's own. Those are parted
+/// at what is no letter and at a change of case; a _ joins two.
+bool has_at_end(std::string_view name, std::string_view words) {
+    std::string own = "_";
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const std::string c = lower(name.substr(i, 1));
+        const bool is_letter = c[0] >= 'a' && c[0] <= 'z';
+        const bool is_capital = is_letter && c[0] != name[i];
+        if (own.back() != '_' && (!is_letter || (is_capital && lower(name.substr(i - 1, 1))[0] == name[i - 1]))) {
+            own += '_';
         }
-        const auto [x, y, z] = is_negative;
-        first.name = x || y || z ? RepresentationId::euler : RepresentationId::rpy;
-        first.sequence = roll_pitch_yaw.with_signs(x, y, z);
-        second.name = RepresentationId::euler;
-        second.sequence = EulerSequence("ZYX").with_signs(z, y, x);
+        own += is_letter ? c : "";
     }
-    return specs;
+    own += own.back() == '_' ? "" : "_";
+    return std::ranges::any_of(words_in(words), [&own](const std::string& word) {
+        const std::string whole = '_' + word + '_';
+        return own.starts_with(whole) || own.ends_with(whole);
+    });
 }
 
 /// The sum of a text's bytes, each times a power of a base by its place, modulo 2^61 - 1. Where a part of a text is
@@ -149,17 +168,19 @@ struct Replacement {
     std::uint64_t shift = 1; ///< what the weights of the bytes behind it are multiplied by
 };
 
-/// The places of a spelling among names, which may share a prefix and a suffix; none if not all of it is there.
-std::vector<std::size_t> places_of(const Spelling& spelling, const std::vector<std::string>& names) {
-    if (names.size() < spelling.size()) {
-        return {};
-    }
+/// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
+/// that are the words between one prefix and one suffix. A name that stands twice is in none.
+template <class Take>
+void for_each_set(const std::vector<std::string>& spelling, const std::vector<std::string>& names, const Take& take) {
+    constexpr auto twice = std::string::npos;
     const std::string& first = spelling.front();
     const auto words = mapped(spelling, [&first](const std::string& word) { return Replacement(word, first.size()); });
     const auto sums = mapped(names, [](const std::string& name) { return TextSum(name).value; });
     std::unordered_map<std::uint64_t, std::size_t> place_of;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        place_of.emplace(sums[i], i);
+        if (const auto [at, is_new] = place_of.emplace(sums[i], i); !is_new) {
+            at->second = twice;
+        }
     }
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -174,7 +195,7 @@ std::vector<std::size_t> places_of(const Spelling& spelling, const std::vector<s
             places.clear();
             for (const Replacement& word : words) {
                 const auto found = place_of.find(word.sum_between(before, after));
-                if (found == place_of.end()) {
+                if (found == place_of.end() || found->second == twice) {
                     break;
                 }
                 places.push_back(found->second);
@@ -183,11 +204,28 @@ std::vector<std::size_t> places_of(const Spelling& spelling, const std::vector<s
                 return word.is_between(name.substr(0, at), name.substr(at + first.size()), names[place]);
             };
             if (std::ranges::equal(words, places, is_there)) {
-                return places;
+                take(at, places);
             }
         }
     }
-    return {};
+}
+
+/// Whether the words, which stand at `places` of the names without units, share what they may.
+bool is_shared(const Spelling& spelling, std::string_view prefix, const std::vector<std::size_t>& places,
+               const std::vector<std::string>& names) {
+    const auto& words = spelling.words;
+    if (spelling.shared == Shared::anything) {
+        return true;
+    }
+    const bool is_bare = names[places[0]] == words[0];
+    if (spelling.shared == Shared::nothing) {
+        return is_bare && std::ranges::max(places) - std::ranges::min(places) + 1 == places.size();
+    }
+    const auto is_own_or_time = [&words](const std::string& name) {
+        return std::ranges::count(words, name) > 0 || has_at_end(name, "t time timestamp stamp");
+    };
+    return is_bare ? std::ranges::all_of(names, is_own_or_time)
+                   : has_at_end(prefix, "w omega gyro gyr gyroscope angular_velocity");
 }
 
 } // namespace
@@ -219,23 +257,19 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
     return {lower(text.substr(0, end)), unit};
 }
 
-bool KnownNames::are_in_order() const noexcept {
-    std::size_t next = 0;
-    return std::ranges::all_of(places, [&next](std::size_t place) { return place == next++; });
-}
-
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
     std::vector<Part> parts;
     auto name = numbers.names.begin();
-    const auto add = [&](std::size_t size, const std::optional<Spec>& attitude = {}) {
+    const auto add = [&](std::size_t size, const std::optional<Spec>& attitude = {}, bool is_kept = false) {
         const auto begin = std::exchange(name, name + static_cast<std::ptrdiff_t>(size));
         if (size > 0) {
-            parts.push_back({{begin, name}, static_cast<std::size_t>(begin - numbers.names.begin()), attitude});
+            parts.push_back(
+                {{begin, name}, static_cast<std::size_t>(begin - numbers.names.begin()), attitude, is_kept});
         }
     };
     const std::size_t size = numbers.attitude ? numbers.attitude->size() : 0;
     const std::size_t second = numbers.second ? numbers.second->size() : 0;
-    add(numbers.kept);
+    add(numbers.kept, {}, true);
     add(size, numbers.attitude);
     add(numbers.names.size() - numbers.kept - size - second);
     add(second, numbers.second);
@@ -243,43 +277,59 @@ std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
 }
 
 std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
-    const auto& spec = part.attitude;
-    auto spellings = spec ? spellings_of(*spec) : std::vector<Spelling>();
-    if (!spec || spec->has_own_columns) { // which come first
-        spellings.insert(spellings.begin(), spec ? mapped(part.names, lower) : part.names);
-    }
     std::vector<std::vector<std::string>> texts{mapped(names, lower)};
     texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
     texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
-    for (const Spelling& spelling : spellings) {
+    std::optional<KnownNames> found;
+    for (const Spelling& spelling : spellings_of(part)) {
+        if (found && !spelling.decides) {
+            break;
+        }
         for (const auto& each : texts) {
-            if (auto places = places_of(spelling, each); !places.empty()) {
-                return KnownNames{std::move(places), std::ranges::count(spelling, "0") > 0};
-            }
+            for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
+                const auto prefix = std::string_view(names[places[0]]).substr(0, size);
+                if ((!found || std::ranges::min(places) < std::ranges::min(found->places)) &&
+                    is_shared(spelling, prefix, places, each)) {
+                    found = KnownNames{places, spelling.decides};
+                }
+            });
         }
     }
-    return std::nullopt;
+    return found;
 }
 
 std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names) {
-    return find_names({operations::names_of(spec), 0, spec}, names);
+    const auto columns = spec.columns();
+    return find_names({{columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())}, 0, spec}, names);
 }
 
-std::string wrong_order(const Part& part, std::span<const std::string> names) {
-    const auto known = find_names(part, names);
-    if (!known || known->are_in_order()) {
-        return {};
+RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> names) {
+    RowNames row;
+    std::vector<bool> is_free(names.size(), true);
+    for (const Part& part : parts) {
+        if (part.is_kept && part.names.front() == "key") { // its column is told
+            names[part.begin].clear();
+        }
+        const auto& set = row.sets.emplace_back(part.is_kept ? std::nullopt : find_names(part, names));
+        for (const std::size_t place : set ? set->places : std::vector<std::size_t>()) {
+            names[place].clear();
+            is_free[place] = false;
+        }
     }
-    std::string order = joined(part.names);
-    if (const auto& spec = part.attitude) {
-        const auto specs = alike(*spec);
-        const auto* const right =
-            std::ranges::find_if(specs, [&](const Spec& each) { return find_names(each, names)->are_in_order(); });
-        const bool is_euler = spec->name == RepresentationId::euler && !spec->has_own_columns;
-        order = fmt::format("{}, which is {}{}", spec->text(), is_euler ? joined(spellings_of(*spec)[0]) : order,
-                            right == specs.end() ? "" : fmt::format("; it is the order of {}", right->text()));
+    std::size_t next = 0; // of the columns in no set
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        auto places = row.sets[k] ? row.sets[k]->places : std::vector<std::size_t>();
+        if (row.sets[k] && !row.sets[k]->decides) {
+            std::ranges::sort(places);
+        }
+        for (; places.size() < parts[k].names.size(); ++next) {
+            if (is_free[next]) {
+                places.push_back(next);
+            }
+        }
+        row.places.insert(row.places.end(), places.begin(), places.end());
     }
-    return fmt::format("{} is not the order of {}", quoted(joined(names)), order);
+    return row;
 }
 
 } // namespace rotconv::cli

@@ -20,14 +20,12 @@ namespace rotconv::cli {
 /// "yaw [deg]", "w_x_rad_s".
 [[nodiscard]] std::pair<std::string, std::string_view> name_and_unit(const std::string& text);
 
-/// Where names stand that are those of a SPEC.
+/// Where names stand that are those of numbers.
 struct KnownNames {
-    std::vector<std::size_t> places; ///< of the SPEC's numbers, in its order
-    bool is_numbered = false;        ///< they are 0 1 2 3, which most programs begin with the scalar
+    std::vector<std::size_t> places; ///< of the numbers, in their order
+    bool decides = true; ///< otherwise they do not say which number each is: q0 q1 q2 q3, or yaw of euler:ZXZ
 
-    /// They are the first ones, and in the order of the SPEC.
-    [[nodiscard]] bool are_in_order() const noexcept;
-    /// Their texts, of all that are there, in the order of the SPEC.
+    /// Their texts, of all that are there, in the order of the numbers.
     [[nodiscard]] std::vector<std::string> of(std::span<const std::string> names) const {
         return mapped(places, [names](std::size_t place) { return names[place]; });
     }
@@ -42,6 +40,7 @@ struct Part {
     std::vector<std::string> names; ///< as rotconv writes them
     std::size_t begin = 0;          ///< the place of the first number
     std::optional<Spec> attitude{};
+    bool is_kept = false; ///< a time or a key
 
     /// Its own among what stands for each number of a row.
     [[nodiscard]] std::span<const std::string> of(std::span<const std::string> row) const {
@@ -52,14 +51,19 @@ struct Part {
 /// The numbers of a row.
 [[nodiscard]] std::vector<Part> parts_of(const stream::RowNumbers& numbers);
 
-/// Looks among names, in any case, for those of all numbers of a project, quat, dcm, or roll, pitch and yaw, or of a
-/// part without an attitude. What counts is what is left of them without a prefix and a suffix that all of them share,
-/// and without units: w (or s, scalar) x y z; 11 to 33, or 00 to 22; roll pitch yaw; 0 1 2 3 for a quaternion.
+/// Looks among names, in any case, for those of all numbers of a part; of several such sets the first counts. What
+/// counts is what is left of them without a prefix and a suffix that all of them share, and without units: the names as
+/// rotconv writes them; w (or s, scalar) x y z; 11 to 33, or 00 to 22; roll (or bank) pitch yaw (or heading, azimuth),
+/// bare also r p y; of an angular velocity p q r, and x y z after a prefix such as gyro. Those that do not decide come
+/// last: 0 1 2 3 and 1 2 3 4 of a quaternion, and roll pitch yaw of a sequence without y in the middle of three axes.
 [[nodiscard]] std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names);
 [[nodiscard]] std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names);
 
-/// What is wrong with names that are those of the part's numbers in another order, as the end of a sentence; otherwise
-/// empty.
-[[nodiscard]] std::string wrong_order(const Part& part, std::span<const std::string> names);
+/// What the names of columns say of the numbers of a row.
+struct RowNames {
+    std::vector<std::optional<KnownNames>> sets{}; ///< of each part; a column of one is in no other
+    std::vector<std::size_t> places{}; ///< of each number: by its name if that decides, otherwise as the columns stand
+};
+[[nodiscard]] RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> names);
 
 } // namespace rotconv::cli

@@ -181,7 +181,6 @@ std::string explain(const stream::StreamError& error, const Subject& subject) {
         return fmt::format("the line is longer than {} MiB", stream::IoBlockReader::longest_line >> 20U);
     case What::json: return "the input looks like JSON";
     case What::far_key: return "the row cannot be paired: too many comments and failed rows stand before the next key";
-    case What::names: return error.wrong;
     case What::count: return fmt::format("{}: {}", error.wrong, quoted(error.column.text));
     case What::columns: return explain(error.column, subject.text);
     }

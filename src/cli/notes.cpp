@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "../stream/number_text.hpp"
 #include "column_names.hpp"
 #include "row_options.hpp"
 
@@ -20,30 +19,25 @@ bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
 /// The notes on one stream.
 class Notes {
 public:
-    Notes(const RowOptions& options, const Option& time_option, bool refuses, const stream::InputOptions& input)
+    Notes(const RowOptions& options, const Option& time_option, bool names_decide, const stream::InputOptions& input)
         : degrees_(options.degrees.given()), time_option_(time_option.name()),
           time_unit_((time_option.given() ? time_option : options.time_unit).text()),
-          refuses_(refuses && input.columns.empty()),
-          is_by_index_(!input.columns.empty() && !input.columns.has_names()), parts_(parts_of(input.numbers)) {}
-
-    [[nodiscard]] std::vector<std::string> own_names(std::vector<std::string> names) const {
-        for (const Part& part : parts_) {
-            const auto known = find_names(part, part.of(names));
-            for (std::size_t i = 0; part.attitude && known && !known->is_numbered && i < part.names.size(); ++i) {
-                names[part.begin + known->places[i]] = part.names[i];
-            }
+          is_named_(input.numbers.names.size(), names_decide && input.columns.empty()),
+          parts_(parts_of(input.numbers)) {
+        const auto selected = input.columns.names();
+        for (std::size_t i = 0; names_decide && i < selected.size(); ++i) {
+            is_named_[i] = !selected[i].empty();
         }
-        return mapped(names, [](const std::string& name) { return name_and_unit(name).first; });
     }
 
-    /// Refuses selected names in another order than the SPEC's, which would give a wrong attitude in silence.
-    void refuse_other_order(const stream::ColumnList& columns, std::string_view option) const {
-        const auto names = mapped(columns.names(), [](std::string_view name) { return std::string(name); });
-        for (const Part& part : parts_) {
-            if (const auto wrong = error_of_order(part, part.of(names)); !wrong.empty()) {
-                throw Usage("{} {} (if the file is mislabelled, select by index)", option, wrong);
-            }
+    [[nodiscard]] stream::NamedNumbers order_of(const std::vector<std::string>& names) const {
+        auto named = names;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            named[i] = is_named_[i] ? names[i] : "";
         }
+        const auto is_known = [](const auto& set, const Part& part) { return part.is_kept || set; };
+        return {.places = names_of_row(parts_, named).places,
+                .are_known = std::ranges::equal(names_of_row(parts_, names).sets, parts_, is_known)};
     }
 
     [[nodiscard]] std::vector<stream::Note> on(const stream::Said& said) const {
@@ -59,21 +53,17 @@ public:
         if (said.names.empty()) {
             return notes;
         }
-        for (const Part& part : parts_) {
-            const auto names = part.of(said.names);
-            if (const std::string wrong = wrong_order(part, names); !wrong.empty()) {
-                const bool is_error = refuses_ && !error_of_order(part, names).empty();
-                notes.push_back(
-                    {Kind::order,
-                     fmt::format("the header {}{}", wrong, is_error ? " (if it is mislabelled, select by index)" : ""),
-                     is_error});
-            } else if (part.attitude && is_by_index_ && !find_names(part, names)) {
-                add_others(part, names, said.header, notes);
+        const auto places = order_of(said.names).places;
+        const auto names = mapped(places, [&said](std::size_t place) { return said.names[place]; });
+        const auto sets = names_of_row(parts_, names).sets;
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            if (const std::string told = order_told(parts_[k], sets[k], names, places, said.header); !told.empty()) {
+                notes.push_back({Kind::order, "the header" + told});
             }
         }
         for (const Part& part : parts_) {
             for (std::size_t i = 0; i < part.names.size(); ++i) {
-                const std::string& name = said.names[part.begin + i];
+                const std::string& name = names[part.begin + i];
                 const auto unit = name_and_unit(name).second;
                 if (const std::string told = other_unit(part, i, unit); !told.empty()) {
                     notes.push_back({is_angle(unit) ? Kind::unit : Kind::time_unit,
@@ -85,24 +75,36 @@ public:
     }
 
 private:
-    /// What is wrong with the order of names; nothing where they are numbers, whose order is not known for sure.
-    static std::string error_of_order(const Part& part, std::span<const std::string> names) {
-        const auto known = find_names(part, names);
-        return known && known->is_numbered ? "" : wrong_order(part, names);
-    }
-
-    /// Tells where the header has the names of numbers that are read from other columns.
-    static void add_others(const Part& part, std::span<const std::string> names, std::span<const std::string> header,
-                           std::vector<stream::Note>& notes) {
-        if (const auto others = find_names(part, header); others && !others->is_numbered) {
-            const auto& places = others->places;
-            const bool is_range = places.back() - places.front() + 1 == places.size() && std::ranges::is_sorted(places);
-            notes.push_back(
-                {Kind::order,
-                 fmt::format("the header has {} at {}, but {} are read", joined(others->of(header)),
-                             is_range ? fmt::format("{}-{}", places.front() + 1, places.back() + 1) : others->columns(),
-                             joined(names))});
+    /// How numbers are read that are not those, or not in the order, that their names or the SPEC say.
+    /// @param places of the numbers among the columns as they are selected
+    [[nodiscard]] std::string order_told(const Part& part, const std::optional<KnownNames>& set,
+                                         const std::vector<std::string>& names, const std::vector<std::size_t>& places,
+                                         std::span<const std::string> header) const {
+        const std::string own = joined(part.of(names));
+        const auto begin = static_cast<std::ptrdiff_t>(part.begin);
+        const auto end = begin + static_cast<std::ptrdiff_t>(part.names.size());
+        if (set && !set->decides) {
+            return fmt::format("'s {} do not say which numbers of {} they are, and are read as they stand: as {}", own,
+                               part.attitude->text(), joined(part.names));
         }
+        if (set && !std::ranges::equal(set->of(names), part.of(names))) {
+            return fmt::format("'s {} are read as they stand: as {}", own, joined(set->of(names)));
+        }
+        if (set && part.attitude && part.attitude->has_given_order &&
+            !std::is_sorted(places.begin() + begin, places.begin() + end)) {
+            return fmt::format("'s names are not in the order of {}: each number is read by its name",
+                               part.attitude->text());
+        }
+        const bool is_by_index =
+            std::find(is_named_.begin() + begin, is_named_.begin() + end, false) < is_named_.begin() + end;
+        const auto others = !set && part.attitude && is_by_index ? find_names(part, header) : std::nullopt;
+        if (!others || !others->decides) {
+            return "";
+        }
+        const auto& at = others->places;
+        const bool is_range = at.back() - at.front() + 1 == at.size() && std::ranges::is_sorted(at);
+        return fmt::format(" has {} at {}, but {} are read", joined(others->of(header)),
+                           is_range ? fmt::format("{}-{}", at.front() + 1, at.back() + 1) : others->columns(), own);
     }
 
     /// What is to be done about the unit that a header gives to one of the part's numbers, if it is another than that
@@ -132,12 +134,11 @@ private:
                    : "";
     }
 
-    bool degrees_;            ///< angular velocities too
-    std::string time_option_; ///< that names the unit
-    std::string time_unit_;   ///< empty: keys have none, and times are in seconds
-    bool refuses_;            ///< names in another order
-    bool is_by_index_;        ///< the columns are selected so, and not by name
-    std::vector<Part> parts_; ///< of a row
+    bool degrees_;               ///< angular velocities too
+    std::string time_option_;    ///< that names the unit
+    std::string time_unit_;      ///< empty: keys have none, and times are in seconds
+    std::vector<bool> is_named_; ///< of each number: its column is not selected by index
+    std::vector<Part> parts_;    ///< of a row
 };
 
 /// The first of the texts that is a change of axes, as an option; nothing where the axes stay as they are.
@@ -176,14 +177,10 @@ std::string axes_options(const RowOptions& options) {
 
 } // namespace
 
-void add_notes(const RowOptions& options, const SelectedColumns& selected, const Option& time_option, bool refuses,
-               stream::InputOptions& input) {
-    const auto notes = std::make_shared<const Notes>(options, time_option, refuses, input);
-    if (refuses && input.columns.has_names()) {
-        notes->refuse_other_order(input.columns, selected.option);
-    }
+void read_names(const RowOptions& options, const Option& time_option, bool names_decide, stream::InputOptions& input) {
+    const auto notes = std::make_shared<const Notes>(options, time_option, names_decide, input);
+    input.order_of = [notes](const std::vector<std::string>& names) { return notes->order_of(names); };
     input.notes_of = [notes](const stream::Said& said) { return notes->on(said); };
-    input.own_names = [notes](std::vector<std::string> names) { return notes->own_names(std::move(names)); };
 }
 
 std::vector<stream::Note> notes_on_options(const RowOptions& options) {

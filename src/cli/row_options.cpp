@@ -79,7 +79,7 @@ std::size_t width_of(const RowOptions& options, const std::string& columns_optio
 
 /// How one stream is read, or the VALUEs.
 stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& selected, const Option& time_option,
-                              stream::RowNumbers numbers, std::string_view subject, bool refuses) {
+                              stream::RowNumbers numbers, std::string_view subject, bool names_decide) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
     in.header = one_of<HeaderMode>(
@@ -111,7 +111,7 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     const Option& unit = time_option.given() ? time_option : options.time_unit;
     in.key_power = time_power_of(unit);
     in.numbers.has_unit = unit.given() && (&unit == &options.time_unit || unit.text() != "s"); // as ISO 8601 is
-    add_notes(options, selected, time_option, refuses, in);
+    read_names(options, time_option, names_decide, in);
     return in;
 }
 
@@ -214,7 +214,7 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
     command.output = or_else(output.text(), command.output);
     command.options = {
         .input = input_of(*this, selected, time_unit, numbers, command.subject->text,
-                          numbers.attitude || !numbers.second), // identify does not refuse names
+                          numbers.attitude || !numbers.second), // identify reads columns as they stand
         .operation = std::move(operation),
         .format = one_of<Format>(
             "format", format,
@@ -252,9 +252,10 @@ void RowOptions::pair(RowsCommand& command, const Spec& reference) const {
                  reference_key, key.given() ? or_else(reference_key.text(), key.text()) : "");
     stream::InputOptions& in = command.options.input;
     stream::Pairing& pairs = command.options.pairing.emplace();
-    const bool refuses = in.numbers.attitude.has_value(); // identify does not
+    const bool names_decide = in.numbers.attitude.has_value(); // identify reads columns as they stand
     command.reference_subject = messages::subject_of(numbers, most_defect());
-    pairs.reference = input_of(*this, selected, reference_time_unit, numbers, command.reference_subject.text, refuses);
+    pairs.reference =
+        input_of(*this, selected, reference_time_unit, numbers, command.reference_subject.text, names_decide);
     pairs.by_key = key.given();
     pairs.looks_for_key = strict.given() || command.diagnostics != ShowDiagnostics::off;
     pairs.interpolates = interpolate.given();

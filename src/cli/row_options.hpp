@@ -108,12 +108,10 @@ struct RowOptions : CommandOptions {
     void refuse_values(std::string_view command) const;
 };
 
-/// Has the input tell what its header says against how its numbers are read: names and units; in notes.cpp.
+/// Has the input tell what its header says against how its numbers are read, by names and units; in notes.cpp.
 /// @param time_option which names the unit of its times
-/// @param refuses names in another order are an error, unless columns are selected by index
-/// @throw Usage if the selected names are in another order
-void add_notes(const RowOptions& options, const SelectedColumns& selected, const Option& time_option, bool refuses,
-               stream::InputOptions& input);
+/// @param names_decide numbers are what their names say, unless their columns are selected by index
+void read_names(const RowOptions& options, const Option& time_option, bool names_decide, stream::InputOptions& input);
 
 /// The same for options that are "SPEC: NUMBERS".
 [[nodiscard]] std::vector<stream::Note> notes_on_options(const RowOptions& options);

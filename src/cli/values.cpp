@@ -295,14 +295,9 @@ private:
         if (!known && named == labels.size()) {
             known = components_in(labels);
         }
-        if (!known && spec_.name == RepresentationId::euler && labels.size() == 3 &&
-            find_names(Spec{.name = RepresentationId::rpy}, labels)) {
-            note(fmt::format("the labels {} are not those of {}: the numbers are read as they stand", joined(labels),
-                             spec_.text()));
-            return numbers;
-        }
-        if (known && known->is_numbered) {
-            note(fmt::format("the labels {} are numbered: the numbers are read as they stand", joined(labels)));
+        if (known && !known->decides) {
+            note(fmt::format("the labels {} do not say which number of {} each is: they are read as they stand",
+                             joined(labels), spec_.text()));
             return numbers;
         }
         if (!known) {
@@ -525,7 +520,7 @@ std::vector<ValueNumber> of_parts(const ValueText& text, const stream::RowNumber
                    part.attitude ? part.attitude->text() : joined(part.names));
         }
         const auto own = numbers;
-        for (std::size_t i = 0; known && !known->is_numbered && i < part.names.size(); ++i) {
+        for (std::size_t i = 0; known && known->decides && i < part.names.size(); ++i) {
             numbers[part.begin + i] = own[part.begin + known->places[i]];
         }
     }

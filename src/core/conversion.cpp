@@ -64,6 +64,7 @@ UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers
                                                                  : largest;
     if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
         found.defect = std::abs(length - 1.0);
+        found.of_axis = true;
     }
     if (spec.unit == AngleUnit::radians && angle > reported_angle) {
         found.angle = angle;

@@ -141,6 +141,8 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
             return wrong(modifier == all_modifiers.end() ? What::unknown_modifier : What::meaningless_modifier, part);
         }
         spec.apply({*modifier});
+        spec.has_given_order =
+            spec.has_given_order || ModifierSet{Modifier::xyzw, Modifier::wxyz, Modifier::col}.has(*modifier);
     }
     if (spec.scalar_last && std::ranges::count(following, name_of(Modifier::wxyz)) != 0) {
         return wrong(What::two_orders, text);

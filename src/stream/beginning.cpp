@@ -29,13 +29,6 @@ bool has_decimal_comma(std::string text) noexcept {
     return is_number(text);
 }
 
-/// Whether a row is a line of another program that may look like a header: COMMENT, KEY = value, FMT.
-bool is_remark(const HeaderLine& row) noexcept {
-    const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
-    return first == "FMT" || first == "COMMENT" ||
-           std::ranges::any_of(row.fields, [](auto field) { return trimmed(field) == "="; });
-}
-
 /// Whether a text begins an object with keys, or an array of objects or of numbers between commas; "[INFO]" and a
 /// matrix of NumPy do not.
 bool begins_json(std::string_view text) noexcept {
@@ -141,7 +134,7 @@ private:
         const auto texts = selected(header);
         const std::string_view text = header.prefix.empty() ? header.line.text : "";
         const bool has_mark = text.starts_with("//") || text.starts_with('%'); // a remark, unless it has the names
-        return header.is_closed && texts && !has_mark && !is_remark(header) &&
+        return header.is_closed && texts && !has_mark && !header.is_remark() &&
                std::ranges::none_of(*texts, [](const auto& name) {
                    return is_number(name) || is_missing(name) || has_decimal_comma(name);
                });
@@ -170,21 +163,18 @@ private:
     /// The last comment, if it is the header of the row; with HeaderMode::yes an equal number of fields is enough.
     [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
         HeaderLine header = above(row);
-        auto names = selected(header);
+        const auto names = selected(header);
         if (header.line.text.empty() || !header.is_closed || !header.width().fits(row.width()) || !names) {
             return std::nullopt;
         }
         if (options_.header == HeaderMode::yes) {
             return header;
         }
-        if (std::ranges::any_of(header.names(), is_number)) {
+        if (header.is_remark() || std::ranges::any_of(header.names(), is_number)) {
             return std::nullopt;
         }
         if (row.delimiter.is_blanks() && count() > 0) { // a remark may have as many words
-            const auto kept = static_cast<std::ptrdiff_t>(options_.numbers.kept);
-            names = options_.own_names ? options_.own_names(std::move(*names)) : names;
-            const auto& own = options_.numbers.names;
-            if (!std::is_permutation(names->begin() + kept, names->end(), own.begin() + kept, own.end())) {
+            if (!options_.order_of || !options_.order_of(*names).are_known) {
                 return std::nullopt;
             }
         }
@@ -213,7 +203,7 @@ private:
             const bool has_mark = header.begins_with_mark();
             for (const bool is_without : {has_mark, !has_mark}) {
                 HeaderLine each = is_without ? header.without_mark() : header;
-                auto found = options_.columns.positions(is_remark(each) ? std::vector<std::string>() : each.names());
+                auto found = options_.columns.positions(each.is_remark() ? std::vector<std::string>() : each.names());
                 if (has_all(found) || (tried.size() == 1 && is_without != has_mark)) {
                     return {std::move(each), std::move(found)};
                 }
@@ -228,7 +218,7 @@ private:
         column.text = line.text;
         const HeaderLine comment = above(row);
         for (const HeaderLine* header : {&row, &comment}) {
-            if (header->is_closed && header->width().fits(row.width()) && !is_remark(*header) &&
+            if (header->is_closed && header->width().fits(row.width()) && !header->is_remark() &&
                 std::ranges::none_of(header->names(), is_number)) {
                 column.header = header->names();
                 break;

@@ -90,8 +90,7 @@ struct Note {
     enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, axes };
     Kind kind = Kind::order;
     std::string text;
-    bool ends_run = false; ///< it is an error
-    Place place{};         ///< line 0: the note is about the command line
+    Place place{}; ///< line 0: the note is about the command line
 };
 
 using Event = std::variant<RowError, Diagnostic, Note>;
@@ -153,7 +152,6 @@ struct StreamError {
         line_too_long,
         partial_row, ///< the input ends in the row, which begins at byte `offset`
         columns,     ///< the row is data or a header, and `column` says why no columns were found before it
-        names,       ///< the header contradicts how the columns are read; `wrong` says how
         count,       ///< the row, `column.text`, has a wrong number of fields; `wrong` says why
         json,        ///< the input begins with JSON
         far_key,     ///< too much lies between the row and the next key, which its partner depends on

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../core/text.hpp"
+#include "number_text.hpp"
 
 namespace rotconv::stream {
 namespace {
@@ -10,6 +11,13 @@ namespace {
 /// Whether a character may be part of a mark before the first name. Letters beyond ASCII may not.
 bool is_mark(char c) noexcept {
     return (static_cast<unsigned char>(c) & 0x80U) == 0U && !is_alphanumeric(c) && c != '_' && c != '"' && c != '\'';
+}
+
+/// Whether a text is a name followed by a number: "roll 0.1", "x: 0", "x=0".
+bool is_name_with_number(std::string_view text) noexcept {
+    const auto end_of_name = text.find_last_of(" \t:=");
+    return end_of_name != std::string_view::npos && is_number(text.substr(end_of_name + 1)) &&
+           !is_number(text.substr(0, end_of_name));
 }
 
 } // namespace
@@ -39,6 +47,17 @@ HeaderLine HeaderLine::without_mark() const {
     made.fields.clear();
     made.is_closed = delimiter.split(line.text.substr(made.prefix.size()), made.fields);
     return made;
+}
+
+bool HeaderLine::is_remark() const {
+    const std::string_view first = fields.empty() ? "" : trimmed(fields.front());
+    const auto all = names();
+    const auto is_before_number = [](const auto& name, const auto& next) {
+        return !is_number(name) && is_number(next);
+    };
+    return first == "FMT" || first == "COMMENT" || std::ranges::count(all, "=") > 0 ||
+           std::ranges::any_of(all, is_name_with_number) ||
+           (delimiter.is_blanks() && std::ranges::adjacent_find(all, is_before_number) != all.end());
 }
 
 std::string HeaderLine::name(std::size_t at) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +18,8 @@ struct Layout {
     Delimiter delimiter = Delimiter::blanks();
     std::size_t count = 0;       ///< numbers of each row
     std::size_t field_count = 0; ///< fields of the first data row; 0 before it
-    /// Positions of the selected fields, in the order of the operation's numbers; empty without --columns: a row is its
-    /// numbers.
+    bool is_whole = true;        ///< a row is its numbers and nothing else: nothing is selected
+    /// Positions of the fields that hold the numbers, in the order of the operation's; empty: 0, 1, 2...
     std::vector<std::size_t> positions{};
     /// The number that field `first_field` + i holds, if the selected fields are adjacent and the kept ones (see
     /// RowNumbers) come first; otherwise empty.
@@ -35,18 +34,13 @@ struct Layout {
     RowWidth header{};                     ///< the header's
     std::vector<Note> notes{};             ///< about the header and the first row, or about comments alone
 
-    /// Sets the fields that hold the numbers: the chosen ones, or the whole row if none is chosen. The result does not
-    /// replace the first `kept` of them.
+    /// Sets the fields that hold the numbers. The result does not replace the first `kept` of them.
     void select(std::vector<std::size_t> chosen, std::size_t number_count, std::size_t kept) {
         count = number_count;
         positions = std::move(chosen);
-        replaced = positions;
-        if (positions.empty() && kept > 0) {
-            replaced.resize(count);
-            std::iota(replaced.begin(), replaced.end(), std::size_t{0});
-        }
-        if (!replaced.empty()) {
-            replaced.erase(replaced.begin(), replaced.begin() + static_cast<std::ptrdiff_t>(kept));
+        replaced.clear();
+        for (std::size_t i = kept; i < count && (kept > 0 || !is_whole); ++i) {
+            replaced.push_back(position(i));
         }
         std::ranges::sort(replaced);
         first_field = positions.empty() ? 0 : std::ranges::min(positions);

@@ -34,10 +34,16 @@ enum class OnError : std::uint8_t { stop, nan, skip };
 
 /// What the input says of its numbers: one of these at a time.
 struct Said {
-    std::vector<std::string> names{};  ///< the selected columns' names in the header
+    std::vector<std::string> names{};  ///< the selected columns' names in the header, as they are selected
     std::vector<std::string> header{}; ///< all names of the header
     bool only_header = false;          ///< a stream without a data row has a header
     std::string_view comment{};        ///< the first comment of a stream that has no row
+};
+
+/// What the names of the selected columns say of the numbers.
+struct NamedNumbers {
+    std::vector<std::size_t> places{}; ///< of each number among the names
+    bool are_known = false;            ///< all but the kept ones have names of theirs
 };
 
 /// How the rows of a stream are read.
@@ -57,8 +63,8 @@ struct InputOptions {
     std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};
     /// Returns the notes on the header, or on comments of a stream without a row.
     std::function<std::vector<Note>(const Said& said)> notes_of{};
-    /// Given the names in a header, returns the numbers' own names: "qw" for "W" and "q_RS_w []".
-    std::function<std::vector<std::string>(std::vector<std::string> names)> own_names{};
+    /// Given the names of the selected columns, says where the numbers are.
+    std::function<NamedNumbers(const std::vector<std::string>& names)> order_of{};
 
     /// A blank line is not a comment, whatever comments begin with.
     [[nodiscard]] bool is_comment(std::string_view line) const noexcept {

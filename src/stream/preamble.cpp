@@ -13,6 +13,7 @@ Preamble::Preamble(const InputOptions& options, const Options* written)
     : options_(&options), written_(written),
       header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
     layout_.appends = written != nullptr && written->append;
+    layout_.is_whole = options.columns.empty();
     if (!options.columns.has_names()) {
         layout_.select(options.columns.positions(), options.numbers.names.size(), options.numbers.kept);
     }
@@ -119,6 +120,7 @@ bool Preamble::find_header(bool is_end, Output& output) {
         const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
         header_line_ = number_of(header.line);
         if (const auto names = header.names_at(layout_.positions); names && names->size() == layout_.count) {
+            read_by(*names);
             add_notes({.names = *names, .header = header.names()}, header_line_);
         }
         if (error_) {
@@ -178,11 +180,18 @@ void Preamble::add_notes(const Said& said, std::size_t line) {
     }
     for (Note& note : options_->notes_of(said)) {
         note.place.line = line;
-        if (note.ends_run) {
-            error_ = StreamError{.what = StreamError::What::names, .place = {line}, .wrong = std::move(note.text)};
-        } else {
-            layout_.notes.push_back(std::move(note));
-        }
+        layout_.notes.push_back(std::move(note));
+    }
+}
+
+void Preamble::read_by(const std::vector<std::string>& names) {
+    if (!options_->order_of) {
+        return;
+    }
+    std::vector<std::size_t> fields = options_->order_of(names).places;
+    if (!std::ranges::is_sorted(fields)) {
+        std::ranges::transform(fields, fields.begin(), [this](std::size_t at) { return layout_.position(at); });
+        layout_.select(std::move(fields), layout_.count, options_->numbers.kept);
     }
 }
 

@@ -45,7 +45,9 @@ private:
     void release(std::size_t bytes, Output& output);
     /// Writes lines that have waited for too long.
     void limit(Output& output);
-    /// Adds the notes on what the input says, or ends the run.
+    /// Has each number read from the field whose name says that it is there.
+    void read_by(const std::vector<std::string>& names);
+    /// Adds the notes on what the input says.
     void add_notes(const Said& said, std::size_t line);
     /// Gives the result the names of the last selected columns, if the operation keeps names.
     void keep_names(const HeaderLine& header);

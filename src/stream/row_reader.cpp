@@ -39,7 +39,7 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
         return std::nullopt;
     }
     const Delimiter delimiter = layout_->delimiter;
-    const bool has_other_fields = !layout_->positions.empty();
+    const bool has_other_fields = !layout_->is_whole;
     const char* begin = text.data();
     const char* const text_end = begin + text.size();
     const char* end = text_end;
@@ -101,11 +101,11 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
         return true;
     }
     const std::size_t first_field = to.fields.size();
-    if (!split(row, layout_->positions, to)) {
+    if (!split(row, layout_->is_whole ? std::span<const std::size_t>() : layout_->positions, to)) {
         return false;
     }
     const FieldCount count = layout_->delimiter.count(std::span(to.fields).subspan(first_field));
-    if (layout_->positions.empty() && count.filled != layout_->count) {
+    if (layout_->is_whole && count.filled != layout_->count) {
         to.error = {.what = RowError::What::wrong_count,
                     .text = std::string(row),
                     .found = count.filled,
@@ -138,7 +138,7 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
             return false;
         }
     }
-    if (!layout_->positions.empty() && width_.line > 0 && !count.fits(width_.fields)) {
+    if (!layout_->is_whole && width_.line > 0 && !count.fits(width_.fields)) {
         to.error = {.what = RowError::What::other_width, .text = std::string(row)};
         to.error.tell_width(count, width_);
         return false;
@@ -205,7 +205,7 @@ void RowReader::add_doubles(std::string_view row, Numbers& numbers) const {
 }
 
 std::string RowReader::selected_text(std::string_view row) const {
-    if (options_->width == 0 && layout_->positions.empty()) {
+    if (options_->width == 0 && layout_->is_whole) {
         return std::string(row);
     }
     const char character = layout_->delimiter.text();
