@@ -523,7 +523,7 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
 }
 
 /// What the command makes of the numbers of one row alone.
-fuzz::Calculate calculate_of(const std::vector<std::string>& words, const Program& program, bool diagnostic_columns) {
+fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
     const RowNumbers& read = program.options().input.numbers;
     const std::size_t reference_key = program.is_by_key()
                                           ? read.names.size() + program.options().pairing->reference.numbers.kept - 1
@@ -660,7 +660,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     if (program.is_paired()) {
         add_reference(rules, words, program);
     }
-    rules.calculate = calculate_of(words, program, rules.diagnostic_columns);
+    rules.calculate = calculate_of(program, rules.diagnostic_columns);
     if (compares || composes) {
         fuzz::Compared compared = compared_of(words, program);
         if (program.command.first_pass) {
