@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <rotconv/reading.hpp>
-#include <rotconv/representation_id.hpp>
 
 #include "column_list.hpp"
 #include "delimiter.hpp"

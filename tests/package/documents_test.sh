@@ -23,7 +23,7 @@ missing() {
         grep -q "\"name\": \"$preset\"" CMakePresets.json || echo "$1: preset $preset"
     done
     grep -oE 'ROTCONV_[A-Z]+' "$work/named" | while read -r option; do
-        grep -q "^option($option " CMakeLists.txt || echo "$1: option $option"
+        grep -qE "^(option|set)\($option " CMakeLists.txt src/package/CMakeLists.txt || echo "$1: option $option"
     done
     grep -oE -- '--target( [a-z][a-z_-]*)+' "$work/named" | tr ' ' '\n' | grep -v -e '--target' | while read -r target; do
         grep -qrwF --include=CMakeLists.txt -- "$target" CMakeLists.txt tests || echo "$1: target $target"
