@@ -20,7 +20,7 @@ namespace rotconv {
 struct Candidate {
     Spec spec;
     std::array<std::uint8_t, 9> columns{}; ///< for each number of the SPEC the column that holds it, from 0
-    std::size_t rows = 0; ///< number of rows on which it was tried: all, all kept ones, or those before it was dropped
+    std::size_t rows = 0; ///< on which it was tried: all, those that were kept, or those until it was dropped
     double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
     std::size_t angle_row = 0;         ///< the first row with that angle
     ConstantRotations constant{};      ///< known = left unknown right
@@ -76,8 +76,8 @@ struct IdentificationSettings {
 /// `most_living`; where none fits, the nearest. Long data therefore cost little more than one conversion, also where
 /// all motions are small. The others rest: those that fit so far are tried on each row where one of the living stops
 /// fitting, and take its place. At the end the nearest that have not been tried on all rows are held against those
-/// that were kept. No candidate is passed over that fits all rows, and all that fit are tried on the rows that tell
-/// candidates apart.
+/// that were kept. A candidate that fits all rows is always found; one that was not tried on all rows, see
+/// Candidate::rows, may fit only those.
 ///
 /// If none fits, each is tried with a constant rotation on either side, see Alignment, and with the pairs of axes on
 /// both sides that have names. Rows are kept: all up to `most_kept`, otherwise every second, fourth, eighth and so on.
@@ -189,7 +189,7 @@ private:
     // Buffers of add().
     std::vector<double> known_numbers_;
     std::vector<double> known_;  ///< quaternions, nan if there is none
-    std::vector<double> angles_; ///< one batch for each living candidate
+    std::vector<double> angles_; ///< one batch for each candidate
     std::vector<RowReport> found_;
 };
 

@@ -263,8 +263,9 @@ std::size_t Identification::try_rows(std::span<const double> numbers, std::span<
         }
         const auto row_numbers = numbers.subspan(at * width, count_);
         const auto cannot_read = [&](std::size_t reader) { return angles_[reader * count + row] == infinity; };
-        if (!readers.empty() && std::ranges::all_of(readers, cannot_read) && !is_read(row_numbers)) {
-            attitudes_of(candidates_[readers.front()], settings_.tolerance, row_numbers, count_, found_);
+        const auto& remaining = living_.empty() ? readers : living_;
+        if (!remaining.empty() && std::ranges::all_of(remaining, cannot_read) && !is_read(row_numbers)) {
+            attitudes_of(candidates_[remaining.front()], settings_.tolerance, row_numbers, count_, found_);
             auto place = std::ranges::lower_bound(reports, at, {}, &RowReport::row);
             if (place == reports.end() || place->row != at) {
                 place = reports.insert(place, RowReport());
