@@ -29,11 +29,16 @@ bool has_decimal_comma(std::string text) noexcept {
     return is_number(text);
 }
 
-/// Whether a row is a line of another program that may look like a header: COMMENT, KEY = value, FMT.
-bool is_remark(const HeaderLine& row) noexcept {
+/// Whether a row is a line of another program that has names and is not a header: COMMENT, FMT.
+bool is_remark_with_names(const HeaderLine& row) noexcept {
     const std::string_view first = row.fields.empty() ? "" : trimmed(row.fields.front());
-    return first == "FMT" || first == "COMMENT" ||
-           std::ranges::any_of(row.fields, [](auto field) { return trimmed(field) == "="; });
+    return first == "FMT" || first == "COMMENT";
+}
+
+/// The same, or one that may look like a header: KEY = value.
+bool is_remark(const HeaderLine& row) noexcept {
+    return is_remark_with_names(row) ||
+           (row.delimiter.is_blanks() && std::ranges::count(row.fields, std::string_view("=")) > 0);
 }
 
 /// Whether a text begins an object with keys, or an array of objects or of numbers between commas; "[INFO]" and a
@@ -213,7 +218,8 @@ private:
             const bool has_mark = header.begins_with_mark();
             for (const bool is_without : {has_mark, !has_mark}) {
                 HeaderLine each = is_without ? header.without_mark() : header;
-                auto found = options_.columns.positions(is_remark(each) ? std::vector<std::string>() : each.names());
+                auto found =
+                    options_.columns.positions(is_remark_with_names(each) ? std::vector<std::string>() : each.names());
                 if (has_all(found) || (tried.size() == 1 && is_without != has_mark)) {
                     return {std::move(each), std::move(found)};
                 }
