@@ -62,9 +62,7 @@ std::size_t count_of(const Option& option, std::size_t most, std::size_t least, 
         [range](double value) { return value == std::floor(value) && value >= range.first && value <= range.second; }));
 }
 
-int time_power_of(const Option& option) {
-    return one_of<int>("time unit", option, {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}});
-}
+int time_power_of(const Option& option) { return one_of("time unit", option, time_units); }
 
 double GivenAngle::in(const AngleUnitName& other) const noexcept {
     if (!unit || unit->text == other.text) {

@@ -18,22 +18,25 @@
 /// What the arguments of options mean. Each function throws Usage on others.
 namespace rotconv::cli {
 
-/// The value of a word that is one of the choices.
+/// Words and their values.
 template <class Value> using Choices = std::vector<std::pair<std::string_view, Value>>;
-template <class Value> Value one_of(std::string_view what, std::string_view text, const Choices<Value>& choices) {
-    const auto found = std::ranges::find(choices, text, &Choices<Value>::value_type::first);
-    if (found == choices.end()) {
-        throw Usage(messages::no_such_word(what, text, mapped(choices, &Choices<Value>::value_type::first)));
-    }
-    return found->second;
+template <class Value> std::vector<std::string_view> words_of(const Choices<Value>& choices) {
+    return mapped(choices, &Choices<Value>::value_type::first);
 }
-/// The value of an option's argument; the first choice if the option is not given.
+/// The value of a word that is one of the legal ones, which are among the choices.
+template <class Value> Value one_of(std::string_view what, std::string_view text, const Choices<Value>& choices,
+                                    const std::vector<std::string_view>& legal) {
+    if (std::ranges::count(legal, text) == 0) {
+        throw Usage(messages::no_such_word(what, text, legal));
+    }
+    return std::ranges::find(choices, text, &Choices<Value>::value_type::first)->second;
+}
+/// The value of an option's argument; the first of its choices if the option is not given.
 /// @param what such as "frame"; the option's name follows "mode of" and the like
 template <class Value> Value one_of(std::string_view what, const Option& option, const Choices<Value>& choices) {
     const bool is_open = what.ends_with(" of") || what.ends_with(" for");
-    return !option.given() ? choices.front().second
-                           : one_of(is_open ? fmt::format("{} {}", what, option.name()) : std::string(what),
-                                    option.text(), choices);
+    return one_of(is_open ? fmt::format("{} {}", what, option.name()) : std::string(what),
+                  option.given() ? option.text() : option.choices.front(), choices, option.choices);
 }
 
 /// A number for which `holds`; `must`: what it must be, such as "number from 0 to 1".
@@ -44,6 +47,8 @@ template <class Value> Value one_of(std::string_view what, const Option& option,
 /// A whole number from `least` to `most`.
 [[nodiscard]] std::size_t count_of(const Option& option, std::size_t most, std::size_t least = 1,
                                    std::size_t default_value = 0);
+/// Units of time, each with the power of ten of its seconds.
+inline const Choices<int> time_units{{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}};
 /// The power of ten of the seconds in a unit of time; 0 if the option is not given.
 [[nodiscard]] int time_power_of(const Option& option);
 

@@ -17,10 +17,20 @@
 namespace rotconv::cli {
 namespace {
 
+const Choices<AlignedSide> sides{{"reference", AlignedSide::reference},
+                                 {"body", AlignedSide::body},
+                                 {"both", AlignedSide::both},
+                                 {"yaw", AlignedSide::yaw},
+                                 {"first", AlignedSide::first}};
+/// Of FILE and of REFERENCE.
+const Choices<std::array<bool, 2>> unpaired_rows{
+    {"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}};
+
 struct CompareOptions final : RowOptions {
     CompareOptions() {
         to.about = "The representation of the reference (default: that of --from)";
         format.about = "pretty (default), json, or csv: every pair with its angle";
+        format.choices = {"pretty", "json", "csv"};
         within.repeats = true;
         add("What", {&from, &to, &align, &delta});
         add_attitudes_of_file("Turn the attitudes R of FILE: compare L R; L as \"SPEC: NUMBERS\"",
@@ -38,14 +48,8 @@ struct CompareOptions final : RowOptions {
         using stream::Format;
         const Spec read = spec_of(from);
         const Spec reference = to.given() ? spec_of(to) : read;
-        const auto side = one_of<AlignedSide>("side of", align,
-                                              {{"reference", AlignedSide::reference},
-                                               {"body", AlignedSide::body},
-                                               {"both", AlignedSide::both},
-                                               {"yaw", AlignedSide::yaw},
-                                               {"first", AlignedSide::first}});
-        const auto written = one_of<Format>("format of compare", format,
-                                            {{"pretty", Format::pretty}, {"json", Format::json}, {"csv", Format::csv}});
+        const auto side = one_of("side of", align, sides);
+        const auto written = one_of("format of compare", format, formats);
         const bool in_spec = read.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees;
         AngleUnitName unit = degrees.given() || in_spec ? in_degrees : AngleUnitName();
         std::vector<operations::PairLimit> limits = limits_of_within(unit);
@@ -55,9 +59,7 @@ struct CompareOptions final : RowOptions {
                     .worst = count_of(worst, 1'000'000),
                     .comparing = {.reading = attitude_settings(), .per_radian = unit.per_radian}};
         if (allow_unpaired.given()) {
-            check.allow_unpaired = one_of<std::array<bool, 2>>(
-                "kind of rows for", allow_unpaired,
-                {{"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}});
+            check.allow_unpaired = one_of("kind of rows for", allow_unpaired, unpaired_rows);
         }
         for (const operations::PairLimit& limit : limits) {
             check.comparing.within = limit.is_of_all() ? limit.angle : check.comparing.within;
@@ -169,10 +171,12 @@ private:
         return found;
     }
 
-    Option align{"--align", "SIDE", "Turn FILE by the best constant: reference, body, both, yaw, or first"};
+    Option align{"--align", "SIDE", "Turn FILE by the best constant: reference, body, both, yaw, or first",
+                 words_of(sides)};
     Option delta{"--delta", "N", "Compare the turns from each pair to the N-th after it"};
     Option within{"--within", "ANGLE", "The largest angle that passes, such as 0.3deg; 0.3deg@95: of 95 in 100"};
-    Option allow_unpaired{"--allow-unpaired", "WHOSE", "Rows without a partner pass: file, reference or both"};
+    Option allow_unpaired{"--allow-unpaired", "WHOSE", "Rows without a partner pass: file, reference or both",
+                          words_of(unpaired_rows)};
     Option allow_failed{"--allow-failed", "", "Rows without an attitude pass, with --on-error skip or nan"};
     Option min_pairs{"--min-pairs", "N", "Pairs that must be compared, or N% of the rows (with --allow-...: 50%)"};
     Option worst{"--worst", "N", "Show the N pairs that differ most"};

@@ -36,7 +36,9 @@ public:
                             ? "no pair has one after it at the distance of --delta"
                             : std::string(messages::nothing_read));
         }
-        const std::string few = has_pairs() ? fault_of_count(result) : "no pairs";
+        const std::string too_few = fault_of_count(result);
+        const bool names_count = !check_.least_pairs.text.empty() && !too_few.empty();
+        const std::string few = has_pairs() ? too_few : names_count ? "no pairs; " + too_few : "no pairs";
         const std::string fault = fault_of(result, few);
         const bool is_csv = check_.format == stream::Format::csv;
         const auto tell = [this](const std::string& found) {

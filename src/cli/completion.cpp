@@ -4,10 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include <rotconv/sampling.hpp>
 #include <rotconv/spec.hpp>
 
-#include "../methods/method.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "program.hpp"
@@ -34,12 +32,20 @@ std::string modifiers() {
     return text + "    esac\n";
 }
 
-/// A line for each name of each option: the name, the argument or a dash, and its text in the help.
+/// What may be an option's argument: -, a word that stands for it in the help, or = and words with commas between;
+/// with a comma in front if there may be several.
+std::string argument_of(const Option& option) {
+    return (option.is_list ? "," : "") + (!option.choices.empty()   ? "=" + joined(option.choices)
+                                          : option.takes_argument() ? std::string(option.argument)
+                                                                    : "-");
+}
+
+/// A line for each name of each option: the name, what may be the argument, and its text in the help.
 std::string lines_of(const OptionSet& options) {
     std::string lines;
     for (const Option* option : options.all()) {
         for (const std::string_view name : split(option->names, ',')) {
-            lines += fmt::format("{} {} {}\n", name, option->takes_argument() ? option->argument : "-", option->about);
+            lines += fmt::format("{} {} {}\n", name, argument_of(*option), option->about);
         }
     }
     return in_shell(lines);
@@ -48,12 +54,6 @@ std::string lines_of(const OptionSet& options) {
 } // namespace
 
 std::string completion_words() {
-    std::vector<std::string_view> method_names{fast_method, all_methods, default_method};
-    for (const Method& method : methods()) {
-        if (std::ranges::find(method_names, method.name) == method_names.end()) {
-            method_names.push_back(method.name);
-        }
-    }
     std::string commands;
     std::string options = "    operands=\n    case ${1-} in\n";
     for (const CommandEntry& command : command_table()) {
@@ -69,10 +69,10 @@ std::string completion_words() {
         filtered(projects().subspan(presets().size()), [](const Project& project) { return !project.is_spec(); });
     return fmt::format(
         "# _rotconv_words COMMAND NAME: the words of a command, and of a representation.\n_rotconv_words() {{\n"
-        "    names={}\n    presets={}\n    projects={}\n    methods={}\n    kinds={}\n    commands={}\n{}    "
+        "    names={}\n    presets={}\n    projects={}\n    commands={}\n{}    "
         "esac\n{}}}\n",
         as_word(messages::all_names()), as_word(messages::all_presets()), as_word(mapped(listed_only, &Project::text)),
-        as_word(method_names), as_word(sample_kind_names), in_shell(commands), options, modifiers());
+        in_shell(commands), options, modifiers());
 }
 
 } // namespace rotconv::cli

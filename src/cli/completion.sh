@@ -11,7 +11,7 @@ _rotconv_candidates() {
     fi
     local word=$1 command= argument= operand= before prefix= newline='
 '
-    local commands names presets projects methods kinds operands options modifiers sequences
+    local commands names presets projects operands options modifiers sequences
     shift
     _rotconv_words
     for before; do
@@ -39,6 +39,18 @@ _rotconv_candidates() {
         ;;
     esac
 
+    case $argument in
+    ,*)
+        argument=${argument#,}
+        case $word in
+        *,*)
+            prefix=$prefix${word%,*},
+            word=${word##*,}
+            ;;
+        esac
+        ;;
+    esac
+
     candidates= files= open=
     case $argument in
     '')
@@ -56,9 +68,10 @@ _rotconv_candidates() {
         ;;
     SPEC | KNOWN) _rotconv_spec ;;
     NAME | SET) _rotconv_add "$names" ;;
-    METHOD) _rotconv_add "$methods" ;;
-    KIND) _rotconv_add "$kinds" ;;
-    FROM:TO) _rotconv_add "ned:enu enu:ned frd:flu flu:frd rdf:rub rdf:flu ruf:flu fru:flu" ;;
+    =*)
+        local IFS=,
+        _rotconv_add "${argument#=}"
+        ;;
     FILE) files=yes ;;
     esac
 }
@@ -105,7 +118,7 @@ if [ -n "${ZSH_VERSION-}" ]; then
         _rotconv_candidates "${words[CURRENT]}" "${(@)words[2,CURRENT-1]}"
         lines=("${(@f)candidates}")
         found=("${(@)lines%% *}")
-        shown=("${(@)lines/ (-|[A-Z:]##) #/  }")
+        shown=("${(@)lines/ [^ ]## #/  }")
         compadd ${open:+-S} ${open:+''} -l -d shown -a found
         if [[ -n $files ]]; then
             _files

@@ -10,6 +10,7 @@ namespace {
 struct ComposeOptions final : RowOptions {
     ComposeOptions() {
         from.about = "The representation of FILE, the left factor: NAME[:MODIFIER]...";
+        to.is_list = true;
         add("What", {&from, &by, &to});
         add_attitudes_of_file("Turn the attitudes R of FILE: compose L R; L as \"SPEC: NUMBERS\"",
                               "Turn the attitudes R of FILE: compose R S; S as \"SPEC: NUMBERS\"");
@@ -33,7 +34,7 @@ struct ComposeOptions final : RowOptions {
         RowsCommand made = rows_command(operations::several(mapped(written, product_as)));
         pair(made, second);
         made.allow_unpaired =
-            allow_unpaired.given() && one_of<bool>("kind of rows for", allow_unpaired, {{"reference", true}});
+            allow_unpaired.given() && one_of("kind of rows for", allow_unpaired, Choices<bool>{{"reference", true}});
         if (rows.paired) {
             made.options.pairing->needs_partner = true;
             made.options.pairing->tells_partner = false;
@@ -43,8 +44,8 @@ struct ComposeOptions final : RowOptions {
 
 private:
     Option by{"--by", "SPEC", "The representation of REFERENCE, the right factor (default: as --from)"};
-    Option allow_unpaired{"--allow-unpaired", "WHOSE",
-                          "reference: rows of REFERENCE that are left over are no failure"};
+    Option allow_unpaired{
+        "--allow-unpaired", "WHOSE", "reference: rows of REFERENCE that are left over are no failure", {"reference"}};
 };
 
 } // namespace

@@ -45,9 +45,22 @@ std::string lines_of(const MethodConversion& methods, const operations::MethodAn
     return lines;
 }
 
+/// Names of methods of any pair, and the words that stand for several.
+std::vector<std::string_view> method_names() {
+    std::vector<std::string_view> names{fast_method, all_methods, default_method};
+    for (const Method& each : methods()) {
+        if (std::ranges::count(names, each.name) == 0) {
+            names.push_back(each.name);
+        }
+    }
+    return names;
+}
+
 struct ConvertOptions final : RowOptions {
     ConvertOptions() {
         to.about = "The representation to write: NAME[:MODIFIER]...; several with commas";
+        to.is_list = true;
+        method.choices = method_names();
         add("What", {&from, &to});
         add_attitudes();
         add("What", {&continuous});

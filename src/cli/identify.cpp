@@ -256,6 +256,7 @@ struct IdentifyOptions final : RowOptions {
         to.argument = "KNOWN";
         to.about = "The representation of the known attitudes: NAME[:MODIFIER]...";
         format.about = "pretty (default), a table, or json";
+        format.choices = {"pretty", "json"};
         add("What", {&to, &from, &within});
         add_pairing();
         add_reading();
@@ -263,12 +264,12 @@ struct IdentifyOptions final : RowOptions {
     }
 
     [[nodiscard]] Command command() const override {
-        IdentificationReport::Settings asked{
-            .rows = {{paired_rows()}},
-            .name = name_alone(),
-            .identification = {.tolerance = most_defect()},
-            .unit = degrees.given() ? in_degrees : AngleUnitName(),
-            .json = one_of<bool>("format of identify", format, {{"pretty", false}, {"json", true}})};
+        IdentificationReport::Settings asked{.rows = {{paired_rows()}},
+                                             .name = name_alone(),
+                                             .identification = {.tolerance = most_defect()},
+                                             .unit = degrees.given() ? in_degrees : AngleUnitName(),
+                                             .json =
+                                                 one_of("format of identify", format, formats) == stream::Format::json};
         asked.identification.within = angle_of(within, degrees.given(), asked.identification.within);
         operations::IdentificationRows& rows = asked.rows;
         rows.known = spec_of(to);

@@ -36,10 +36,12 @@ struct Option {
     std::string_view names;    ///< such as "-f,--from"
     std::string_view argument; ///< what stands for it in the help; empty if the option takes none
     std::string_view about;
-    std::string_view group{};         ///< its title in the help; empty: the command does not have the option
-    bool repeats = false;             ///< it may be given several times
-    std::vector<std::string> texts{}; ///< the arguments; of an option that takes none, its name
-    WordEnd place{};                  ///< of the last argument
+    std::vector<std::string_view> choices{}; ///< words for the argument, the default first; empty: it may be any text
+    std::string_view group{};                ///< its title in the help; empty: the command does not have the option
+    bool repeats = false;                    ///< it may be given several times
+    bool is_list = false;                    ///< the argument may be several, with commas between
+    std::vector<std::string> texts{};        ///< the arguments; of an option that takes none, its name
+    WordEnd place{};                         ///< of the last argument
 
     [[nodiscard]] bool takes_argument() const noexcept { return !argument.empty(); }
     /// "--from".

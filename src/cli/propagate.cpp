@@ -10,6 +10,7 @@ namespace {
 
 struct PropagateOptions final : RowOptions {
     PropagateOptions() {
+        to.is_list = true;
         degrees.about = "Degrees, and degrees a second; :deg alone leaves radians a second";
         add("What", {&to, &initial, &with, &integrator, &substeps, &interpolation, &time_unit, &renormalise});
         add_attitudes();
@@ -32,8 +33,9 @@ struct PropagateOptions final : RowOptions {
         }
         require_rates(with, propagation.representation);
         propagation.integrator = integrator_of(propagation.representation);
-        propagation.interpolation = one_of<Interpolation>(
-            "interpolation", interpolation, {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
+        propagation.interpolation =
+            one_of("interpolation", interpolation,
+                   Choices<Interpolation>{{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}});
         propagation.renormalise = renormalise.given();
         propagation.substeps = count_of(substeps, 1'000'000, 1, propagation.substeps);
         propagation.initial = attitude_of(initial).rotation;
@@ -51,20 +53,25 @@ struct PropagateOptions final : RowOptions {
 private:
     /// That of --integrator; by default the best for the representation.
     [[nodiscard]] Integrator integrator_of(const Spec& spec) const {
-        const auto serving = mapped(
+        const Choices<Integrator> serving = mapped(
             filtered(integrators(), [&spec](const auto& entry) { return can_integrate(spec.name, entry.integrator); }),
             [](const IntegratorEntry& entry) { return std::pair(entry.text, entry.integrator); });
         const Integrator best = PropagationSettings{}.integrator;
-        return !integrator.given() && can_integrate(spec.name, best)
-                   ? best
-                   : one_of(fmt::format("integrator of {}", representation(spec.name).text), integrator, serving);
+        if (!integrator.given()) {
+            return can_integrate(spec.name, best) ? best : serving.front().second;
+        }
+        return one_of(fmt::format("integrator of {}", representation(spec.name).text), integrator.text(), serving,
+                      words_of(serving));
     }
 
     Option with{"--with", "SET", "The representation in which to integrate (default quat)"};
-    Option integrator{"--integrator", "INTEGRATOR", "rk4, or for quat also magnus4 (its default) or magnus6"};
+    Option integrator{"--integrator", "INTEGRATOR", "rk4, or for quat also magnus4 (its default) or magnus6",
+                      mapped(integrators(), &IntegratorEntry::text)};
     Option substeps{"--substeps", "N", "Integration steps from one row to the next (default 1)"};
-    Option interpolation{"--interpolation", "HOW",
-                         "Angular velocity between rows: linear (default), or cubic, a row late"};
+    Option interpolation{"--interpolation",
+                         "HOW",
+                         "Angular velocity between rows: linear (default), or cubic, a row late",
+                         {"linear", "cubic"}};
     Option renormalise{"--renormalise", "", "Make the numbers unit, or orthogonal, again after every step"};
 };
 

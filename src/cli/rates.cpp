@@ -21,7 +21,8 @@ struct RatesOptions final : RowOptions {
             refuse_values(fmt::format("rates {}", differences.name()));
         }
         const Spec spec = spec_of(from);
-        const auto axes = one_of<Frame>("frame", frame, {{"body", Frame::body}, {"reference", Frame::reference}});
+        const auto axes =
+            one_of("frame", frame, Choices<Frame>{{"body", Frame::body}, {"reference", Frame::reference}});
         const ConversionSettings reading = settings();
         const RateSettings rates{.inverse = inverse.given(),
                                  .degrees = degrees.given(),
@@ -38,7 +39,8 @@ struct RatesOptions final : RowOptions {
                             fmt::format("{} with {}", name, inverse.given() ? "its rates" : "wx wy wz"));
     }
 
-    Option frame{"--frame", "FRAME", "Axes of the angular velocity: body (default) or reference"};
+    Option frame{
+        "--frame", "FRAME", "Axes of the angular velocity: body (default) or reference", {"body", "reference"}};
     Option inverse{"--inverse", "", "Read the numbers and their rates, print the angular velocity"};
     Option differences{"--differences", "", "Read times and attitudes, print the angular velocity between rows"};
 };

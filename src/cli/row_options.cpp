@@ -41,11 +41,7 @@ SelectedColumns with_key(SelectedColumns columns, const Option& option, const st
 std::string or_else(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
 
 ShowDiagnostics shown_diagnostics_of(const Option& option) {
-    using enum ShowDiagnostics;
-    return !option.given()
-               ? summary
-               : one_of<ShowDiagnostics>("place for", option,
-                                         {{"off", off}, {"summary", summary}, {"rows", rows}, {"columns", columns}});
+    return option.given() ? one_of("place for", option, diagnostics_places) : ShowDiagnostics::summary;
 }
 
 stream::Digits digits_of(const RowOptions& options) {
@@ -62,7 +58,7 @@ stream::Digits digits_of(const RowOptions& options) {
 std::size_t width_of(const RowOptions& options, const std::string& columns_option, const stream::InputOptions& in) {
     const std::size_t needed = in.numbers.names.size();
     const std::size_t row = count_of(options.width, widest_row, 1, needed);
-    if (!one_of<bool>("input format", options.input_format, {{"csv", false}, {"f64", true}})) {
+    if (one_of("input format", options.input_format, formats) != stream::Format::f64) {
         return 0;
     }
     if (in.columns.has_names()) {
@@ -82,9 +78,7 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
                               stream::RowNumbers numbers, std::string_view subject, bool names_decide) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
-    in.header = one_of<HeaderMode>(
-        "mode of", options.header,
-        {{"auto", HeaderMode::automatic}, {"yes", HeaderMode::yes}, {"no", HeaderMode::no}, {"add", HeaderMode::add}});
+    in.header = one_of("mode of", options.header, header_modes);
     in.ragged = options.ragged.given();
     in.refuses_json = in.header == HeaderMode::automatic && options.policy() == stream::OnError::stop;
     const Option& delimiter = options.delimiter;
@@ -127,11 +121,7 @@ void RowOptions::check_attitudes() const {
 
 double RowOptions::most_defect() const { return amount_of(tolerance, ConversionSettings{}.tolerance, true); }
 
-stream::OnError RowOptions::policy() const {
-    using stream::OnError;
-    return one_of<OnError>("policy of", on_error,
-                           {{"stop", OnError::stop}, {"nan", OnError::nan}, {"skip", OnError::skip}});
-}
+stream::OnError RowOptions::policy() const { return one_of("policy of", on_error, policies); }
 
 ConversionSettings RowOptions::settings() const {
     return {.tolerance = most_defect(), .sensitivity = shown_diagnostics_of(diagnostics) == ShowDiagnostics::columns};
@@ -216,9 +206,7 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
         .input = input_of(*this, selected, time_unit, numbers, command.subject->text,
                           numbers.attitude || !numbers.second), // identify reads columns as they stand
         .operation = std::move(operation),
-        .format = one_of<Format>(
-            "format", format,
-            {{"csv", Format::csv}, {"json", Format::json}, {"pretty", Format::pretty}, {"f64", Format::f64}}),
+        .format = one_of("format", format, formats),
         .on_error = policy(),
         .digits = digits_of(*this),
         .append = append.given(),

@@ -16,6 +16,25 @@ namespace rotconv::cli {
 
 inline constexpr std::size_t widest_row = 100'000; ///< doubles
 
+// What words are as arguments. A command may take only some of them: see Option::choices.
+inline const Choices<stream::Format> formats{{"csv", stream::Format::csv},
+                                             {"json", stream::Format::json},
+                                             {"pretty", stream::Format::pretty},
+                                             {"f64", stream::Format::f64}};
+inline const Choices<stream::HeaderMode> header_modes{{"auto", stream::HeaderMode::automatic},
+                                                      {"yes", stream::HeaderMode::yes},
+                                                      {"no", stream::HeaderMode::no},
+                                                      {"add", stream::HeaderMode::add}};
+inline const Choices<stream::OnError> policies{
+    {"stop", stream::OnError::stop}, {"nan", stream::OnError::nan}, {"skip", stream::OnError::skip}};
+inline const Choices<ShowDiagnostics> diagnostics_places{{"off", ShowDiagnostics::off},
+                                                         {"summary", ShowDiagnostics::summary},
+                                                         {"rows", ShowDiagnostics::rows},
+                                                         {"columns", ShowDiagnostics::columns}};
+/// Pairs of axes that are often met.
+inline const std::vector<std::string_view> usual_axes{"ned:enu", "enu:ned", "frd:flu", "flu:frd",
+                                                      "rdf:rub", "rdf:flu", "ruf:flu", "fru:flu"};
+
 /// The columns to read of one stream.
 struct SelectedColumns {
     std::string list{};
@@ -30,29 +49,40 @@ struct RowOptions : CommandOptions {
     Option to{"-t,--to", "SPEC", "The representation to write: NAME[:MODIFIER]..."};
     Option degrees{"-d,--degrees", "", "All angles are in degrees, read and written"};
     Option columns{"--columns", "LIST", "The columns to read: indices from 1, ranges such as 5-8, or names"};
-    Option header{"--header", "MODE", "Header of the input: auto (default), yes, no, or add (none; print one)"};
+    Option header{"--header", "MODE", "Header of the input: auto (default), yes, no, or add (none; print one)",
+                  words_of(header_modes)};
     Option comment{"--comment", "PREFIX", "What comments begin with (default #); none: there are none"};
     Option ragged{"--ragged", "", "Take rows of any number of fields that have the columns"};
-    Option delimiter{"--delimiter", "D", "What separates fields: a character, or comma, tab, semicolon, blank"};
-    Option input_format{"--input-format", "FORMAT", "csv (default), which is text, or f64, little-endian doubles"};
+    Option delimiter{"--delimiter",
+                     "D",
+                     "What separates fields: a character, or comma, tab, semicolon, blank",
+                     {"comma", "tab", "semicolon", "blank"}};
+    Option input_format{
+        "--input-format", "FORMAT", "csv (default), which is text, or f64, little-endian doubles", {"csv", "f64"}};
     Option width{"--width", "N", "Doubles in an f64 row of input, if more than those that are read"};
-    Option on_error{"--on-error", "POLICY", "What to do with a row that has no result: stop (default), nan, skip"};
+    Option on_error{"--on-error", "POLICY", "What to do with a row that has no result: stop (default), nan, skip",
+                    words_of(policies)};
     Option tolerance{"--tolerance", "T", "How far from exact a quaternion or matrix may be (default 1e-3)"};
     Option output{"-o,--output", "FILE", "Write FILE; - is standard output"};
-    Option format{"--format", "FORMAT", "csv (default), json, pretty for people, or f64, little-endian doubles"};
+    Option format{"--format", "FORMAT", "csv (default), json, pretty for people, or f64, little-endian doubles",
+                  words_of(formats)};
     Option precision{"-p,--precision", "N", "Significant digits (default: the fewest that read back equal)"};
     Option decimals{"--decimals", "N", "Digits after the decimal point, instead of --precision"};
     Option threads{"--threads", "N", "At most N threads; the output is the same for every N"};
     Option append{"--append", "", "Keep the whole row and add the result at its end"};
-    Option diagnostics{"--diagnostics", "WHERE", "Where to show diagnostics: off, summary (default), rows or columns"};
-    Option strict{"--strict", "", "Exit with 1 if a diagnostic was met (normalized: only of an axis)"};
+    Option diagnostics{"--diagnostics", "WHERE", "Where to show diagnostics: off, summary (default), rows or columns",
+                       words_of(diagnostics_places)};
+    Option strict{"--strict", "",
+                  "Exit with 1 at a note or a diagnostic but large-angle and normalized (of an axis it counts)"};
     Option continuous{"--continuous", "", "Write the numbers nearest to the last result, so that they do not jump"};
     Option lock_margin{"--lock-margin", "ANGLE", "Treat attitudes this near gimbal lock as locked (default 1e-15rad)"};
-    Option time_unit{"--time-unit", "UNIT", "Unit of the times: s (default), ms, us or ns"};
+    Option time_unit{"--time-unit", "UNIT", "Unit of the times: s (default), ms, us or ns", words_of(time_units)};
 
     // What is done to attitudes before they are written.
-    Option reference_axes{"--reference-axes", "FROM:TO", "Other reference axes, such as ned:enu, by their names"};
-    Option body_axes{"--body-axes", "FROM:TO", "Other body axes, such as frd:flu (cameras: rdf:rub), by their names"};
+    Option reference_axes{"--reference-axes", "FROM:TO", "Other reference axes, such as ned:enu, by their names",
+                          usual_axes};
+    Option body_axes{"--body-axes", "FROM:TO", "Other body axes, such as frd:flu (cameras: rdf:rub), by their names",
+                     usual_axes};
     Option left{"--left", "ATTITUDE", "Other reference axes: write L R instead of R; L as \"SPEC: NUMBERS\""};
     Option right{"--right", "ATTITUDE", "Other body axes: write R S instead of R; S as \"SPEC: NUMBERS\""};
     Option initial{"--initial", "ATTITUDE", "The attitude at the first row, as \"SPEC: NUMBERS\""};
@@ -64,7 +94,8 @@ struct RowOptions : CommandOptions {
     Option reference_key{"--reference-key", "COLUMN", "The column of the key in REFERENCE (default: that of --key)"};
     Option key_within{"--key-within", "T", "The largest difference between the keys of a pair (default 0)"};
     Option key_offset{"--key-offset", "T", "Add T to the keys of FILE"};
-    Option reference_time_unit{"--reference-time-unit", "UNIT", "Unit of REFERENCE's keys (default: the same)"};
+    Option reference_time_unit{"--reference-time-unit", "UNIT", "Unit of REFERENCE's keys (default: the same)",
+                               words_of(time_units)};
     Option interpolate{"--interpolate", "", "Take the reference at FILE's key, between two rows --key-within apart"};
 
     void add_reading();

@@ -40,6 +40,9 @@ struct SampleOptions final : RowOptions {
     SampleOptions() {
         degrees.about = "All angles are in degrees";
         header.about = "no (default), or add: print one";
+        header.choices = {"no", "add"};
+        kind.choices = {sample_kind_names.begin(), sample_kind_names.end()};
+        kind.is_list = true;
         add("What", {&to, &kind, &rows, &seed, &noise, &degrees});
         add("Output", {&output, &header, &format, &precision, &decimals});
         add("More", {&threads});
@@ -54,7 +57,7 @@ struct SampleOptions final : RowOptions {
         const SampleSettings samples{
             kinds_of(spec.name), count_of(seed, largest_count, 0),
             number_of(noise, 5e-4, "number from 0 to 0.5", [](double most) { return most >= 0.0 && most <= 0.5; })};
-        const bool has_header = one_of<bool>("mode of", header, {{"no", false}, {"add", true}});
+        const bool has_header = one_of("mode of", header, header_modes) == stream::HeaderMode::add;
         RowsCommand made = rows_command(operations::sample(spec, samples));
         made.options.input = {.numbers = made.options.input.numbers,
                               .delimiter = stream::Delimiter::character(','),
@@ -74,7 +77,8 @@ private:
         const Choices<SampleKind> legal = mapped(kinds, [](SampleKind each) { return std::pair(name_of(each), each); });
         kinds.clear();
         for (const std::string_view word : split(kind.text(), ',')) {
-            kinds.push_back(one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal));
+            kinds.push_back(
+                one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal, words_of(legal)));
             if (std::ranges::count(kinds, kinds.back()) > 1) {
                 throw Usage("{} has {} twice", kind.name(), quoted(word));
             }

@@ -47,6 +47,7 @@ Conclusion conclusion_of(const Survey& survey, double condition, bool json) {
 struct SurveyOptions final : RowOptions {
     SurveyOptions() {
         format.about = "pretty (default), a table, or json";
+        format.choices = {"pretty", "json"};
         add("What", {&from, &condition});
         add("Output", {&format});
         add_reading();
@@ -57,7 +58,7 @@ struct SurveyOptions final : RowOptions {
         const Spec read = spec_of(from);
         const ConversionSettings reading = settings();
         const double most = amount_of(condition, 1e3, true);
-        const bool json = one_of<bool>("format of survey", format, {{"pretty", false}, {"json", true}});
+        const bool json = one_of("format of survey", format, formats) == stream::Format::json;
         RowsCommand command = rows_command(operations::convert(Conversion(read, Spec{}, reading), false));
         const auto fold = std::make_shared<operations::SurveyFold>();
         command.options.writes_rows = false;

@@ -55,8 +55,8 @@ bool HeaderLine::is_remark() const {
     const auto is_before_number = [](const auto& name, const auto& next) {
         return !is_number(name) && is_number(next);
     };
-    return first == "FMT" || first == "COMMENT" || std::ranges::count(all, "=") > 0 ||
-           std::ranges::any_of(all, is_name_with_number) ||
+    const bool is_assignment = delimiter.is_blanks() && all.size() > 1 && all[1] == "="; // KEY = value
+    return first == "FMT" || first == "COMMENT" || is_assignment || std::ranges::any_of(all, is_name_with_number) ||
            (delimiter.is_blanks() && std::ranges::adjacent_find(all, is_before_number) != all.end());
 }
 

@@ -146,13 +146,13 @@ TEST_CASE("rows in which nearly everything cancels keep the promise") {
 
 // Catches a component that is scaled to nothing with the quaternion, and then taken for 0 or for what it was.
 TEST_CASE("the smallest numbers beside large ones are rounded once") {
-    const auto check_row = [](const char* from, std::vector<double> row) {
-        const Spec dcm = accuracy::spec("dcm");
-        const auto exact = oracle::converted(accuracy::spec(from), dcm, row);
-        const auto result =
-            accuracy::converted(accuracy::spec(from), dcm, row, {.tolerance = std::numeric_limits<double>::infinity()});
-        for (std::size_t i = 0; i < 9; ++i) {
-            INFO(from << " entry " << i);
+    const auto check_row = [](const char* from, std::vector<double> row, const char* to = "dcm") {
+        const Spec written = accuracy::spec(to);
+        const auto exact = oracle::converted(accuracy::spec(from), written, row);
+        const auto result = accuracy::converted(accuracy::spec(from), written, row,
+                                                {.tolerance = std::numeric_limits<double>::infinity()});
+        for (std::size_t i = 0; i < written.size(); ++i) {
+            INFO(from << " to " << to << ", number " << i);
             CHECK(result.numbers[i] == exact[i].value);
         }
     };
@@ -161,6 +161,14 @@ TEST_CASE("the smallest numbers beside large ones are rounded once") {
     check_row("quat", {1e300, 0, 1e-20, 1e-90});
     check_row("cayley", {1.5, 0, 0x1p-1074});
     check_row("mrp", {0.5, 0, 0x1p-1074});
+    // the angle is not a half-turn, nor whole turns, by what the smallest numbers add to the length
+    for (const double half_turns : {180.0, -180.0, 540.0, 900.0, 360.0}) {
+        for (const char* to : {"quat", "cayley", "cayley:passive"}) {
+            check_row("rotvec:deg", {half_turns, 5.01e-67, -1.82e-67}, to);
+            check_row("rotvec:deg", {2.5e-120, half_turns, 1e-300}, to);
+            check_row("rotvec:deg", {-1e-149, 1e-150, half_turns}, to);
+        }
+    }
 }
 
 // Catches a norm of 2^k taken for 1, digits lost in the smallest turns, a lost limit of a lock margin.

@@ -99,7 +99,24 @@ for shell in $shells; do
     check "$shell" "rotconv --method " fast trace !quat
     check "$shell" "rotconv sample --kind " half-turn many-turns !quat
     check "$shell" "rotconv compare --body-axes " frd:flu !quat
-    check "$shell" "rotconv propagate --integrator " !quat
+    check "$shell" "rotconv propagate --integrator " rk4 magnus6 !quat
+    check "$shell" "rotconv --format " csv json pretty f64 !quat
+    check "$shell" "rotconv compare --format " csv json pretty !f64
+    check "$shell" "rotconv survey --format " json !csv
+    check "$shell" "rotconv --header " auto yes no add !rows.csv
+    check "$shell" "rotconv sample --header " no add !auto
+    check "$shell" "rotconv --on-error " stop nan skip
+    check "$shell" "rotconv --diagnostics " off summary rows columns
+    check "$shell" "rotconv --input-format " csv f64 !json
+    check "$shell" "rotconv --delimiter " comma tab semicolon blank
+    check "$shell" "rotconv compare --align " reference body both yaw first
+    check "$shell" "rotconv compare --allow-unpaired " file reference both
+    check "$shell" "rotconv compose --allow-unpaired " reference !both
+    check "$shell" "rotconv compare --reference-time-unit " s ms us ns
+    check "$shell" "rotconv rates --frame " body reference
+    check "$shell" "rotconv propagate --interpolation " linear cubic
+    check "$shell" "rotconv sample --kind uniform," uniform,small !small
+    check "$shell" "rotconv -f quat -t quat,rp" quat,rpy !rpy !quat
     check "$shell" "rotconv rates -" --inverse !--lock-margin
 done
 check_part "rotconv -f quat:" quat: $modifiers $presets !deg
@@ -107,6 +124,10 @@ check_part "rotconv -f euler:" euler: ZYX xyz ZXZ !deg !XXZ
 check_part "rotconv -f euler:ZYX:" euler:ZYX: deg passive ros !xyzw !ZYX
 check_part "rotconv -f dcm:passive:" dcm:passive: col spice !xyzw
 check_part "rotconv -f gibbs:" gibbs: passive !deg
+check_part "rotconv -f quat -t rpy,euler:ZYX:" rpy,euler:ZYX: deg passive !ZYX
+check_part "rotconv propagate --to=quat," --to= quat,rpy
+check_part "rotconv compare -f quat:xyzw -t rpy," rpy, !rpy,quat !quat
+check_part "rotconv --format=" --format= csv !quat
 check_part "rotconv --from=" --from= quat euler
 check_part "rotconv --reference-axes ned:" ned: enu
 check_part "rotconv --from=rotvec:" --from=rotvec: deg
