@@ -78,7 +78,7 @@ std::vector<Spelling> spellings_of(const Part& part) {
     }
     const auto add = [&](std::string_view text, bool decides = true, Shared shared = Shared::anything) {
         const auto words = words_in(text);
-        auto& added = spellings.emplace_back(words, decides, shared).words;
+        auto& added = spellings.emplace_back(Spelling{words, decides, shared}).words;
         for (std::size_t i = 0; decides && i < words.size(); ++i) {
             added[i] = words[places.at(i)];
         }

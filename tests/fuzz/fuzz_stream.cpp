@@ -581,6 +581,7 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
 fuzz::Rules reading_rules_of(const std::vector<std::string>& words, const RowNumbers& numbers) {
     fuzz::Rules rules;
     rules.inputs = numbers.names.size();
+    rules.numbers = numbers.names;
     rules.kept = numbers.kept;
     rules.columns = argument_of(words, "--columns");
     rules.comment = argument_of(words, "--comment", "#");

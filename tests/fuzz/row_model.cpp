@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <fmt/format.h>
@@ -352,6 +353,13 @@ private:
             has_word("COMMENT")) {
             return false; // a mark, or a remark
         }
+        const auto is_value = [](const std::string& name) { // a number after a name, which is no header's
+            double value = 0.0;
+            return read(name.substr(name.find_last_of(" \t:") + 1), value);
+        };
+        if (std::ranges::any_of(names, is_value)) {
+            return false;
+        }
         for (std::size_t i = 0; i < items_.size(); ++i) {
             if (const std::string& name = items_[i].name; !name.empty()) {
                 positions_[i] = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
@@ -360,6 +368,7 @@ private:
                 }
             }
         }
+        read_by_own_names();
         header_ = 0;
         header_width_ = width_of(fields, delimiter);
         const std::string result = joined(result_names(), delimiter);
@@ -367,6 +376,20 @@ private:
                                      : in_place(fields, result, delimiter);
         header_text_ += line.end.empty() ? "\n" : line.end;
         return std::set<std::size_t>(positions_.begin(), positions_.end()).size() == positions_.size();
+    }
+
+    /// Numbers that are listed by their own names are those, in whatever order.
+    void read_by_own_names() {
+        const auto own = std::span(rules_.numbers).subspan(rules_.kept);
+        const auto listed = [this](const std::string& name) {
+            return static_cast<std::size_t>(std::ranges::find(items_, name, &Item::name) - items_.begin());
+        };
+        if (std::ranges::all_of(own, [&](const std::string& name) { return listed(name) < items_.size(); })) {
+            const auto positions = positions_;
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                positions_[rules_.kept + i] = positions[listed(own[i])];
+            }
+        }
     }
 
     [[nodiscard]] bool is_data(std::size_t at) const { return lines_[at].row() && at >= first_data_ && header_ != at; }

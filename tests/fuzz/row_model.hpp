@@ -28,8 +28,9 @@ using Calculate = std::function<Answer(const std::vector<double>& numbers, const
 /// The options as they are written, and what the command makes of numbers.
 struct Rules {
     std::size_t inputs = 0;
-    std::size_t kept = 0;           ///< of them, the first that stay in the row
-    std::vector<std::string> names; ///< of the result's columns, those of diagnostics included
+    std::vector<std::string> numbers; ///< their names, as rotconv writes them
+    std::size_t kept = 0;             ///< of them, the first that stay in the row
+    std::vector<std::string> names;   ///< of the result's columns, those of diagnostics included
     Calculate calculate;
     std::string comment = "#", columns, delimiter, header = "auto", format = "csv", on_error = "stop";
     int precision = 0;
