@@ -10,6 +10,7 @@
 #include "../operations/operations.hpp"
 #include "../stream/delimiter.hpp"
 #include "../stream/number_text.hpp"
+#include "values.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -130,15 +131,26 @@ void require_rates(const Option& option, const Spec& spec) {
 
 GivenNumbers numbers_of(const Option& option, bool degrees) {
     const std::string& text = option.text();
-    const auto colon = text.rfind(':');
+    std::size_t colon = text.rfind(':'); // of those before numbers, the last that ends a SPEC
+    for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
+        colon = std::holds_alternative<Spec>(parse_spec(text.substr(0, at))) ? at : colon;
+    }
     if (colon == std::string::npos) {
         throw Usage("{} needs 'SPEC: NUMBERS' in one argument, such as 'quat: 1 0 0 0', not {}", option.name(),
                     quoted(text));
     }
     GivenNumbers read{spec_of(option, text.substr(0, colon), degrees),
                       stream::trimmed(std::string_view(text).substr(colon + 1))};
+    Values values;
+    try {
+        values = values_of({std::string(read.row)}, std::nullopt, operations::attitude_numbers(read.spec),
+                           text.substr(0, colon), false);
+    } catch (const Usage& error) {
+        throw Usage("{}: {}", option.name(), std::string_view(error.what()).substr(argument_error.size()));
+    }
+    read.notes = std::move(values.notes);
     std::vector<std::string_view> fields;
-    stream::Delimiter::of_row(read.row).split(read.row, fields);
+    static_cast<void>(values.delimiter.split(values.row, fields));
     if (fields.size() != read.spec.size()) {
         throw Usage("{}: {} has {} numbers, not {}: {}", option.name(), representation(read.spec.name).text,
                     read.spec.size(), fields.size(), quoted(read.row));

@@ -84,6 +84,7 @@ struct GivenNumbers {
     Spec spec;
     std::string_view row; ///< the numbers as they are written
     std::vector<double> numbers{};
+    std::vector<stream::Note> notes{}; ///< what was chosen although the text does not say it
 };
 [[nodiscard]] GivenNumbers numbers_of(const Option& option, bool degrees);
 /// The attitude of these numbers; the identity if the option is not given.

@@ -310,7 +310,13 @@ RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> n
         if (part.is_kept && part.names.front() == "key") { // its column is told
             names[part.begin].clear();
         }
-        const auto& set = row.sets.emplace_back(part.is_kept ? std::nullopt : find_names(part, names));
+        auto& set = row.sets.emplace_back(part.is_kept ? std::nullopt : find_names(part, names));
+        if (!set && !part.is_kept) { // names that other parts have too
+            set = find_names(part, part.of(names));
+            for (std::size_t i = 0; set && i < set->places.size(); ++i) {
+                set->places[i] += part.begin;
+            }
+        }
         for (const std::size_t place : set ? set->places : std::vector<std::size_t>()) {
             names[place].clear();
             is_free[place] = false;

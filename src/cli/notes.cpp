@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <utility>
@@ -192,6 +193,7 @@ std::vector<stream::Note> notes_on_options(const RowOptions& options) {
     for (const Option* option : {&options.left, &options.right, &options.initial}) {
         if (option->given()) {
             const GivenNumbers read = numbers_of(*option, options.degrees.given());
+            std::ranges::copy(read.notes, std::back_inserter(notes));
             if (const double angle = unusual_numbers(read.spec, read.numbers).angle; angle > 0.0) {
                 notes.push_back(
                     {Kind::angle, fmt::format("{}: an angle of {:.6g} is read in radians; if it is in degrees: {}",

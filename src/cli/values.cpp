@@ -510,20 +510,17 @@ std::vector<ValueNumber> of_parts(const ValueText& text, const stream::RowNumber
     if (!has_names || numbers.size() != row.names.size()) {
         return numbers;
     }
-    for (const Part& part : parts_of(row)) {
-        const auto all = mapped(numbers, &ValueNumber::label);
-        const auto labels = part.of(all);
-        const bool is_named = std::ranges::any_of(labels, [](const std::string& label) { return !label.empty(); });
-        const auto known = is_named ? find_names(part, labels) : std::nullopt;
-        if (is_named && !known) {
-            refuse("the labels {} are not those of {}", joined(labels),
-                   part.attitude ? part.attitude->text() : joined(part.names));
-        }
-        const auto own = numbers;
-        for (std::size_t i = 0; known && known->decides && i < part.names.size(); ++i) {
-            numbers[part.begin + i] = own[part.begin + known->places[i]];
+    const auto labels = mapped(numbers, &ValueNumber::label);
+    const std::vector<Part> parts = parts_of(row);
+    const RowNames names = names_of_row(parts, labels);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const auto own = parts[k].of(labels);
+        if (!names.sets[k] && std::ranges::any_of(own, [](const std::string& label) { return !label.empty(); })) {
+            refuse("the labels {} are not those of {}", joined(own),
+                   parts[k].attitude ? parts[k].attitude->text() : joined(parts[k].names));
         }
     }
+    numbers = mapped(names.places, [&numbers](std::size_t place) { return numbers[place]; });
     return numbers;
 }
 

@@ -12,6 +12,9 @@
 /// Numbers as people type them, and as programs print them.
 namespace rotconv::cli {
 
+/// What errors of values_of() begin with.
+inline constexpr std::string_view argument_error = "argument: ";
+
 /// The word is a number, or begins with one before a separator; after brackets its first character is enough.
 [[nodiscard]] bool is_value(std::string_view word);
 

@@ -203,7 +203,8 @@ private:
             const bool has_mark = header.begins_with_mark();
             for (const bool is_without : {has_mark, !has_mark}) {
                 HeaderLine each = is_without ? header.without_mark() : header;
-                auto found = options_.columns.positions(each.is_remark() ? std::vector<std::string>() : each.names());
+                auto found =
+                    options_.columns.positions(each.is_remark(true) ? std::vector<std::string>() : each.names());
                 if (has_all(found) || (tried.size() == 1 && is_without != has_mark)) {
                     return {std::move(each), std::move(found)};
                 }

@@ -14,10 +14,16 @@ bool is_mark(char c) noexcept {
 }
 
 /// Whether a text is a name followed by a number: "roll 0.1", "x: 0", "x=0".
+/// "Joint 1" is a name.
 bool is_name_with_number(std::string_view text) noexcept {
     const auto end_of_name = text.find_last_of(" \t:=");
-    return end_of_name != std::string_view::npos && is_number(text.substr(end_of_name + 1)) &&
-           !is_number(text.substr(0, end_of_name));
+    if (end_of_name == std::string_view::npos) {
+        return false;
+    }
+    const std::string_view number = text.substr(end_of_name + 1);
+    const bool is_index = number.find_first_not_of("0123456789") == std::string_view::npos &&
+                          text.find_first_of(":=") == std::string_view::npos;
+    return is_number(number) && !is_index && !is_number(text.substr(0, end_of_name));
 }
 
 } // namespace
@@ -49,13 +55,13 @@ HeaderLine HeaderLine::without_mark() const {
     return made;
 }
 
-bool HeaderLine::is_remark() const {
+bool HeaderLine::is_remark(bool has_names) const {
     const std::string_view first = fields.empty() ? "" : trimmed(fields.front());
     const auto all = names();
     const auto is_before_number = [](const auto& name, const auto& next) {
         return !is_number(name) && is_number(next);
     };
-    const bool is_assignment = delimiter.is_blanks() && all.size() > 1 && all[1] == "="; // KEY = value
+    const bool is_assignment = !has_names && delimiter.is_blanks() && std::ranges::count(all, "=") > 0; // KEY = value
     return first == "FMT" || first == "COMMENT" || is_assignment || std::ranges::any_of(all, is_name_with_number) ||
            (delimiter.is_blanks() && std::ranges::adjacent_find(all, is_before_number) != all.end());
 }

@@ -21,8 +21,8 @@ struct HeaderLine {
     /// Whether the first field is such a mark and nothing else.
     [[nodiscard]] bool begins_with_mark() const;
     /// Whether the line is not a header, although it may look like one: it is a remark of another program (COMMENT, KEY
-    /// = value, FMT), or has a name followed by a number.
-    [[nodiscard]] bool is_remark() const;
+    /// = value, FMT), or has a name followed by a number. `has_names`: all that are looked for, so that = may be one.
+    [[nodiscard]] bool is_remark(bool has_names = false) const;
     [[nodiscard]] FieldCount width() const { return delimiter.count(fields); }
     [[nodiscard]] std::string name(std::size_t at) const;
     [[nodiscard]] std::vector<std::string> names() const;
