@@ -135,7 +135,9 @@ std::vector<std::size_t> far_apart(const Attitudes& attitudes) {
 double most_alike(double nearest) noexcept { return 10.0 * std::max(nearest, 1e-12); }
 
 /// The angle whose squared half sine this is.
-double angle_of_square(double square) noexcept { return 2.0 * std::asin(std::min(1.0, std::sqrt(square))); }
+double angle_of_square(double square) noexcept {
+    return 2.0 * angle_of(std::sqrt(std::max(0.0, 1.0 - square)), std::sqrt(square), AngleUnit::radians).hi;
+}
 
 /// What trials on two sets of rows say together.
 Candidate joined(const Candidate& a, const Candidate& b) noexcept {
