@@ -20,7 +20,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"crp", "cayley", ""},
     {"rot6d rotation6d", "6d", ""},
     {"rodrigues rodriguesvector", "", "two meanings: tan(theta/2) n is cayley, theta n (as in OpenCV) is rotvec"},
-    {"m2eul eul2m", "", "m2eul(r, 3, 2, 1) is euler:zyx; C-matrices are dcm:spice"},
+    {"m2eul eul2m", "", "m2eul(r, 3, 2, 1) is euler:XYZ with its numbers in reverse order: euler:zyx, except at gimbal lock; C-matrices are dcm:spice"},
     {"rollpitchyaw roll pitch yaw", "rpy", ""},
     {"euler eul eulerangles", "euler:ZYX", "(or another sequence: rotconv list euler)"},
     {"heading", "", "the last number of rpy, or the first of euler:ZYX (yaw, pitch, roll)"},

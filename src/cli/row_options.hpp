@@ -72,8 +72,7 @@ struct RowOptions : CommandOptions {
     Option append{"--append", "", "Keep the whole row and add the result at its end"};
     Option diagnostics{"--diagnostics", "WHERE", "Where to show diagnostics: off, summary (default), rows or columns",
                        words_of(diagnostics_places)};
-    Option strict{"--strict", "",
-                  "Exit with 1 at a note or a diagnostic but large-angle and normalized (of an axis it counts)"};
+    Option strict{"--strict", "", "Exit with 1 after notes or diagnostics except normalized, large-angle"};
     Option continuous{"--continuous", "", "Write the numbers nearest to the last result, so that they do not jump"};
     Option lock_margin{"--lock-margin", "ANGLE", "Treat attitudes this near gimbal lock as locked (default 1e-15rad)"};
     Option time_unit{"--time-unit", "UNIT", "Unit of the times: s (default), ms, us or ns", words_of(time_units)};

@@ -17,7 +17,7 @@ constexpr auto project_table = std::to_array<Project>({
     {"tum", "evo", "quat:xyzw columns 5-8 of a trajectory", "", "", "", "TUM RGB-D trajectory files", ""},
     {"matlab", "", "dcm:passive Aerospace Toolbox; dcm Robotics System Toolbox; quat both; euler:ZYX both, by default", "", "", "", "Aerospace Toolbox", "rotmat of a quaternion is dcm:passive for 'frame', dcm for 'point'"},
     {"basilisk", "schaub bn", "dcm:passive [BN]; quat beta0 first; mrp; euler:ZYX 321, yaw pitch roll", "", "", "", "Basilisk; Schaub and Junkins, [BN]", "RigidBodyKinematics.py"},
-    {"spice", "naif spiceypy", "dcm:passive C-matrix; quat:passive m2q", "", "", "", "SPICE C-matrices, reference to body", "m2eul(r, 3, 2, 1) gives euler:zyx of its angles in the order of the call"},
+    {"spice", "naif spiceypy", "dcm:passive C-matrix; quat:passive m2q", "", "", "", "SPICE C-matrices, reference to body", "m2eul(r, 3, 2, 1) gives the numbers of euler:XYZ in reverse order: those of euler:zyx, except at gimbal lock"},
     {"bunge", "", "euler:ZXZ phi1 Phi phi2; dcm:passive the matrix g; quat:passive", "phi1 Phi phi2", "", "", "materials science, P = +1; R takes crystal to sample", ""},
     {"baruh", "", "dcm:passive; quat:xyzw e4 is the scalar", "", "", "", "Baruh, Analytical Dynamics, 1999", ""},
     {"trawny", "", "dcm:passive; quat:xyzw", "", "", "", "Trawny and Roumeliotis 2005, the JPL quaternion", ""},
