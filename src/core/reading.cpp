@@ -28,8 +28,8 @@ std::string_view message(Error error) noexcept {
 
 std::string_view name_of(DiagnosticKind kind) noexcept {
     static constexpr std::array<std::string_view, diagnostic_kind_count> names{
-        "normalized", "normalized",    "large-angle",  "gimbal-lock", "near-gimbal-lock", "half-turn",
-        "infinite",   "identity-axis", "method-error", "coarse-step", "beyond"};
+        "normalized",    "normalized",   "large-angle", "gimbal-lock", "near-gimbal-lock", "half-turn", "infinite",
+        "identity-axis", "method-error", "coarse-step", "beyond"};
     static_assert(!names.back().empty());
     return names[static_cast<std::size_t>(kind)];
 }

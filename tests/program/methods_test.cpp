@@ -16,8 +16,7 @@ TEST_CASE("a method's failure is shown and named") {
     CHECK(run("-f dcm -t quat --method default" + half_turn) == done("0 0 1 0\n"));
     CHECK(run("-f dcm -t quat --method shepperd" + half_turn) == done("0 0 1 0\n"));
     CHECK(run("--strict -f dcm -t quat --method baruh" + half_turn).exit_code == 1);
-    const auto columns =
-        run("-f quat -t dcm --method unit --diagnostics columns -p 3", "1,0,0,0\n0.7074,0,0,0.7072\n");
+    const auto columns = run("-f quat -t dcm --method unit --diagnostics columns -p 3", "1,0,0,0\n0.7074,0,0,0.7072\n");
     CHECK(missing(columns.out, {"normalized+method-error\n", ",inf,1.41,0,\n"}) == "");
     const auto summary = run("-f dcm -t quat --method trace", "1 0 0 0 1 0 0 0 1\n-1 0 0 0 1 0 0 0 -1\n");
     CHECK(missing(summary.err, {"-: method-error: 1 row, first at line 2; "}) == "");
