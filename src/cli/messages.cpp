@@ -246,12 +246,7 @@ std::string few_keys_met(const stream::KeysMet& keys) {
     return text;
 }
 
-std::string meaning(const stream::Diagnostic& diagnostic) {
-    const bool is_mark =
-        diagnostic.kind == DiagnosticKind::large_angle && std::abs(diagnostic.figure - 12.56637) < 1e-4;
-    return fmt::format("{}{}", words_for(diagnostic.kind).meaning,
-                       is_mark ? "; 4 pi marks points without an attitude in .ang files" : "");
-}
+std::string_view meaning(const stream::Diagnostic& diagnostic) { return words_for(diagnostic.kind).meaning; }
 
 std::string describe(const stream::Diagnostic& diagnostic) {
     return fmt::format("{}: {} {:.3g}{}{}; {}", name_of(diagnostic.kind), words_for(diagnostic.kind).figure,

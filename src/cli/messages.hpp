@@ -63,7 +63,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);
 
 /// What a diagnostic means.
-[[nodiscard]] std::string meaning(const stream::Diagnostic& diagnostic);
+[[nodiscard]] std::string_view meaning(const stream::Diagnostic& diagnostic);
 
 /// "'text' is not a format" and the like, with the legal words and the nearest.
 [[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,

@@ -1,0 +1,130 @@
+#include <utility>
+
+#include "../core/representations/codec.hpp"
+#include "../stream/fmt.hpp"
+#include "between.hpp"
+#include "operations.hpp"
+
+// The operations that are a function of the core, and the names of their numbers.
+namespace rotconv::operations {
+
+std::vector<std::string> names_of(const Spec& spec, const std::string& ending) {
+    const auto columns = spec.columns();
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < spec.size(); ++i) {
+        names.push_back(std::string(columns.at(i)) + ending);
+    }
+    return names;
+}
+
+std::vector<std::string> velocity_names(bool degrees) {
+    return degrees ? std::vector<std::string>{"wx_deg_s", "wy_deg_s", "wz_deg_s"}
+                   : std::vector<std::string>{"wx", "wy", "wz"};
+}
+
+std::vector<std::string> concatenated(std::vector<std::string> names, const std::vector<std::string>& others) {
+    names.insert(names.end(), others.begin(), others.end());
+    return names;
+}
+
+void add_attitude(stream::RowOperation& operation, const Spec& to) {
+    if (const auto ends = codec_of(to.name).open_ends) {
+        const auto& [numbers, end, other] = ends(to);
+        for (const std::size_t number : numbers) {
+            operation.open_ends.push_back({operation.names.size() + number, end, other});
+        }
+    }
+    operation.names = concatenated(operation.names, names_of(to));
+    operation.attitudes.push_back(to);
+}
+
+stream::RowNumbers attitude_numbers(const Spec& spec) { return {.names = names_of(spec), .attitude = spec}; }
+
+stream::RowNumbers pair_numbers(stream::RowNumbers numbers, const PairedRows& rows, const Spec& second) {
+    if (rows.by_key) {
+        numbers.names = concatenated({"key"}, numbers.names);
+        numbers.kept = 1;
+    }
+    if (!rows.paired) {
+        numbers.names = concatenated(numbers.names, names_of(second));
+        numbers.second = second;
+    }
+    return numbers;
+}
+
+Operation convert(const Conversion& conversion, bool continuous) {
+    return std::make_shared<RowsAtOnce>(function_of(conversion), attitude_numbers(conversion.from()), conversion.to(),
+                                        continuous);
+}
+
+Operation compose(const Composition& composition, const PairedRows& rows, bool continuous) {
+    const Spec& first = composition.first();
+    const Spec& to = composition.to();
+    const RowFunction between = function_of(Composition(first, Spec{}, to, composition.settings()));
+    return std::make_shared<RowsAtOnce>(
+        of_pairs(function_of(composition), between, rows.columns(first, composition.second()), composition.second(),
+                 composition.settings()),
+        pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
+} // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the functions free what they hold
+
+Operation rotate(const VectorRotation& rotation) {
+    const std::vector<std::string> vector{"x", "y", "z"};
+    const stream::RowNumbers numbers{.names = concatenated(names_of(rotation.from()), vector),
+                                     .attitude = rotation.from()};
+    auto made = std::make_shared<RowsAtOnce>(function_of(rotation), numbers, vector);
+    made->keeps_names = true;
+    return made;
+}
+
+Operation rates(const Spec& spec, const RateSettings& settings) {
+    const auto of_numbers = names_of(spec, "_rate");
+    const auto& taken = settings.inverse ? of_numbers : velocity_names(false);
+    const auto& made = settings.inverse ? velocity_names(settings.degrees) : of_numbers;
+    const stream::RowNumbers numbers{.names = concatenated(names_of(spec), taken), .attitude = spec};
+    return std::make_shared<RowsAtOnce>(function_of(Rates(spec, settings)), numbers, made);
+}
+
+Operation sample(const Spec& spec, const SampleSettings& settings) {
+    const auto function = [sampler = Sampler(spec, settings)](const auto& rows, auto out, auto& reports,
+                                                              auto /*rest*/) mutable {
+        reports.clear();
+        sampler.run(rows.numbers, out);
+    };
+    return std::make_shared<RowsAtOnce>(function, stream::RowNumbers{.names = {"index"}}, spec, false);
+}
+
+Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification) {
+    const auto function = [identification = std::move(identification)](const auto& numbers, auto /*out*/, auto& reports,
+                                                                       auto /*rest*/) {
+        identification->add(numbers.numbers, numbers.lines, reports);
+    };
+    stream::RowNumbers numbers;
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        numbers.names.push_back(fmt::format("n{}", i + 1));
+    }
+    const bool is_known_beside = rows.paired || rows.count == 0; // or not yet known
+    auto made = std::make_shared<RowsAtOnce>(
+        function, pair_numbers(std::move(numbers), {is_known_beside, rows.by_key}, rows.known),
+        std::vector<std::string>{"angle"});
+    made->in_order = true;
+    return made;
+}
+
+Operation method(const MethodConversion& conversion, bool continuous) {
+    const auto function = [conversion, angles = std::vector<double>()](const auto& rows, auto out, auto& reports,
+                                                                       auto /*rest*/) mutable {
+        conversion.run(rows.numbers, out, angles, reports);
+    };
+    return std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), continuous);
+}
+
+Operation all_methods(const MethodConversion& conversion, std::shared_ptr<MethodAnswers> answers) {
+    const auto function = [conversion, answers = std::move(answers)](const auto& rows, auto /*out*/, auto& reports,
+                                                                     auto /*rest*/) {
+        answers->numbers.resize(rows.lines.size() * conversion.names().size() * conversion.to().size());
+        conversion.run(rows.numbers, answers->numbers, answers->angles, reports);
+    };
+    return std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), false);
+}
+
+} // namespace rotconv::operations
