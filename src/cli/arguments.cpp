@@ -130,9 +130,11 @@ void require_rates(const Option& option, const Spec& spec) {
 }
 
 GivenNumbers numbers_of(const Option& option, bool degrees) {
+    constexpr std::size_t longest_spec = 100;
     const std::string& text = option.text();
     std::size_t colon = text.rfind(':'); // of those before numbers, the last that ends a SPEC
-    for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
+    const std::size_t end = std::min(text.find_first_of(" \t"), longest_spec);
+    for (std::size_t at = text.find(':'); at < end; at = text.find(':', at + 1)) {
         colon = std::holds_alternative<Spec>(parse_spec(text.substr(0, at))) ? at : colon;
     }
     if (colon == std::string::npos) {

@@ -99,8 +99,9 @@ private:
     void add(TokenKind kind, std::size_t size, std::string_view suffix = {}) {
         const bool begins = is_new_line_;
         if (kind != TokenKind::line) {
-            indent_ = begins ? at_ - line_begin_ : indent_;
-            is_new_line_ = false;
+            indent_ = begins && !after_dash_ ? at_ - line_begin_ : indent_;
+            after_dash_ = begins && text_.substr(at_, size) == "-"; // of a list: its label begins the line
+            is_new_line_ = after_dash_;
         }
         tokens_.push_back({kind, text_.substr(at_, size), suffix, at_ == end_of_last_, indent_, begins});
         at_ += size + suffix.size();
@@ -213,6 +214,7 @@ private:
     std::size_t line_begin_ = 0;
     std::size_t indent_ = 0;
     bool is_new_line_ = true;
+    bool after_dash_ = false;
     char open_quote_ = '\0';
     std::vector<Token> tokens_;
 };
@@ -231,6 +233,9 @@ public:
     }
 
 private:
+    static constexpr std::size_t most_numbers = 1000;
+    static constexpr std::size_t deepest = 200; ///< brackets and labels in each other
+
     /// Lines that belong to a label above them.
     struct Block {
         std::size_t least = 0; ///< their indent
@@ -286,6 +291,15 @@ private:
 
     void item(std::size_t group, const Block& block) {
         const Token& token = peek();
+        if (depth_ == deepest) {
+            refuse(token, "brackets stand too deep in each other");
+        }
+        ++depth_;
+        read_item(token, group, block);
+        --depth_;
+    }
+
+    void read_item(const Token& token, std::size_t group, const Block& block) {
         switch (token.kind) {
         case TokenKind::number: number(group, {}); return;
         case TokenKind::open: bracket(group, true); return;
@@ -308,6 +322,9 @@ private:
 
     void number(std::size_t group, std::string_view label, std::string_view unit = {}) {
         const Token& token = take();
+        if (read_.numbers.size() == most_numbers) {
+            refuse(token, fmt::format("more than {} numbers are not one attitude", most_numbers));
+        }
         ValueNumber& made = read_.numbers.emplace_back();
         made.text = token.text;
         made.label = label;
@@ -326,8 +343,9 @@ private:
             made.unit = after;
             take();
         } else if (sums_.find(peek().text) != std::string_view::npos && peek().kind == TokenKind::word &&
-                   peek(1).kind == TokenKind::number && !peek(1).suffix.empty() &&
-                   std::string_view("ijk").find(peek(1).suffix) != std::string_view::npos) {
+                   peek(1).kind == TokenKind::number &&
+                   (peek(1).suffix.empty() ? made.component != '\0'
+                                           : std::string_view("ijk").find(peek(1).suffix) != std::string_view::npos)) {
             const bool is_negative = take().text == "-";
             const std::size_t at = read_.numbers.size();
             number(group, {});
@@ -341,6 +359,7 @@ private:
         const Token open = take();
         const std::string element(open.text.substr(1));
         const bool is_xml = !element.empty();
+        const std::size_t outer = group;
         const std::string ending = fmt::format("</{}", element);
         const bool has_content =
             is_xml &&
@@ -356,6 +375,7 @@ private:
         has_gap_ = true;
         separators_ = 0;
         const bool was_xml = std::exchange(in_xml_, is_xml);
+        const std::size_t first = read_.numbers.size();
         for (;;) {
             items(group, no_block);
             if (peek().kind == TokenKind::end) {
@@ -367,6 +387,12 @@ private:
             }
         }
         in_xml_ = was_xml;
+        if (is_xml && read_.numbers.size() == first) {
+            refuse(open);
+        }
+        if (is_xml && group != outer) {
+            collapse(group, first, element);
+        }
         ++brackets_;
         has_gap_ = true;
         separators_ = 0;
@@ -480,8 +506,17 @@ private:
             return; // Eigen::Quaterniond q(, DECL E6POS, in Quaternion
         }
         if (const auto unit = unit_of_word(text); !unit.empty() && !(peek().kind == TokenKind::number)) {
+            if (unit == "m") {
+                refuse(token);
+            }
+            if (read_.numbers.empty()) {
+                read_.words.push_back({std::string(unit), group});
+            }
             for (ValueNumber& each : read_.numbers) { // degrees after all of them
-                each.unit = each.group == group && each.unit.empty() ? unit : each.unit;
+                if (!each.unit.empty() && each.unit != unit && each.unit != "m") {
+                    refuse(token);
+                }
+                each.unit = each.unit.empty() ? unit : each.unit;
             }
             return;
         }
@@ -526,24 +561,30 @@ private:
             read_.words.push_back({low == "degrees" ? (is_true ? "deg" : "rad") : (is_true ? "wxyz" : "xyzw"), group});
             return;
         }
-        if (value.kind == TokenKind::word && (low == "order" || low == "seq") && value.text.size() == 3) {
+        if (value.kind == TokenKind::word && (low == "order" || low == "seq") &&
+            (value.text.size() == 3 || value.text == "xyzw" || value.text == "wxyz")) {
             take();
-            read_.words.push_back({std::string(value.text), group, low == "order"});
+            read_.words.push_back({std::string(value.text), group, low == "order" && value.text.size() == 3});
             return;
         }
-        std::size_t own = new_group(group, label.text, unit);
+        if (value.kind == TokenKind::word && is_in(" true false yes no none null ", lower(value.text))) {
+            refuse(label);
+        }
+        const std::size_t own = new_group(group, label.text, unit);
         for (std::size_t i = words; i < read_.words.size(); ++i) {
             read_.words[i].group = own;
         }
         const std::size_t first = read_.numbers.size();
         has_gap_ = true;
-        // The rest of the line, up to the next label.
+        // The rest of the line, up to the next label; all of it where labels come at once.
+        const bool is_of_labels = is_next_label();
         while (peek().kind != TokenKind::line && peek().kind != TokenKind::end && peek().kind != TokenKind::close &&
-               !is_next_label()) {
+               (is_of_labels || !is_next_label())) {
             const TokenKind kind = peek().kind;
             const std::size_t before = read_.numbers.size();
             item(own, block);
-            if (kind == TokenKind::open || (kind == TokenKind::word && read_.numbers.size() > before + 1)) {
+            if (!is_of_labels &&
+                (kind == TokenKind::open || (kind == TokenKind::word && read_.numbers.size() > before + 1))) {
                 break;
             }
         }
@@ -560,16 +601,26 @@ private:
                 items(own, {label.indent + (is_deeper ? 1 : 0), is_flat});
             }
         }
-        if (read_.numbers.size() == first + 1 && read_.numbers[first].label.empty() &&
-            read_.numbers[first].group == own) {
-            ValueNumber& only = read_.numbers[first]; // a group of one number is that number with its label
-            only.label = label.text;
-            only.group = group;
-            only.unit = only.unit.empty() ? read_.groups[own].unit : only.unit;
-            only.is_joined = false;
-            for (ValueWord& each : read_.words) {
-                each.group = each.group == own ? group : each.group;
-            }
+        if (read_.numbers.size() == first) {
+            refuse(label);
+        }
+        collapse(own, first, label.text);
+    }
+
+    /// A group of one number is that number with its label.
+    void collapse(std::size_t own, std::size_t first, std::string_view label) {
+        if (read_.numbers.size() != first + 1 || !read_.numbers[first].label.empty() ||
+            read_.numbers[first].group != own) {
+            return;
+        }
+        const std::size_t group = read_.groups[own].parent;
+        ValueNumber& only = read_.numbers[first];
+        only.label = label;
+        only.group = group;
+        only.unit = only.unit.empty() ? read_.groups[own].unit : only.unit;
+        only.is_joined = false;
+        for (ValueWord& each : read_.words) {
+            each.group = each.group == own ? group : each.group;
         }
     }
 
@@ -613,6 +664,7 @@ private:
     bool has_gap_ = true;
     bool in_xml_ = false;
     bool after_in_ = false;
+    std::size_t depth_ = 0;
     ValueText read_;
 };
 

@@ -47,10 +47,19 @@ bool is_never_read(const std::vector<std::string>& parts) {
 
 /// Whether a label says that something is to be done to the numbers.
 bool is_operation(std::string_view label, const std::vector<std::string>& parts) {
-    return label.find('.') != std::string_view::npos || label.ends_with("_T") ||
-           std::ranges::any_of(parts, [](const std::string& part) {
+    return label.ends_with(".T") || label.ends_with("_T") || std::ranges::any_of(parts, [](const std::string& part) {
                return is_one_of(part, "inv inverse inverted conj conjugate transpose transposed neg negative minus");
            });
+}
+
+/// deg or rad at the end of a label: roll_deg, "yaw [rad]", rollDeg.
+std::string_view unit_in(const std::string& label) {
+    const std::string last = parts_of_label(label).back();
+    const std::string_view unit = name_and_unit(label).second;
+    return is_one_of(last, "deg degree degrees")   ? "deg"
+           : is_one_of(last, "rad radian radians") ? "rad"
+           : unit == "deg" || unit == "rad"        ? unit
+                                                   : "";
 }
 
 std::string with_modifier(const Spec& spec, Modifier modifier) {
@@ -78,6 +87,7 @@ public:
         add_components(numbers);
         numbers = by_labels(std::move(numbers));
         for (std::size_t group = group_;; group = text_.groups[group].parent) {
+            refuse_operation(group);
             for (const ValueWord& word : text_.words) {
                 if (word.group == group) {
                     hold(word.text, word.is_order, numbers);
@@ -136,11 +146,14 @@ private:
     [[nodiscard]] std::string name_in(std::size_t group) const { return name_parts_of(group).back(); }
 
     /// Refuses labels that say more than a name, or that name one number before several.
-    void check_label(std::size_t group) const {
-        const std::string& label = text_.groups[group].label;
-        if (is_operation(label, parts_of(group))) {
+    void refuse_operation(std::size_t group) const {
+        if (const std::string& label = text_.groups[group].label; is_operation(label, parts_of(group))) {
             refuse("{} says that something is done to the numbers, which is not", quoted(label));
         }
+    }
+    void check_label(std::size_t group) const {
+        const std::string& label = text_.groups[group].label;
+        refuse_operation(group);
         const auto names = part().names;
         const bool is_name_of_one =
             is_one_of(lower(label), "w x y z i j k") || std::ranges::count(names, lower(label)) > 0;
@@ -211,6 +224,9 @@ private:
                    spec_.text());
         }
         const std::string& label = text_.groups[groups[0]].label;
+        if (label.find('.') != std::string::npos && !named_representation(name_in(groups[0]))) {
+            refuse("{} is not understood as the name of an attitude", quoted(label));
+        }
         if (!label.empty() && !named_representation(name_in(groups[0])) && !is_convention_label(label)) {
             note(fmt::format("the numbers after {} are read as {}", quoted(label), spec_.text()));
         }
@@ -264,6 +280,11 @@ private:
             if (std::ranges::count_if(numbers, has) > 1) {
                 refuse("two terms of the sum are of one kind");
             }
+            for (const ValueNumber& each : numbers) {
+                if (!each.label.empty()) {
+                    refuse("{} is not understood before a sum", quoted(each.label));
+                }
+            }
             const auto found = std::ranges::find_if(numbers, has);
             ValueNumber& number = sum.emplace_back(found == numbers.end() ? ValueNumber{.text = "0"} : *found);
             number.label = component == '\0' ? "w" : component == 'i' ? "x" : component == 'j' ? "y" : "z";
@@ -273,6 +294,11 @@ private:
 
     /// The numbers in the order of their labels, which are held against the SPEC.
     [[nodiscard]] std::vector<ValueNumber> by_labels(std::vector<ValueNumber> numbers) {
+        for (ValueNumber& number : numbers) {
+            if (const std::string_view unit = unit_in(number.label); !unit.empty() && number.unit.empty()) {
+                number.unit = unit;
+            }
+        }
         auto labels = mapped(numbers, &ValueNumber::label);
         const auto named =
             static_cast<std::size_t>(std::ranges::count_if(labels, [](const auto& label) { return !label.empty(); }));
@@ -366,9 +392,11 @@ private:
             for (ValueNumber& number : numbers) {
                 number.unit = number.unit.empty() ? low.substr(0, 3) : number.unit;
             }
-        } else if (is_one_of(low, "rpy ypr xyzw wxyz") || std::ranges::count(messages::all_sequences(), last) > 0 ||
+        } else if (is_one_of(low, "rpy ypr xyzw wxyz passive col positive") ||
+                   std::ranges::count(messages::all_sequences(), last) > 0 ||
                    (named_representation(last) && last.size() > 1)) {
-            hold(std::string(is_one_of(low, "rpy ypr xyzw wxyz") ? low : last), false, numbers);
+            const bool is_word = is_one_of(low, "rpy ypr xyzw wxyz passive col positive");
+            hold(is_word ? low : std::string(last), false, numbers);
         }
     }
 
@@ -387,7 +415,10 @@ private:
             hold_order(word, numbers);
         } else if (word == "deg" || word == "rad") {
             for (ValueNumber& number : numbers) {
-                number.unit = number.unit.empty() ? word : number.unit;
+                if (!number.unit.empty() && number.unit != word) {
+                    refuse("{} is in {} and in {}", quoted(number.text), number.unit, word);
+                }
+                number.unit = word;
             }
         } else if (is_sequence || word == "rpy" || word == "ypr") {
             const std::string sequence = word == "rpy" ? "xyz" : word == "ypr" ? "ZYX" : word;
@@ -507,6 +538,13 @@ std::vector<ValueNumber> of_parts(const ValueText& text, const stream::RowNumber
             refuse("{} is not understood beside several sets of numbers", quoted(word.text));
         }
     }
+    for (const ValueGroup& group : text.groups) {
+        const auto label = parts_of_label(group.label);
+        if (has_names && (is_operation(group.label, label) || !unit_in(group.label).empty() || !group.unit.empty() ||
+                          is_one_of(label.back(), "xyzw wxyz passive ypr col"))) {
+            refuse("{} is not understood beside several sets of numbers", quoted(group.label));
+        }
+    }
     if (!has_names || numbers.size() != row.names.size()) {
         return numbers;
     }
@@ -514,6 +552,13 @@ std::vector<ValueNumber> of_parts(const ValueText& text, const stream::RowNumber
     const std::vector<Part> parts = parts_of(row);
     const RowNames names = names_of_row(parts, labels);
     for (std::size_t k = 0; k < parts.size(); ++k) {
+        for (std::size_t i = parts[k].begin; i < parts[k].begin + parts[k].names.size(); ++i) {
+            const bool is_degrees = parts[k].attitude && parts[k].attitude->unit == AngleUnit::degrees;
+            const std::string unit(numbers[i].unit.empty() ? unit_in(labels[i]) : numbers[i].unit);
+            if (!unit.empty() && (!parts[k].attitude || unit != (is_degrees ? "deg" : "rad"))) {
+                refuse("{} is in {}, which is not the unit of these numbers", quoted(numbers[i].text), unit);
+            }
+        }
         const auto own = parts[k].of(labels);
         if (!names.sets[k] && std::ranges::any_of(own, [](const std::string& label) { return !label.empty(); })) {
             refuse("the labels {} are not those of {}", joined(own),
