@@ -48,6 +48,7 @@ template <class Value> Value one_of(std::string_view what, const Option& option,
 [[nodiscard]] std::size_t count_of(const Option& option, std::size_t most, std::size_t least = 1,
                                    std::size_t default_value = 0);
 /// Units of time, each with the power of ten of its seconds.
+// NOLINTNEXTLINE(cert-err58-cpp): without memory nothing works
 inline const Choices<int> time_units{{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}};
 /// The power of ten of the seconds in a unit of time; 0 if the option is not given.
 [[nodiscard]] int time_power_of(const Option& option);

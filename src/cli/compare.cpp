@@ -17,6 +17,7 @@
 namespace rotconv::cli {
 namespace {
 
+// NOLINTBEGIN(cert-err58-cpp): without memory nothing works
 const Choices<AlignedSide> sides{{"reference", AlignedSide::reference},
                                  {"body", AlignedSide::body},
                                  {"both", AlignedSide::both},
@@ -25,6 +26,7 @@ const Choices<AlignedSide> sides{{"reference", AlignedSide::reference},
 /// Of FILE and of REFERENCE.
 const Choices<std::array<bool, 2>> unpaired_rows{
     {"file", {true, false}}, {"reference", {false, true}}, {"both", {true, true}}};
+// NOLINTEND(cert-err58-cpp)
 
 struct CompareOptions final : RowOptions {
     CompareOptions() {

@@ -17,6 +17,7 @@ namespace rotconv::cli {
 inline constexpr std::size_t widest_row = 100'000; ///< doubles
 
 // What words are as arguments. A command may take only some of them: see Option::choices.
+// NOLINTBEGIN(cert-err58-cpp): without memory nothing works
 inline const Choices<stream::Format> formats{{"csv", stream::Format::csv},
                                              {"json", stream::Format::json},
                                              {"pretty", stream::Format::pretty},
@@ -34,6 +35,7 @@ inline const Choices<ShowDiagnostics> diagnostics_places{{"off", ShowDiagnostics
 /// Pairs of axes that are often met.
 inline const std::vector<std::string_view> usual_axes{"ned:enu", "enu:ned", "frd:flu", "flu:frd",
                                                       "rdf:rub", "rdf:flu", "ruf:flu", "fru:flu"};
+// NOLINTEND(cert-err58-cpp)
 
 /// The columns to read of one stream.
 struct SelectedColumns {

@@ -81,6 +81,8 @@ struct Token {
     bool begins_line = false;
 };
 
+// NOLINTBEGIN(misc-no-recursion): brackets and labels stand in each other, at most `deepest` of them.
+
 /// Parts a text into tokens.
 class Lexer {
 public:
@@ -364,12 +366,8 @@ private:
         const bool has_content =
             is_xml &&
             text_.find(ending, static_cast<std::size_t>(open.text.data() - text_.data())) != std::string_view::npos;
-        if (is_xml && is_alone) {
-            if (has_content || !is_container(element)) {
-                group = new_group(group, element);
-            } else if (named_representation(element)) {
-                group = new_group(group, element);
-            }
+        if (is_xml && is_alone && (has_content || !is_container(element) || named_representation(element))) {
+            group = new_group(group, element);
         }
         ++brackets_;
         has_gap_ = true;
@@ -667,6 +665,8 @@ private:
     std::size_t depth_ = 0;
     ValueText read_;
 };
+
+// NOLINTEND(misc-no-recursion)
 
 } // namespace
 

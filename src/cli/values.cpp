@@ -251,7 +251,7 @@ private:
     }
 
     /// Numbers in a unit of length are a position's.
-    void leave_out_lengths(std::vector<ValueNumber>& numbers) const {
+    static void leave_out_lengths(std::vector<ValueNumber>& numbers) {
         const auto is_length = [](const ValueNumber& number) { return number.unit == "m"; };
         const auto length = std::ranges::find_if(numbers, is_length);
         if (length == numbers.end()) {
@@ -462,7 +462,7 @@ private:
         if (is_named) {
             refuse("{} contradicts {}", quoted(word), from_);
         }
-        std::ranges::rotate(numbers, numbers.begin() + 3);
+        std::rotate(numbers.begin(), numbers.begin() + 3, numbers.end());
         note(fmt::format("{} is applied, as quat:xyzw does", quoted(word)));
     }
 
