@@ -563,7 +563,7 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
         answer.of_reference = report.of_reference;
-        if (diagnostic_columns) {
+        if (columns) {
             answer.numbers.insert(answer.numbers.end(), {report.sensitivity.margin, report.sensitivity.condition,
                                                          std::max(report.defect, report.reference_defect)});
         }
