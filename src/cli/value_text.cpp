@@ -322,7 +322,7 @@ private:
         }
     }
 
-    void number(std::size_t group, std::string_view label, std::string_view unit = {}) {
+    void number(std::size_t group, std::string_view label) {
         const Token& token = take();
         if (read_.numbers.size() == most_numbers) {
             refuse(token, fmt::format("more than {} numbers are not one attitude", most_numbers));
@@ -333,7 +333,6 @@ private:
         made.group = group;
         made.bracket = brackets_;
         made.is_joined = !std::exchange(has_gap_, false) && label.empty();
-        made.unit = unit;
         separators_ = 0;
         if (token.suffix == "i" || token.suffix == "j" || token.suffix == "k") {
             made.component = token.suffix[0];
@@ -518,7 +517,7 @@ private:
             }
             return;
         }
-        if (is_in(headings, low) || is_in(declarations, low) || is_size(text)) {
+        if (is_in(headings, low) || is_in(declarations, low)) {
             return;
         }
         if (is_convention(text)) {

@@ -76,13 +76,7 @@ public:
     /// The numbers in the order of the SPEC.
     std::vector<ValueNumber> numbers() {
         group_ = choose();
-        Indices own;
-        for (std::size_t i = 0; i < text_.numbers.size(); ++i) {
-            if (text_.numbers[i].group == group_) {
-                own.push_back(i);
-            }
-        }
-        auto numbers = mapped(own, [this](std::size_t i) { return text_.numbers[i]; });
+        auto numbers = numbers_in(group_);
         leave_out_lengths(numbers);
         add_components(numbers);
         numbers = by_labels(std::move(numbers));
@@ -114,9 +108,11 @@ private:
     void note(std::string text) { notes_.push_back({.kind = stream::Note::Kind::order, .text = std::move(text)}); }
 
     [[nodiscard]] Part part() const { return {operations::names_of(spec_), 0, spec_}; }
+    [[nodiscard]] std::vector<ValueNumber> numbers_in(std::size_t group) const {
+        return filtered(text_.numbers, [group](const ValueNumber& each) { return each.group == group; });
+    }
     [[nodiscard]] std::vector<std::string> labels_in(std::size_t group) const {
-        const auto own = filtered(text_.numbers, [group](const ValueNumber& each) { return each.group == group; });
-        return mapped(own, &ValueNumber::label);
+        return mapped(numbers_in(group), &ValueNumber::label);
     }
     [[nodiscard]] std::vector<std::string> parts_of(std::size_t group) const {
         return parts_of_label(text_.groups[group].label);
@@ -260,7 +256,7 @@ private:
         const bool others_are_named = std::ranges::all_of(numbers, [&](const ValueNumber& each) {
             return is_length(each) || !each.label.empty() || !each.unit.empty();
         });
-        if (!others_are_named) {
+        if (!others_are_named || std::ranges::all_of(numbers, is_length)) {
             refuse("{} has a unit of length", quoted(length->text));
         }
         std::erase_if(numbers, is_length);
@@ -274,16 +270,16 @@ private:
         if (spec_.name != RepresentationId::quat) {
             refuse("a sum with i, j and k is a quaternion, not {}", spec_.text());
         }
+        for (const ValueNumber& each : numbers) {
+            if (!each.label.empty()) {
+                refuse("{} is not understood before a sum", quoted(each.label));
+            }
+        }
         std::vector<ValueNumber> sum;
         for (const char component : {'\0', 'i', 'j', 'k'}) {
             const auto has = [component](const ValueNumber& each) { return each.component == component; };
             if (std::ranges::count_if(numbers, has) > 1) {
                 refuse("two terms of the sum are of one kind");
-            }
-            for (const ValueNumber& each : numbers) {
-                if (!each.label.empty()) {
-                    refuse("{} is not understood before a sum", quoted(each.label));
-                }
             }
             const auto found = std::ranges::find_if(numbers, has);
             ValueNumber& number = sum.emplace_back(found == numbers.end() ? ValueNumber{.text = "0"} : *found);
@@ -392,11 +388,10 @@ private:
             for (ValueNumber& number : numbers) {
                 number.unit = number.unit.empty() ? low.substr(0, 3) : number.unit;
             }
-        } else if (is_one_of(low, "rpy ypr xyzw wxyz passive col positive") ||
-                   std::ranges::count(messages::all_sequences(), last) > 0 ||
-                   (named_representation(last) && last.size() > 1)) {
-            const bool is_word = is_one_of(low, "rpy ypr xyzw wxyz passive col positive");
-            hold(is_word ? low : std::string(last), false, numbers);
+        } else if (is_one_of(low, "rpy ypr xyzw wxyz passive col positive")) {
+            hold(low, false, numbers);
+        } else if (std::ranges::count(messages::all_sequences(), last) > 0 || named_representation(last)) {
+            hold(std::string(last), false, numbers);
         }
     }
 
