@@ -68,7 +68,7 @@ cases() {
         echo "conversion -f quat -t rpy:deg --diagnostics off $format $(rows quat)"
     done
 
-    echo "values -f quat -t rpy 1 — 0 0" # char has a sign here and none on aarch64
+    echo "values -f rpy:deg -t quat 1° 0 0" # char has a sign here and none on aarch64
 
     for spec in dcm 6d 5d quat rotvec rotvec:deg cayley mrp rpy euler:ZYX:deg euler:zxz; do
         numbers=$(rows "$spec")
