@@ -310,13 +310,19 @@ std::string contents_advice(const std::string& path) {
         return {};
     }
     text.resize(static_cast<std::size_t>(count));
-    const stream::InputOptions input;
+    constexpr std::array<const char*, 3> specs{"quat", "dcm", "rpy"};
+    stream::InputOptions input;
+    input.columns_of = [&specs](const std::vector<std::string>& names) {
+        return stream::ChosenColumns{.are_known = std::ranges::any_of(specs, [&names](const char* spec) {
+                                         return find_names(std::get<Spec>(parse_spec(spec)), names).has_value();
+                                     })};
+    };
     stream::Preamble preamble(input);
-    std::string_view rest = stream::without_byte_order_mark(text);
-    std::size_t line = 1;
+    stream::IoBlock block;
+    block.text = stream::without_byte_order_mark(text);
     stream::Output nowhere;
-    const bool has_row = preamble.read(rest, line, nowhere);
-    const Row row(has_row ? stream::next_line(rest) : stream::Line(), input);
+    preamble.read(block, true, nowhere);
+    const Row row(preamble.has_row() ? stream::next_line(block.text) : stream::Line(), input);
     if (!row.has_numbers) {
         return fmt::format("; {} does not begin with a row of numbers", quoted(path));
     }
@@ -324,7 +330,7 @@ std::string contents_advice(const std::string& path) {
     const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
     std::string told =
         fmt::format("; {} has {}: {}", quoted(path), counted(row.fields.size(), "column"), numbered(names));
-    for (const char* spec : {"quat", "dcm", "rpy"}) {
+    for (const char* spec : specs) {
         if (const std::string option = columns_option(std::get<Spec>(parse_spec(spec)), names); !option.empty()) {
             return fmt::format("{}; perhaps -f {} {}", told, spec, option);
         }

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 #include <unordered_map>
 
 #include <rotconv/euler.hpp>
 
 #include "../operations/operations.hpp"
+#include "../stream/column_list.hpp"
 #include "../stream/key.hpp"
 
 namespace rotconv::cli {
@@ -18,8 +20,12 @@ constexpr std::size_t longest_unit = 12;
 
 bool is_in_unit(char c) noexcept { return c != ' ' && c != '\t' && c != '_'; }
 
-/// deg or rad, also of a rate, or a unit of time, as headers write it; empty for others.
+} // namespace
+
 std::string_view unit_of(std::string_view text) {
+    if ((text.starts_with('[') && text.ends_with(']')) || (text.starts_with('(') && text.ends_with(')'))) {
+        text = text.substr(1, text.size() - 2);
+    }
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
         {{"deg", " deg degree degrees dps \u00B0 "},
          {"rad", " rad radian radians rps "},
@@ -42,6 +48,16 @@ std::string_view unit_of(std::string_view text) {
         }
     }
     return {};
+}
+
+namespace {
+
+/// Whether a name has a unit of angles by time.
+bool is_unit_of_rate(std::string_view name) {
+    const std::string text = lower(name);
+    constexpr std::array<std::string_view, 10> rates{"/s",    "s^-1",  "s-1",     "dps",     "rps",
+                                                     "deg_s", "rad_s", "deg_per", "rad_per", "per s"};
+    return std::ranges::any_of(rates, [&text](auto rate) { return text.find(rate) != std::string::npos; });
 }
 
 /// What names may share that are those of numbers.
@@ -104,9 +120,9 @@ std::vector<Spelling> spellings_of(const Part& part) {
     return spellings;
 }
 
-/// Whether one of the words, which have blanks between them, is the first or the last of a name's own. Those are parted
-/// at what is no letter and at a change of case; a _ joins two.
-bool has_at_end(std::string_view name, std::string_view words) {
+/// The words of a name, in lower case, each with _ before and after it. They are parted at what is no letter and at a
+/// change of case.
+std::string own_words(std::string_view name) {
     std::string own = "_";
     for (std::size_t i = 0; i < name.size(); ++i) {
         const std::string c = lower(name.substr(i, 1));
@@ -117,11 +133,27 @@ bool has_at_end(std::string_view name, std::string_view words) {
         }
         own += is_letter ? c : "";
     }
-    own += own.back() == '_' ? "" : "_";
+    return own + (own.back() == '_' ? "" : "_");
+}
+
+/// Whether one of the words, which have blanks between them, is the first or the last of a name's own; a _ joins two.
+bool has_at_end(std::string_view name, std::string_view words) {
+    const std::string own = own_words(name);
     return std::ranges::any_of(words_in(words), [&own](const std::string& word) {
         const std::string whole = '_' + word + '_';
         return own.starts_with(whole) || own.ends_with(whole);
     });
+}
+
+/// Whether a name has a word that begins with one of these, or is one of those.
+bool has_word(std::string_view name, std::string_view beginnings, std::string_view wholes = "") {
+    const std::string own = own_words(name);
+    const auto has = [&own](std::string_view words, std::string_view end) {
+        return std::ranges::any_of(words_in(words), [&](const std::string& word) {
+            return own.find(fmt::format("_{}{}", word, end)) != std::string::npos;
+        });
+    };
+    return has(beginnings, "") || has(wholes, "_");
 }
 
 /// The sum of a text's bytes, each times a power of a base by its place, modulo 2^61 - 1. Where a part of a text is
@@ -257,6 +289,13 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
     return {lower(text.substr(0, end)), unit};
 }
 
+bool is_unit(std::string_view text) {
+    constexpr std::string_view others = " m mm cm m/s m/s^2 m/s2 g 1 ";
+    const std::string own = lower(text.substr(std::min(text.find_first_not_of("[("), text.size())));
+    return !unit_of(text).empty() ||
+           (!own.empty() && others.find(" " + own.substr(0, own.find_last_not_of("])") + 1) + " ") != others.npos);
+}
+
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
     std::vector<Part> parts;
     auto name = numbers.names.begin();
@@ -276,26 +315,123 @@ std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
     return parts;
 }
 
-std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
+namespace {
+
+/// All sets of names, each once; those that do not decide only where no other is.
+std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> names) {
     std::vector<std::vector<std::string>> texts{mapped(names, lower)};
     texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
     texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
-    std::optional<KnownNames> found;
-    for (const Spelling& spelling : spellings_of(part)) {
-        if (found && !spelling.decides) {
+    std::vector<KnownNames> found;
+    std::set<std::vector<std::size_t>> known;
+    const auto spellings = spellings_of(part);
+    for (const Spelling& spelling : spellings) {
+        if (!found.empty() && !spelling.decides) {
             break;
         }
         for (const auto& each : texts) {
             for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
                 const auto prefix = std::string_view(names[places[0]]).substr(0, size);
-                if ((!found || std::ranges::min(places) < std::ranges::min(found->places)) &&
-                    is_shared(spelling, prefix, places, each)) {
-                    found = KnownNames{places, spelling.decides};
+                const bool is_bare = each[places[0]] == spelling.words[0];
+                if (is_shared(spelling, prefix, places, each) && known.insert(places).second) {
+                    found.push_back({places, spelling.decides,
+                                     !is_bare                        ? 2
+                                     : &spelling == spellings.data() ? 0
+                                                                     : 1,
+                                     std::string(prefix), names[places[0]].substr(size + spelling.words[0].size()),
+                                     !spelling.decides && spelling.words[0].size() == 1});
                 }
             });
         }
     }
     return found;
+}
+
+} // namespace
+
+std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
+    const auto sets = all_sets(part, names);
+    const auto best = std::ranges::min_element(
+        sets, {}, [](const KnownNames& set) { return std::pair(!set.decides, std::ranges::min(set.places)); });
+    return best == sets.end() ? std::nullopt : std::optional(*best);
+}
+
+namespace {
+
+/// Whether the set may be taken although nobody selects it. @param is_pair two attitudes of one SPEC are looked for
+bool may_be_taken(const KnownNames& set, const Part& part, std::span<const std::string> names, bool is_pair) {
+    if (!set.decides) {
+        const bool is_quaternion =
+            set.is_numbered && part.attitude && has_at_end(set.prefix, "q quat quaternion attitude");
+        const bool is_from_one = set.of(names)[0].find('1') != std::string::npos;
+        return is_quaternion && (!is_from_one || part.attitude->has_given_order || part.attitude->project != nullptr);
+    }
+    const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
+    auto texts = set.of(names);
+    texts.push_back(set.suffix);
+    return std::ranges::none_of(texts, [&](const std::string& name) {
+        const bool is_of_rate = has_angles && is_unit_of_rate(name);
+        const bool is_other =
+            set.rank > 0 && (has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias", "dot") ||
+                             (part.attitude && has_word(name, "rate vel")) ||
+                             (!is_pair && has_word(name, "cmd setpoint target ref", "sp des desired")));
+        return is_of_rate || is_other;
+    });
+}
+
+/// The columns of times, or of the key.
+std::vector<KnownNames> kept_columns(const std::vector<std::string>& names, const std::string& key) {
+    std::vector<KnownNames> found;
+    if (!key.empty()) {
+        const auto list = stream::ColumnList::parse(key, 1);
+        const auto places = std::get<stream::ColumnList>(list).positions(names);
+        const auto* const place = std::get_if<std::vector<std::size_t>>(&places);
+        return place == nullptr ? found : std::vector{KnownNames{*place}};
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        constexpr std::array<std::string_view, 4> times{"t", "time", "timestamp", "stamp"};
+        if (std::ranges::count(times, name_and_unit(names[i]).first) != 0) {
+            found.push_back({{i}});
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names, const std::string& key) {
+    ColumnSets sets{.are_known = true, .rows = {{}}};
+    std::vector<KnownNames> of_pair; // of two attitudes with the same SPEC
+    for (const Part& part : parts) {
+        const auto is_twin = [&part](const Part& other) {
+            return &other != &part && other.attitude && part.attitude &&
+                   other.attitude->text() == part.attitude->text();
+        };
+        const bool is_pair = std::ranges::any_of(parts, is_twin);
+        auto found = part.is_kept ? kept_columns(names, key) : all_sets(part, names);
+        sets.are_known = sets.are_known && (part.is_kept || !found.empty());
+        std::erase_if(found,
+                      [&](const KnownNames& set) { return !part.is_kept && !may_be_taken(set, part, names, is_pair); });
+        const int least = found.empty() ? 0 : std::ranges::min_element(found, {}, &KnownNames::rank)->rank;
+        if (is_pair) {
+            std::ranges::sort(found, {}, [](const KnownNames& set) { return std::ranges::min(set.places); });
+            const bool is_second = std::find_if(parts.begin(), parts.end(), is_twin)->begin < part.begin;
+            found = found.size() == 2 ? std::vector{found[is_second ? 1 : 0]} : std::vector<KnownNames>();
+        } else {
+            std::erase_if(found, [least](const KnownNames& set) { return set.rank > least; });
+        }
+        std::vector<std::vector<std::size_t>> longer;
+        for (const auto& row : sets.rows) {
+            for (const KnownNames& set : found) {
+                if (std::ranges::find_first_of(row, set.places) == row.end()) {
+                    longer.push_back(row);
+                    longer.back().insert(longer.back().end(), set.places.begin(), set.places.end());
+                }
+            }
+        }
+        sets.rows = std::move(longer);
+    }
+    return sets;
 }
 
 std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names) {

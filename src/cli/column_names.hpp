@@ -23,7 +23,11 @@ namespace rotconv::cli {
 /// Where names stand that are those of numbers.
 struct KnownNames {
     std::vector<std::size_t> places; ///< of the numbers, in their order
-    bool decides = true; ///< otherwise they do not say which number each is: q0 q1 q2 q3, or yaw of euler:ZXZ
+    bool decides = true;  ///< otherwise they do not say which number each is: q0 q1 q2 q3, or yaw of euler:ZXZ
+    int rank = 0;         ///< 0: rotconv's own names; 1: they share nothing; 2: a prefix or a suffix
+    std::string prefix{}; ///< what they share before the numbers' own words, and behind them
+    std::string suffix{};
+    bool is_numbered = false; ///< 0 1 2 3 or 1 2 3 4
 
     /// Their texts, of all that are there, in the order of the numbers.
     [[nodiscard]] std::vector<std::string> of(std::span<const std::string> names) const {
@@ -58,6 +62,24 @@ struct Part {
 /// last: 0 1 2 3 and 1 2 3 4 of a quaternion, and roll pitch yaw of a sequence without y in the middle of three axes.
 [[nodiscard]] std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names);
 [[nodiscard]] std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names);
+
+/// All sets of columns that may be taken for the numbers of parts, although nobody selects them: of each part the sets
+/// that are the least unusual (its own column names, then others that share nothing, then the rest), but none of rates,
+/// errors, commands and the like. A part with the SPEC of an earlier one takes the next of its sets, and of these
+/// commands may be one.
+struct ColumnSets {
+    bool are_known = false;                       ///< each part has a set
+    std::vector<std::vector<std::size_t>> rows{}; ///< each a choice of columns for all numbers
+};
+/// @param key the column of the key, by name or index, if a part is one
+[[nodiscard]] ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names,
+                                     const std::string& key);
+
+/// deg or rad, also of a rate, or a unit of time, as headers write it, in brackets or not; empty for others.
+[[nodiscard]] std::string_view unit_of(std::string_view text);
+
+/// Whether a text is a unit and nothing else, in brackets or not.
+[[nodiscard]] bool is_unit(std::string_view text);
 
 /// What the names of columns say of the numbers of a row.
 struct RowNames {

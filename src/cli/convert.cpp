@@ -6,6 +6,7 @@
 #include "../methods/method_conversion.hpp"
 #include "../stream/row_writer.hpp"
 #include "row_options.hpp"
+#include "values.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -56,6 +57,54 @@ std::vector<std::string_view> method_names() {
     return names;
 }
 
+/// A text that is one attitude, as VALUEs may be, as a row, and what is to be said of that.
+std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std::string_view text,
+                                                                             const stream::RowNumbers& numbers,
+                                                                             const std::string& from,
+                                                                             std::string_view comment) {
+    const std::size_t count = numbers.names.size();
+    const bool has_marks = text.find_first_of("[](){}<>:=") != std::string_view::npos;
+    bool is_matrix = numbers.attitude->name == RepresentationId::dcm; // of three or four lines
+    std::string rows;
+    std::size_t lines = 0;
+    std::size_t width = 0;
+    while (!text.empty()) {
+        const std::string_view line = stream::next_line(text).text;
+        if (stream::is_blank(line) || (!comment.empty() && line.starts_with(comment))) {
+            continue;
+        }
+        std::vector<std::string_view> fields;
+        static_cast<void>(stream::Delimiter::of_row(line).split(line, fields));
+        if (lines == 0 && fields.size() == 1) { // the name of a matrix
+            rows.append(line).append("\n");
+            continue;
+        }
+        ++lines;
+        is_matrix = is_matrix && (fields.size() == 3 || fields.size() == 4) && (lines == 1 || fields.size() == width);
+        width = fields.size();
+        rows.append(line).append("\n");
+    }
+    if (is_matrix && lines == 3 && width == 4) { // a pose, of which the last line is not written
+        rows += rows.find(',') == std::string::npos ? "0 0 0 1" : "0,0,0,1";
+    }
+    if (!has_marks && !(is_matrix && (lines == 3 || lines == 4))) {
+        return std::nullopt;
+    }
+    try {
+        Values values = values_of({rows}, std::nullopt, numbers, from, false);
+        std::vector<std::string_view> fields;
+        static_cast<void>(values.delimiter.split(values.row, fields));
+        if (fields.size() != count || !std::ranges::all_of(fields, stream::is_number)) {
+            return std::nullopt;
+        }
+        values.notes.insert(values.notes.begin(), {stream::Note::Kind::text, "the input is one attitude, no rows of "
+                                                                             "numbers, and is read as VALUEs are"});
+        return std::pair(std::move(values.row), std::move(values.notes));
+    } catch (const Usage&) {
+        return std::nullopt;
+    }
+}
+
 struct ConvertOptions final : RowOptions {
     ConvertOptions() {
         to.about = "The representation to write: NAME[:MODIFIER]...; several with commas";
@@ -88,6 +137,7 @@ struct ConvertOptions final : RowOptions {
         }
         RowsCommand made = rows_command(operations::several(
             mapped(written, [&](const Spec& each) { return by_method(Conversion(read, each, conversion)); })));
+        read_files(made.options.input, read);
         if (is_block) {
             write_block(made);
         }
@@ -107,6 +157,28 @@ private:
                         messages::no_such_method(conversion.from().name, conversion.to().name, name));
         }
         return operations::method(MethodConversion(conversion, *found), continuous.given());
+    }
+
+    /// Reads files of the project that --from is, and inputs that are one attitude in another form than a row.
+    void read_files(stream::InputOptions& in, const Spec& read) const {
+        if (!columns.given() && values.empty() && read.project != nullptr) {
+            in.project_columns = [read](std::size_t fields) {
+                const std::string list = columns_in_rows(*read.project, read.size(), fields);
+                stream::ChosenColumns chosen{.are_known = !list.empty()};
+                if (chosen.are_known) {
+                    chosen.positions =
+                        std::get<stream::ColumnList>(stream::ColumnList::parse(list, read.size())).positions();
+                    chosen.text = fmt::format("rows of {} fields are read as those of {}: --columns {}", fields,
+                                              read.project->text, list);
+                }
+                return chosen;
+            };
+        }
+        if (to.given() && !columns.given() && !header.given() && !append.given()) {
+            in.read_text = [numbers = in.numbers, spec = from.text(), comment = in.comment](std::string_view text) {
+                return row_of_text(text, numbers, spec, comment);
+            };
+        }
     }
 
     /// The answers of all methods to VALUEs, a line for each.

@@ -204,6 +204,10 @@ std::string explain(const stream::ColumnError& error, std::string_view subject) 
     case What::other_width:
         return fmt::format("the header has {} and this row {}: {}; select by index", counted(error.count, "name"),
                            counted(error.fields, "field"), quoted(error.text));
+    case What::none:
+        return fmt::format("{} where {} has {} (select with --columns){}: {}", counted(error.fields, "field"), subject,
+                           error.wanted, error.header.empty() ? "" : "; the columns are " + numbered(error.header),
+                           quoted(error.text));
     case What::ambiguous:
         return fmt::format("more than one column is called {}: {}; select by index", quoted(error.text),
                            fmt::join(error.indices, " and "));

@@ -17,11 +17,35 @@ using Kind = stream::Note::Kind;
 
 bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
 
+/// The option that selects columns: by name where each name is one word without marks, and of one column.
+std::string columns_option(std::span<const std::size_t> columns, const std::vector<std::string>& names) {
+    const auto words = mapped(names, [](const std::string& name) { return name.substr(0, name.find(' ')); });
+    const bool by_name = std::ranges::all_of(columns, [&words](std::size_t column) {
+        const std::string& word = words[column];
+        return std::ranges::count(words, word) == 1 && word.find_first_not_of("0123456789-") != std::string::npos &&
+               std::ranges::all_of(word,
+                                   [](char c) { return is_alphanumeric(c) || std::string_view("_.[]-/").find(c) < 6; });
+    });
+    std::vector<std::string> items;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        std::size_t last = i; // of a range
+        while (!by_name && last + 1 < columns.size() && columns[last + 1] == columns[last] + 1) {
+            ++last;
+        }
+        items.push_back(by_name    ? words[columns[i]]
+                        : last > i ? fmt::format("{}-{}", columns[i] + 1, columns[last] + 1)
+                                   : std::to_string(columns[i] + 1));
+        i = last;
+    }
+    return "--columns " + in_shell(joined(items));
+}
+
 /// The notes on one stream.
 class Notes {
 public:
-    Notes(const RowOptions& options, const Option& time_option, bool names_decide, const stream::InputOptions& input)
-        : degrees_(options.degrees.given()), time_option_(time_option.name()),
+    Notes(const RowOptions& options, const Option& time_option, bool names_decide, std::string key,
+          const stream::InputOptions& input)
+        : key_(std::move(key)), degrees_(options.degrees.given()), time_option_(time_option.name()),
           time_unit_((time_option.given() ? time_option : options.time_unit).text()),
           is_named_(input.numbers.names.size(), names_decide && input.columns.empty()),
           parts_(parts_of(input.numbers)) {
@@ -31,14 +55,30 @@ public:
         }
     }
 
-    [[nodiscard]] stream::NamedNumbers order_of(const std::vector<std::string>& names) const {
+    [[nodiscard]] std::vector<std::size_t> order_of(const std::vector<std::string>& names) const {
         auto named = names;
         for (std::size_t i = 0; i < names.size(); ++i) {
             named[i] = is_named_[i] ? names[i] : "";
         }
-        const auto is_known = [](const auto& set, const Part& part) { return part.is_kept || set; };
-        return {.places = names_of_row(parts_, named).places,
-                .are_known = std::ranges::equal(names_of_row(parts_, names).sets, parts_, is_known)};
+        return names_of_row(parts_, named).places;
+    }
+
+    [[nodiscard]] stream::ChosenColumns columns_of(const std::vector<std::string>& names) const {
+        const ColumnSets sets = sets_of_row(parts_, names, key_);
+        stream::ChosenColumns chosen{.are_known = sets.are_known};
+        const std::size_t first = key_.empty() ? 0 : 1; // without the key, which has an option of its own
+        const auto options =
+            mapped(sets.rows, [&](const auto& row) { return columns_option(std::span(row).subspan(first), names); });
+        if (options.size() == 1) {
+            chosen.positions = sets.rows[0];
+            chosen.text = fmt::format("the columns are taken by their names: {}", options[0]);
+        } else if (options.size() > 1) {
+            constexpr std::size_t most = 4;
+            chosen.text = fmt::format("the header names {} sets of columns: {}{}", options.size(),
+                                      joined(std::span(options).first(std::min(most, options.size())), " or "),
+                                      options.size() > most ? " ..." : "");
+        }
+        return chosen;
     }
 
     [[nodiscard]] std::vector<stream::Note> on(const stream::Said& said) const {
@@ -48,13 +88,20 @@ public:
                 {Kind::comments, fmt::format("there were only comments, such as {}; if these are rows: --comment none",
                                              quoted(said.comment))});
         }
+        if (said.passed > 0) {
+            const bool is_one = said.passed == 1;
+            return {{Kind::passed, fmt::format("{} before the first row {}: {}", counted(said.passed, "line"),
+                                               is_one ? "is not a row, and passes as it is"
+                                                      : "are not rows, and pass as they are; the first is",
+                                               quoted(said.comment))}};
+        }
         if (said.only_header) {
             notes.push_back({Kind::only_header, "the only row was taken for the header; if it is data: --header no"});
         }
         if (said.names.empty()) {
             return notes;
         }
-        const auto places = order_of(said.names).places;
+        const auto places = order_of(said.names);
         const auto names = mapped(places, [&said](std::size_t place) { return said.names[place]; });
         const auto sets = names_of_row(parts_, names).sets;
         for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -65,7 +112,9 @@ public:
         for (const Part& part : parts_) {
             for (std::size_t i = 0; i < part.names.size(); ++i) {
                 const std::string& name = names[part.begin + i];
-                const auto unit = name_and_unit(name).second;
+                const std::size_t column = places[part.begin + i];
+                const bool has_own = column < said.units.size();
+                const auto unit = has_own ? unit_of(said.units[column]) : name_and_unit(name).second;
                 if (const std::string told = other_unit(part, i, unit); !told.empty()) {
                     notes.push_back({is_angle(unit) ? Kind::unit : Kind::time_unit,
                                      fmt::format("the header's {} is in {}, but {}", quoted(name), unit, told)});
@@ -135,6 +184,7 @@ private:
                    : "";
     }
 
+    std::string key_;            ///< its column, as it is given
     bool degrees_;               ///< angular velocities too
     std::string time_option_;    ///< that names the unit
     std::string time_unit_;      ///< empty: keys have none, and times are in seconds
@@ -178,9 +228,22 @@ std::string axes_options(const RowOptions& options) {
 
 } // namespace
 
-void read_names(const RowOptions& options, const Option& time_option, bool names_decide, stream::InputOptions& input) {
-    const auto notes = std::make_shared<const Notes>(options, time_option, names_decide, input);
+void read_names(const RowOptions& options, const Option& time_option, bool names_decide, const std::string& key,
+                stream::InputOptions& input) {
+    const auto notes = std::make_shared<const Notes>(options, time_option, names_decide, key, input);
+    input.is_unit = is_unit;
     input.order_of = [notes](const std::vector<std::string>& names) { return notes->order_of(names); };
+    if (names_decide) {
+        // A header is asked about several times, and may be long.
+        input.columns_of = [notes,
+                            last = std::make_shared<std::pair<std::vector<std::string>, stream::ChosenColumns>>()](
+                               const std::vector<std::string>& names) {
+            if (names != last->first) {
+                *last = {names, notes->columns_of(names)};
+            }
+            return last->second;
+        };
+    }
     input.notes_of = [notes](const stream::Said& said) { return notes->on(said); };
 }
 

@@ -30,9 +30,6 @@ stream::ColumnList parse(const std::string& list, std::size_t count, std::string
 SelectedColumns with_key(SelectedColumns columns, const Option& option, const std::string& key) {
     if (!key.empty()) {
         static_cast<void>(parse(key, 1, option.name(), "a key"));
-        if (columns.list.empty()) {
-            throw Usage("{} needs --columns, because a row with only the attitude's numbers has no key", option.name());
-        }
         columns.key = key;
     }
     return columns;
@@ -80,13 +77,14 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     stream::InputOptions in{.numbers = std::move(numbers)};
     in.header = one_of("mode of", options.header, header_modes);
     in.ragged = options.ragged.given();
-    in.refuses_json = in.header == HeaderMode::automatic && options.policy() == stream::OnError::stop;
+    in.stops = options.policy() == stream::OnError::stop;
     const Option& delimiter = options.delimiter;
     in.delimiter = stream::Delimiter::parse(delimiter.text());
     if (!in.delimiter && delimiter.given()) {
         throw Usage("{} {} is neither comma, tab, semicolon or blank nor a character that can part numbers",
                     delimiter.name(), quoted(delimiter.text()));
     }
+    in.are_chosen = selected.list.empty() && !selected.key.empty();
     if (!selected.list.empty()) {
         const std::size_t count = in.numbers.names.size() - (selected.key.empty() ? 0 : 1);
         in.columns = parse(selected.list, count, selected.option, subject);
@@ -105,7 +103,7 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     const Option& unit = time_option.given() ? time_option : options.time_unit;
     in.key_power = time_power_of(unit);
     in.numbers.has_unit = unit.given() && (&unit == &options.time_unit || unit.text() != "s"); // as ISO 8601 is
-    read_names(options, time_option, names_decide, in);
+    read_names(options, time_option, names_decide, selected.key, in);
     return in;
 }
 

@@ -143,7 +143,9 @@ struct RowOptions : CommandOptions {
 /// Has the input tell what its header says against how its numbers are read, by names and units; in notes.cpp.
 /// @param time_option which names the unit of its times
 /// @param names_decide numbers are what their names say, unless their columns are selected by index
-void read_names(const RowOptions& options, const Option& time_option, bool names_decide, stream::InputOptions& input);
+/// @param key the column of the key, if its name or index is given and no other column is
+void read_names(const RowOptions& options, const Option& time_option, bool names_decide, const std::string& key,
+                stream::InputOptions& input);
 
 /// The same for options that are "SPEC: NUMBERS".
 [[nodiscard]] std::vector<stream::Note> notes_on_options(const RowOptions& options);

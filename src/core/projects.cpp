@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "text.hpp"
 
@@ -128,6 +129,35 @@ constexpr auto project_table = std::to_array<Project>({
 });
 // clang-format on
 
+/// Rows of files: the project, the numbers of the SPEC, the fields, the columns.
+struct FileRows {
+    std::string_view project;
+    std::size_t size;
+    std::size_t fields;
+    std::string_view columns;
+};
+constexpr auto file_rows = std::to_array<FileRows>({
+    {"tum", 4, 8, "5-8"},
+    {"euroc", 4, 8, "5-8"},
+    {"euroc", 4, 17, "5-8"},
+    {"kitti", 9, 12, "1-3,5-7,9-11"},
+    {"kitti", 3, 30, "4-6"},
+    {"colmap", 4, 10, "2-5"},
+    {"g2o", 4, 9, "6-9"},
+    {"sdf", 3, 6, "4-6"},
+    {"ang", 3, 10, "1-3"},
+    {"openvr", 9, 12, "1-3,5-7,9-11"},
+    {"franka", 9, 16, "1-3,5-7,9-11"},
+    {"gltf", 9, 16, "1-3,5-7,9-11"},
+    {"arkit", 9, 16, "1-3,5-7,9-11"},
+    {"nerfstudio", 9, 16, "1-3,5-7,9-11"},
+    {"kalibr", 9, 16, "1-3,5-7,9-11"},
+});
+
+/// The robots of the table, whose poses are a position and then the numbers of the SPEC.
+constexpr std::string_view first_robot = "kuka";
+constexpr std::string_view last_robot = "ur";
+
 constexpr auto preset_count =
     static_cast<std::size_t>(std::ranges::find(project_table, "opk", &Project::text) - project_table.begin()) + 1;
 
@@ -143,6 +173,18 @@ const Project* find_project(std::string_view name) noexcept {
                                      std::ranges::count(split(each.others, ' '), name) != 0);
     });
     return name.empty() || found == project_table.end() ? nullptr : found;
+}
+
+std::string columns_in_rows(const Project& project, std::size_t size, std::size_t fields) {
+    const auto* const found = std::ranges::find_if(file_rows, [&](const FileRows& each) {
+        return each.project == project.text && each.size == size && each.fields == fields;
+    });
+    if (found != file_rows.end()) {
+        return std::string(found->columns);
+    }
+    const auto* const first = find_project(first_robot);
+    const bool is_robot = &project >= first && &project <= find_project(last_robot);
+    return is_robot && fields == size + 3 ? "4-" + std::to_string(fields) : "";
 }
 
 } // namespace rotconv

@@ -6,27 +6,19 @@
 #include <variant>
 
 #include "../core/text.hpp"
+#include "key.hpp"
 #include "number_text.hpp"
 
 namespace rotconv::stream {
 namespace {
 
-using Lookup = std::variant<std::vector<std::size_t>, ColumnError>;
+using Positions = std::vector<std::size_t>;
+using Lookup = std::variant<Positions, ColumnError>;
 
 /// Whether a text is a word for a missing number, in any case.
 bool is_missing(std::string_view text) {
     constexpr std::array<std::string_view, 9> words{"", "na", "n/a", "null", "none", "nil", "-", "?", "."};
     return std::ranges::count(words, lower(text)) != 0;
-}
-
-/// Whether a text is a number with a comma for its point.
-bool has_decimal_comma(std::string text) noexcept {
-    const auto comma = text.find(',');
-    if (comma == std::string::npos) {
-        return false;
-    }
-    text[comma] = '.';
-    return is_number(text);
 }
 
 /// Whether a text begins an object with keys, or an array of objects or of numbers between commas; "[INFO]" and a
@@ -42,71 +34,425 @@ bool begins_json(std::string_view text) noexcept {
            after.front() == ']' || after.front() == '}';
 }
 
+/// Whether a text has as many brackets that open as that close.
+bool is_closed(std::string_view text) noexcept {
+    return std::ranges::count(text, '[') + std::ranges::count(text, '{') ==
+           std::ranges::count(text, ']') + std::ranges::count(text, '}');
+}
+
+/// Whether a text is one word, perhaps with a unit in brackets behind it.
+bool is_word(std::string_view text) noexcept {
+    if (text.ends_with(']') || text.ends_with(')')) {
+        text = trimmed(text.substr(0, std::min(text.find_last_of("[("), text.size())));
+    }
+    return !text.empty() && text.find_first_of(" \t") == std::string_view::npos && !is_number(text);
+}
+
+/// A line in fields, as it parts them itself.
+struct Fields : HeaderLine {
+    Fields(const Line& line_, std::size_t index_, const InputOptions& options)
+        : HeaderLine(line_, options.delimiter.value_or(Delimiter::of_row(line_.text))), index(index_),
+          is_comment(options.is_comment(line_.text)) {}
+    std::size_t index; ///< of the line
+    bool is_comment;
+
+    [[nodiscard]] HeaderLine as_header() const { return begins_with_mark() ? without_mark() : HeaderLine(*this); }
+    [[nodiscard]] std::string_view text(std::size_t at) const { return delimiter.text_of(fields[at]); }
+    [[nodiscard]] bool holds_number() const {
+        return std::ranges::any_of(fields, [this](auto field) { return is_number(delimiter.text_of(field)); });
+    }
+};
+
 /// The decision on one list of lines.
 class Decision {
 public:
-    Decision(std::span<const Line> lines, const InputOptions& options) : lines_(lines), options_(options) {}
-
-    /// The last line is the header where it is_header(), or where the options want one. Otherwise, or where a wanted
-    /// one has numbers for names, the last comment before it is, if it may be one: see comment_of().
-    [[nodiscard]] Beginning by_index() const {
-        const Line& row = lines_.back();
-        if (is_json(row)) {
-            return error({.what = StreamError::What::json}, row);
-        }
-        HeaderLine fields(row, delimiter_of(row.text));
-        const bool is_wanted = options_.header == HeaderMode::yes;
-        const bool looks_like_one = is_header(fields);
-        if (is_wanted ? are_numbers(fields) : !looks_like_one) {
-            if (auto comment = comment_of(fields)) {
-                return {.header = std::move(comment), .is_data = true};
+    Decision(std::span<const Line> lines, const InputOptions& options, bool is_end)
+        : lines_(lines), options_(options), is_end_(is_end) {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (!is_blank(lines[i].text)) {
+                all_.emplace_back(lines[i], i, options);
             }
         }
-        if (is_wanted || looks_like_one) {
-            return {.header = fields.begins_with_mark() ? fields.without_mark() : fields};
-        }
-        return {.is_data = true};
+        const auto is_first = [](const Fields& each) { return !each.is_comment; };
+        first_ = static_cast<std::size_t>(std::ranges::find_if(all_, is_first) - all_.begin());
     }
 
-    /// The header is the last line that has all names. The last line itself may be the header with `is_end`, and is
-    /// otherwise the first data row.
-    [[nodiscard]] std::optional<Beginning> by_name(bool is_end) const {
-        const Line& row = lines_.back();
-        std::optional<Delimiter> delimiter;
-        if (!is_end) {
-            if (has_all(find_names(row, {}).second)) {
-                return std::nullopt;
-            }
-            const Delimiter own = delimiter_of(row.text);
-            if (HeaderLine(row, own).fields.size() > 1) { // otherwise it does not show the delimiter
-                delimiter = own;
-            }
+    [[nodiscard]] std::optional<Beginning> operator()() const {
+        if (first_ == all_.size()) {
+            return is_end_ ? of_comments() : std::nullopt;
         }
-        for (std::size_t i = lines_.size() - (is_end ? 0 : 1); i-- > 0;) {
-            const Line& line = lines_[i];
-            // A comment is split by the delimiter of the data, so that prose is not taken for names.
-            auto [header, found] = find_names(line, options_.is_comment(line.text) ? delimiter : std::nullopt);
-            if (const auto* positions = std::get_if<std::vector<std::size_t>>(&found)) {
-                return Beginning{.header = std::move(header), .is_data = !is_end, .positions = *positions};
-            }
-            if (has_all(found)) {
-                return error({.what = StreamError::What::columns, .column = std::get<ColumnError>(found)}, line,
-                             is_end);
-            }
+        const Fields& last = all_.back();
+        if (begins_with_json()) {
+            const bool is_over = is_end_ || (first_ + 1 < all_.size() && is_closed(all_[first_].line.text));
+            return is_over ? std::optional(error({.what = StreamError::What::json}, all_[first_])) : std::nullopt;
         }
-        if (is_end) {
-            return std::nullopt;
+        const bool is_above = options_.header == HeaderMode::yes && !is_row_of_no_header(last);
+        if (auto found = last.is_comment || is_above ? std::nullopt : selection(last)) {
+            return found->error ? std::optional(*found) : with_row(std::move(*found), last);
         }
-        return is_json(row) ? error({.what = StreamError::What::json}, row) : lacking(row);
+        return is_end_ || (options_.stops && !may_have_header()) ? without_row() : std::nullopt;
     }
 
 private:
-    static Beginning error(StreamError error, const Line& line, bool is_end = false) {
-        return {.is_data = !is_end, .error = std::move(error), .error_line = line};
+    [[nodiscard]] std::size_t count() const noexcept { return options_.numbers.names.size(); }
+    [[nodiscard]] bool is_automatic() const noexcept { return options_.header == HeaderMode::automatic; }
+    [[nodiscard]] bool by_name() const noexcept { return options_.columns.has_names(); }
+    [[nodiscard]] bool may_have_header() const noexcept { return is_automatic() || options_.header == HeaderMode::yes; }
+    [[nodiscard]] std::span<const Fields> above(const Fields& row) const {
+        return std::span(all_).first(static_cast<std::size_t>(&row - all_.data()));
     }
 
-    [[nodiscard]] Delimiter delimiter_of(std::string_view row) const noexcept {
-        return options_.delimiter.value_or(Delimiter::of_row(row));
+    static Beginning error(StreamError error, const Fields& line) {
+        Beginning made;
+        made.rows = line.index + 1;
+        made.error = std::move(error);
+        made.error_line = line.line;
+        return made;
+    }
+
+    /// Whether the first line begins JSON and cannot be converted.
+    [[nodiscard]] bool begins_with_json() const {
+        const Fields& row = all_[first_];
+        return options_.stops && is_automatic() && begins_json(trimmed(row.line.text)) &&
+               (by_name() || !is_numeric(row, options_.columns.positions()));
+    }
+
+    /// Under --header yes, the first line is the header, unless it is numeric and a comment above it may be.
+    [[nodiscard]] bool is_row_of_no_header(const Fields& row) const {
+        return &row != &all_[first_] ||
+               (!by_name() && is_numeric(row, options_.columns.positions()) && comment_above(row, false) != nullptr);
+    }
+
+    [[nodiscard]] bool has_width(const Fields& row) const {
+        const FieldCount width = row.width();
+        return count() == 0 || width.all == count() || width.filled == count();
+    }
+
+    /// Whether the fields at these positions, or all, are numbers or stand for missing ones, at least one a number.
+    [[nodiscard]] bool is_numeric(const Fields& row, const Positions& positions) const {
+        const std::size_t size = !positions.empty() ? positions.size() : count() > 0 ? count() : row.width().filled;
+        std::size_t numbers = 0;
+        if (!row.is_closed || (positions.empty() && !has_width(row))) {
+            return false;
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            const std::size_t at = positions.empty() ? i : positions[i];
+            const std::string_view text = at < row.fields.size() ? row.text(at) : " ";
+            const bool is_time = i < options_.numbers.kept && read_key(text).error != KeyError::not_a_number;
+            numbers += is_number(text) || is_time ? 1 : 0;
+            if (!is_number(text) && !is_time && !(at < row.fields.size() && is_missing(text))) {
+                return false;
+            }
+        }
+        return numbers > 0;
+    }
+
+    /// The line as a header of the row, in all ways in which it has the row's width; without a row, in its own ways. In
+    /// a comment commas may part names where blanks part the row.
+    [[nodiscard]] std::vector<HeaderLine> headers_of(const Fields& line, const Fields* row) const {
+        std::vector<HeaderLine> made;
+        const auto add = [&](Delimiter delimiter) {
+            const HeaderLine header(line.line, delimiter, options_.comment);
+            made.push_back(header);
+            if (HeaderLine without = header.without_mark(); without.prefix.size() > header.prefix.size()) {
+                made.insert(made.end() - (header.begins_with_mark() ? 1 : 0), std::move(without));
+            }
+        };
+        if (line.is_comment && row != nullptr && row->delimiter.is_blanks()) {
+            add(Delimiter::character(','));
+        }
+        add(line.is_comment && row != nullptr ? row->delimiter : line.delimiter);
+        std::erase_if(made, [&](const HeaderLine& each) {
+            return !each.is_closed || each.is_remark(true) || (row != nullptr && !each.width().fits(row->width()));
+        });
+        return made;
+    }
+
+    /// The line as a header that has names of all numbers, and where these say that the numbers are.
+    [[nodiscard]] std::optional<HeaderLine> header_with_set(const Fields& line, const Fields* row,
+                                                            ChosenColumns* chosen = nullptr) const {
+        for (const HeaderLine& header : options_.columns_of ? headers_of(line, row) : std::vector<HeaderLine>()) {
+            ChosenColumns found = options_.columns_of(header.names());
+            if (found.are_known) {
+                if (chosen != nullptr) {
+                    *chosen = std::move(found);
+                }
+                return header;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Whether there is a line above, no comment, that has all names, but not as many fields as the row.
+    [[nodiscard]] bool is_below_other_names(const Fields& row) const {
+        return std::ranges::any_of(above(row), [&](const Fields& each) {
+            if (each.is_comment || !is_automatic() || each.delimiter.text() != row.delimiter.text()) {
+                return false;
+            }
+            const auto header = header_with_set(each, nullptr);
+            return header && !header->width().fits(row.width());
+        });
+    }
+
+    /// Where the numbers of a row are, if it is numeric: `positions`, `choice`, and the header that says it; or an
+    /// error.
+    [[nodiscard]] std::optional<Beginning> selection(const Fields& row) const {
+        Beginning made;
+        made.positions = options_.columns.positions();
+        if (by_name()) {
+            for (std::size_t i = above(row).size(); i-- > 0;) {
+                auto [header, found] = find_names(all_[i], row);
+                if (!has_all(found)) {
+                    continue;
+                }
+                if (const auto* wrong = std::get_if<ColumnError>(&found)) {
+                    return error({.what = StreamError::What::columns, .column = *wrong}, all_[i]);
+                }
+                made.positions = std::get<Positions>(std::move(found));
+                if (header.width().fits(row.width()) && is_numeric(row, made.positions)) {
+                    made.header = std::move(header);
+                    return made;
+                }
+            }
+            return std::nullopt;
+        }
+        if (!options_.columns.empty() || (has_width(row) && !options_.are_chosen)) {
+            return is_numeric(row, made.positions) && !is_below_other_names(row) ? std::optional(made) : std::nullopt;
+        }
+        return chosen(row);
+    }
+
+    /// The same for a row of more fields than numbers, of which nobody has selected any.
+    [[nodiscard]] std::optional<Beginning> chosen(const Fields& row) const {
+        const auto numbers = std::ranges::count_if(row.fields, is_number);
+        if (!options_.columns_of || numbers == 0 || is_below_other_names(row)) {
+            return std::nullopt;
+        }
+        Beginning made;
+        ChosenColumns found;
+        for (std::size_t i = above(row).size(); may_have_header() && !made.header && i-- > 0;) {
+            made.header = header_with_set(all_[i], &row, &found);
+            if (made.header && !found.text.empty() && found.positions.empty()) { // there are several
+                return error({.what = StreamError::What::count,
+                              .column = {.text = std::string(all_[i].line.text)},
+                              .wrong = found.text},
+                             all_[i]);
+            }
+        }
+        if (!made.header) {
+            found = options_.project_columns ? options_.project_columns(row.width().filled) : ChosenColumns();
+        }
+        if (found.positions.empty() || !is_numeric(row, found.positions)) {
+            return std::nullopt;
+        }
+        made.positions = std::move(found.positions);
+        made.choice = Note{Note::Kind::columns, std::move(found.text), {}};
+        return made;
+    }
+
+    /// What the lines are, now that the last is the first numeric one.
+    [[nodiscard]] Beginning with_row(Beginning made, const Fields& row) const {
+        made.row = row;
+        if (!made.header && may_have_header()) {
+            made.header = header_of(row, made.positions);
+        }
+        if (made.header) {
+            after_header(made);
+            return made;
+        }
+        const auto is_error = [&](const Fields& each) {
+            return !each.is_comment && (options_.header != HeaderMode::automatic ||
+                                        (each.width().fits(row.width()) && each.holds_number()) ||
+                                        std::ranges::all_of(each.fields, [&each](auto field) {
+                                            const auto text = each.delimiter.text_of(field);
+                                            return is_number(text) || is_missing(text);
+                                        }));
+        };
+        made.rows = std::ranges::find_if(all_, is_error)->index;
+        return made;
+    }
+
+    /// The header above the first row.
+    [[nodiscard]] std::optional<HeaderLine> header_of(const Fields& row, const Positions& positions) const {
+        const auto lines = above(row);
+        if (options_.header == HeaderMode::yes) {
+            if (&row == &all_[first_]) {
+                const Fields* const comment = comment_above(row, false);
+                return comment == nullptr ? std::nullopt : std::optional(headers_of(*comment, &row).front());
+            }
+            return all_[first_].as_header();
+        }
+        for (std::size_t i = lines.size(); i-- > 0;) {
+            if (auto header = header_with_set(lines[i], &row)) {
+                return header;
+            }
+        }
+        if (const Fields* const comment = comment_above(row, true)) {
+            return headers_of(*comment, &row).front();
+        }
+        for (std::size_t i = lines.size(); i-- > 0;) {
+            const Fields& line = lines[i];
+            if (line.is_comment || is_units(line) || is_row(line, row, positions)) {
+                continue;
+            }
+            const bool has_mark = line.line.text.starts_with("//") || line.line.text.starts_with('%');
+            const bool is_header = line.is_closed && line.width().fits(row.width()) &&
+                                   line.delimiter.text() == row.delimiter.text() && !has_mark && !line.is_remark();
+            return is_header ? std::optional(line.as_header()) : std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    /// The last comment of the row's width: with `has_words` one that is parted by commas, each part one word and its
+    /// unit.
+    [[nodiscard]] const Fields* comment_above(const Fields& row, bool has_words) const {
+        const auto lines = above(row);
+        for (std::size_t i = lines.size(); i-- > 0;) {
+            if (!lines[i].is_comment) {
+                continue;
+            }
+            const auto headers = headers_of(lines[i], &row);
+            if (headers.empty()) {
+                continue;
+            }
+            const auto names = headers.front().names_at({}).value();
+            if (!has_words || (headers.front().delimiter.text() == ',' && !headers.front().is_remark() &&
+                               std::ranges::all_of(names, is_word))) {
+                return &lines[i];
+            }
+        }
+        return nullptr;
+    }
+
+    /// Whether a line above the first row would be a row, of its width and with a number where numbers are.
+    [[nodiscard]] bool is_row(const Fields& line, const Fields& row, const Positions& positions) const {
+        if (!line.width().fits(row.width())) {
+            return false;
+        }
+        bool is = is_number(line.text(0));
+        const std::size_t size = positions.empty() ? line.fields.size() : positions.size();
+        for (std::size_t i = 0; i < size; ++i) {
+            const std::size_t at = positions.empty() ? i : positions[i];
+            is = is || (at < line.fields.size() && (is_number(line.text(at)) || is_missing(line.text(at))));
+        }
+        return is;
+    }
+
+    /// Whether each field is a unit, in brackets or not, or none, and at least one is.
+    [[nodiscard]] bool is_units(const Fields& line) const {
+        std::size_t units = 0;
+        for (std::size_t i = 0; i < line.fields.size(); ++i) {
+            const std::string_view text = line.text(i);
+            const bool is_unit = options_.is_unit && options_.is_unit(text);
+            units += is_unit ? 1 : 0;
+            if (!is_unit && !text.empty() && text != "-" && text != "[]" && text != "[-]") {
+                return false;
+            }
+        }
+        return units > 0;
+    }
+
+    /// Sets where rows begin below the header: a line of units next to it is none.
+    void after_header(Beginning& made) const {
+        const auto at = std::ranges::find_if(
+            all_, [&made](const Fields& each) { return each.line.text.data() == made.header->line.text.data(); });
+        made.rows = at->index + 1;
+        const auto next = std::find_if(at + 1, all_.end(), [](const Fields& each) { return !each.is_comment; });
+        if (next != all_.end() && is_units(*next) && next->width().fits(made.header->width())) {
+            made.units = *next;
+            made.rows = next->index + 1;
+        }
+    }
+
+    /// What the lines are if none is numeric.
+    [[nodiscard]] std::optional<Beginning> without_row() const {
+        Beginning made;
+        std::optional<ColumnError> wrong;
+        for (std::size_t i = all_.size(); i-- > 0 && may_have_header() && !made.header;) {
+            if (by_name()) {
+                auto [header, found] = find_names(all_[i], all_[first_]);
+                if (const auto* error = std::get_if<ColumnError>(&found); has_all(found) && error != nullptr) {
+                    return Decision::error({.what = StreamError::What::columns, .column = *error}, all_[i]);
+                }
+                if (has_all(found)) {
+                    made.positions = std::get<Positions>(std::move(found));
+                    made.header = std::move(header);
+                }
+            } else {
+                ChosenColumns found;
+                made.header = header_with_set(all_[i], nullptr, &found);
+                if (made.header && options_.columns.empty() && (options_.are_chosen || !has_width(all_[i]))) {
+                    made.positions = std::move(found.positions);
+                    made.header = made.positions.empty() ? std::nullopt : std::move(made.header);
+                }
+            }
+        }
+        if (!made.header && options_.header == HeaderMode::yes) {
+            made.header = all_[first_].as_header();
+        }
+        const bool is_below_rows = made.header && made.header->line.text.data() > all_[first_].line.text.data();
+        if (!made.header || is_below_rows) { // a line above a header without rows is a row
+            if (by_name()) {
+                return lacking();
+            }
+            made.header.reset();
+            made.rows = all_[first_].index;
+            made.row = all_[first_];
+            return options_.columns.empty() && may_have_header() ? too_wide().value_or(made) : made;
+        }
+        after_header(made);
+        for (const Fields& each : all_) {
+            if (each.index >= made.rows && !each.is_comment) {
+                const FieldCount names = made.header->width();
+                if (!made.row && each.holds_number() && !names.fits(each.width()) &&
+                    each.delimiter.text() == made.header->delimiter.text() && !made.positions.empty()) {
+                    return Decision::error({.what = StreamError::What::columns,
+                                            .column = {.what = ColumnError::What::other_width,
+                                                       .text = std::string(each.line.text),
+                                                       .count = names.all,
+                                                       .fields = each.width().all}},
+                                           each);
+                }
+                made.row = made.row ? made.row : each;
+            }
+        }
+        return made;
+    }
+
+    /// Comments alone: one of them may have the names.
+    [[nodiscard]] std::optional<Beginning> of_comments() const {
+        for (std::size_t i = all_.size(); by_name() && may_have_header() && i-- > 0;) {
+            auto [header, found] = find_names(all_[i], all_[i]);
+            if (auto* positions = std::get_if<Positions>(&found)) {
+                Beginning made;
+                made.positions = std::move(*positions);
+                made.header = std::move(header);
+                made.rows = all_[i].index + 1;
+                return made;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The error about rows of more fields than numbers, of which nothing says where these are.
+    [[nodiscard]] std::optional<Beginning> too_wide() const {
+        for (const Fields& each : all_) {
+            const auto numbers = static_cast<std::size_t>(std::ranges::count_if(each.fields, is_number));
+            if (!each.is_comment && count() > 0 && options_.columns_of && numbers >= count() &&
+                (each.fields.size() > count() || options_.are_chosen)) {
+                const auto lines = above(each);
+                const auto names = lines.empty() ? std::vector<std::string>() : lines.back().names();
+                const bool are_names = names.size() == each.fields.size() && std::ranges::none_of(names, is_number);
+                return error({.what = StreamError::What::columns,
+                              .column = {.what = ColumnError::What::none,
+                                         .text = std::string(each.line.text),
+                                         .fields = each.width().all,
+                                         .wanted = count() - (options_.are_chosen ? 1 : 0),
+                                         .header = are_names ? names : std::vector<std::string>()}},
+                             each);
+            }
+        }
+        return std::nullopt;
     }
 
     /// Whether no name is missing, whatever else is wrong with them.
@@ -115,82 +461,15 @@ private:
         return error == nullptr || error->what != ColumnError::What::missing;
     }
 
-    [[nodiscard]] std::size_t count() const noexcept { return options_.numbers.names.size(); }
-
-    /// The texts of the selected fields; nothing if a field is missing.
-    [[nodiscard]] std::optional<std::vector<std::string>> selected(const HeaderLine& header) const {
-        auto texts = header.names_at(options_.columns.positions());
-        const bool are_all = !options_.columns.empty() || count() == 0 || texts->size() == count();
-        return are_all ? texts : std::nullopt;
-    }
-
-    [[nodiscard]] bool are_numbers(const HeaderLine& row) const {
-        const auto texts = selected(row);
-        return texts && std::ranges::all_of(*texts, is_number);
-    }
-
-    /// Whether none of the selected fields is a number or stands for one, and the line is not a remark.
-    [[nodiscard]] bool is_header(const HeaderLine& header) const {
-        const auto texts = selected(header);
-        const std::string_view text = header.prefix.empty() ? header.line.text : "";
-        const bool has_mark = text.starts_with("//") || text.starts_with('%'); // a remark, unless it has the names
-        return header.is_closed && texts && !has_mark && !header.is_remark() &&
-               std::ranges::none_of(*texts, [](const auto& name) {
-                   return is_number(name) || is_missing(name) || has_decimal_comma(name);
-               });
-    }
-
-    /// Whether the row begins JSON and cannot be converted.
-    [[nodiscard]] bool is_json(const Line& row) const {
-        if (!begins_json(trimmed(row.text)) || !options_.refuses_json || options_.header != HeaderMode::automatic) {
-            return false;
-        }
-        return options_.columns.has_names() || !are_numbers(HeaderLine(row, delimiter_of(row.text)));
-    }
-
-    /// The last comment, or an empty line, split as the row is. If blanks part the row, it is split at its commas if
-    /// that gives as many fields.
-    [[nodiscard]] HeaderLine above(const HeaderLine& row) const {
-        const auto found = std::find_if(lines_.rbegin(), lines_.rend(),
-                                        [this](const Line& line) { return options_.is_comment(line.text); });
-        const Line comment = found == lines_.rend() ? Line{} : *found;
-        HeaderLine with_commas(comment, Delimiter::character(','), options_.comment);
-        return row.delimiter.is_blanks() && with_commas.width().fits(row.width())
-                   ? with_commas
-                   : HeaderLine(comment, row.delimiter, options_.comment);
-    }
-
-    /// The last comment, if it is the header of the row; with HeaderMode::yes an equal number of fields is enough.
-    [[nodiscard]] std::optional<HeaderLine> comment_of(const HeaderLine& row) const {
-        HeaderLine header = above(row);
-        const auto names = selected(header);
-        if (header.line.text.empty() || !header.is_closed || !header.width().fits(row.width()) || !names) {
-            return std::nullopt;
-        }
-        if (options_.header == HeaderMode::yes) {
-            return header;
-        }
-        if (header.is_remark() || std::ranges::any_of(header.names(), is_number)) {
-            return std::nullopt;
-        }
-        if (row.delimiter.is_blanks() && count() > 0) { // a remark may have as many words
-            if (!options_.order_of || !options_.order_of(*names).are_known) {
-                return std::nullopt;
-            }
-        }
-        return header;
-    }
-
-    /// Looks the names up with each delimiter, or the given one, until all are found. In a comment commas may part them
-    /// although blanks part the rows. A mark before the first name is left out if they are not found with it.
-    [[nodiscard]] std::pair<HeaderLine, Lookup> find_names(const Line& line, std::optional<Delimiter> delimiter) const {
-        if (!delimiter) {
-            delimiter = options_.delimiter;
-        }
-        const bool is_comment = options_.is_comment(line.text);
-        const std::string_view text = line.text.substr(is_comment ? options_.comment.size() : 0);
+    /// Looks the names up with each delimiter until all are found, in a comment with that of the row if it shows one,
+    /// so that prose is not taken for names; but commas may part them where blanks part the row. A mark before the
+    /// first name is left out if they are not found with it.
+    [[nodiscard]] std::pair<HeaderLine, Lookup> find_names(const Fields& line, const Fields& row) const {
+        const bool shows_delimiter = line.is_comment && &row != &line && row.fields.size() > 1;
+        const auto delimiter = shows_delimiter ? std::optional(row.delimiter) : options_.delimiter;
+        const std::string_view text = line.line.text.substr(line.is_comment ? options_.comment.size() : 0);
         std::vector<Delimiter> tried{delimiter.value_or(Delimiter::blanks())};
-        if (delimiter && delimiter->is_blanks() && is_comment) {
+        if (delimiter && delimiter->is_blanks() && line.is_comment) {
             tried.insert(tried.begin(), Delimiter::character(','));
         }
         for (const char c : {';', '\t', ','}) {
@@ -199,7 +478,7 @@ private:
             }
         }
         for (;; tried.pop_back()) {
-            const HeaderLine header(line, tried.back(), options_.comment);
+            const HeaderLine header(line.line, tried.back(), options_.comment);
             const bool has_mark = header.begins_with_mark();
             for (const bool is_without : {has_mark, !has_mark}) {
                 HeaderLine each = is_without ? header.without_mark() : header;
@@ -212,34 +491,41 @@ private:
         }
     }
 
-    /// The error that says which names a row has and lacks, and how the columns are called.
-    [[nodiscard]] Beginning lacking(const Line& line) const {
-        const HeaderLine row(line, delimiter_of(line.text));
-        ColumnError column = std::get<ColumnError>(find_names(line, row.delimiter).second);
-        column.text = line.text;
-        const HeaderLine comment = above(row);
-        for (const HeaderLine* header : {&row, &comment}) {
-            if (header->is_closed && header->width().fits(row.width()) && !header->is_remark() &&
-                std::ranges::none_of(header->names(), is_number)) {
-                column.header = header->names();
-                break;
-            }
+    /// What a line lacks of the selected names; a comment is parted as the rows are.
+    [[nodiscard]] ColumnError lacked(const Fields& line) const {
+        const HeaderLine header(line.line, (line.is_comment ? all_[first_] : line).delimiter, options_.comment);
+        const bool has_names = header.is_closed && !header.is_remark(true);
+        auto found = options_.columns.positions(has_names ? header.names() : std::vector<std::string>());
+        if (!std::holds_alternative<ColumnError>(found)) {
+            return {};
         }
-        return error({.what = StreamError::What::columns, .column = std::move(column)}, line);
+        auto column = std::get<ColumnError>(std::move(found));
+        column.text = line.line.text;
+        if (has_names && std::ranges::none_of(header.names(), is_number)) {
+            column.header = header.names();
+        }
+        return column;
+    }
+
+    /// The error about the line that has most of the selected names.
+    [[nodiscard]] Beginning lacking() const {
+        const auto present = [this](const Fields& each) { return lacked(each).present.size(); };
+        const auto best = std::ranges::max_element(all_, {}, present);
+        const Fields& line = present(*best) > 0 ? *best : all_[first_];
+        return error({.what = StreamError::What::columns, .column = lacked(line)}, line);
     }
 
     std::span<const Line> lines_;
     const InputOptions& options_;
+    bool is_end_;
+    std::vector<Fields> all_; ///< the lines that are not blank
+    std::size_t first_ = 0;   ///< the first of them that is no comment
 };
 
 } // namespace
 
 std::optional<Beginning> decide(std::span<const Line> lines, const InputOptions& options, bool is_end) {
-    const Decision decision(lines, options);
-    if (lines.empty() || (is_end && !options.columns.has_names())) {
-        return std::nullopt;
-    }
-    return options.columns.has_names() ? decision.by_name(is_end) : decision.by_index();
+    return Decision(lines, options, is_end)();
 }
 
 } // namespace rotconv::stream

@@ -11,7 +11,7 @@ namespace rotconv::stream {
 
 /// Why a list of columns cannot be used.
 struct ColumnError {
-    enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous, other_width };
+    enum class What : std::uint8_t { not_an_item, wrong_count, twice, missing, ambiguous, other_width, none };
     What what = What::not_an_item;
     std::string text;                   ///< the item at fault, or the row that lacks names or has another width
     std::size_t count = 0;              ///< how many columns the list names, or the header

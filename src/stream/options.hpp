@@ -36,14 +36,17 @@ enum class OnError : std::uint8_t { stop, nan, skip };
 struct Said {
     std::vector<std::string> names{};  ///< the selected columns' names in the header, as they are selected
     std::vector<std::string> header{}; ///< all names of the header
+    std::vector<std::string> units{};  ///< the selected columns' units, if a line below the header has them
     bool only_header = false;          ///< a stream without a data row has a header
-    std::string_view comment{};        ///< the first comment of a stream that has no row
+    std::size_t passed = 0;            ///< lines before the rows that are no comments, and pass all the same
+    std::string_view comment{};        ///< the first of them, or the first comment of a stream that has no row
 };
 
-/// What the names of the selected columns say of the numbers.
-struct NamedNumbers {
-    std::vector<std::size_t> places{}; ///< of each number among the names
-    bool are_known = false;            ///< all but the kept ones have names of theirs
+/// Where numbers stand in rows that have more fields, although nobody said so.
+struct ChosenColumns {
+    bool are_known = false;               ///< there are such columns
+    std::vector<std::size_t> positions{}; ///< the only ones, of each number
+    std::string text{};                   ///< the note that says so, or why none can be chosen
 };
 
 /// How the rows of a stream are read.
@@ -56,15 +59,24 @@ struct InputOptions {
     Key key_offset{};  ///< added to each key
     HeaderMode header = HeaderMode::automatic;
     std::string comment = "#"; ///< what comments begin with; empty: there are none
-    bool refuses_json = false; ///< a first row that is JSON ends the run
+    bool stops = false;        ///< a row error ends the run
+    bool are_chosen = false;   ///< no columns are selected, and a row is not its numbers alone: see columns_of
     bool ragged = false;       ///< rows may have any number of fields, if the selected ones are there
     /// Given the field count of the first row, returns how many numbers it holds, or an error. Only for numbers that
     /// are not yet known.
     std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};
     /// Returns the notes on the header, or on comments of a stream without a row.
     std::function<std::vector<Note>(const Said& said)> notes_of{};
-    /// Given the names of the selected columns, says where the numbers are.
-    std::function<NamedNumbers(const std::vector<std::string>& names)> order_of{};
+    /// Given the names of the selected columns, says where the numbers are among them.
+    std::function<std::vector<std::size_t>(const std::vector<std::string>& names)> order_of{};
+    /// Given the names of all columns, says which are those of the numbers; null if columns are read as they stand.
+    std::function<ChosenColumns(const std::vector<std::string>& names)> columns_of{};
+    /// Given the number of fields, says where files of a project have the numbers.
+    std::function<ChosenColumns(std::size_t fields)> project_columns{};
+    /// Whether a text is a unit.
+    bool (*is_unit)(std::string_view text) = nullptr;
+    /// Reads a whole input, if it is one attitude in a form other than a row: the row, and notes that say so.
+    std::function<std::optional<std::pair<std::string, std::vector<Note>>>(std::string_view text)> read_text{};
 
     /// A blank line is not a comment, whatever comments begin with.
     [[nodiscard]] bool is_comment(std::string_view line) const noexcept {

@@ -1,6 +1,7 @@
 #include "preamble.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <variant>
@@ -8,89 +9,87 @@
 #include "row_writer.hpp"
 
 namespace rotconv::stream {
+namespace {
 
-Preamble::Preamble(const InputOptions& options, const Options* written)
-    : options_(&options), written_(written),
-      header_done_(options.header == HeaderMode::no || options.header == HeaderMode::add) {
+/// How much is looked at before lines are judged as if nothing followed.
+constexpr std::size_t most_lines = 100; ///< neither blank nor comments
+constexpr std::size_t most_held = std::size_t{64} << 10U;
+
+} // namespace
+
+Preamble::Preamble(const InputOptions& options, const Options* written) : options_(&options), written_(written) {
     layout_.appends = written != nullptr && written->append;
-    layout_.is_whole = options.columns.empty();
+    layout_.is_whole = options.columns.empty() && !options.are_chosen;
     if (!options.columns.has_names()) {
         layout_.select(options.columns.positions(), options.numbers.names.size(), options.numbers.kept);
     }
 }
 
-bool Preamble::read(std::string_view& text, std::size_t& line, Output& output) {
-    if (!has_row_ && options_->width > 0 && !text.empty()) {
-        has_row_ = true;
-        set_layout(nullptr, line, output);
-    }
-    while (!has_row_ && !text.empty()) {
-        std::string_view after = text;
-        const Line current = next_line(after);
-        const std::string_view whole = text.substr(0, text.size() - after.size());
-        bool is_data = options_->is_row(current.text);
-        if (is_data) {
-            std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
-            only_comments_ = false;
-        } else if (only_comments_ && layout_.notes.empty() && !is_blank(current.text)) {
-            add_notes({.comment = current.text}, line);
-        }
-        if (!header_done_) {
-            hold(whole);
-            is_data = is_data && find_header(false, output);
-            limit(output);
-        } else if (!is_data) {
-            pass(whole, output);
-        }
-        if (is_data) {
-            set_layout(&current, line, output);
-        }
-        if (error_) {
-            text = {};
-        } else if (is_data) {
-            has_row_ = true;
-        } else {
-            text = after;
-            ++line;
-        }
-    }
-    return has_row_;
-}
-
-void Preamble::finish(Output& output, bool at_end) {
-    if (has_row_) {
+void Preamble::read(IoBlock& block, bool is_end, Output& output) {
+    if (has_row_ || error_) {
         return;
     }
-    if (at_end && !header_done_) {
-        find_header(true, output);
+    if (options_->width > 0) {
+        has_row_ = !block.text.empty();
+        if (has_row_) {
+            set_layout(nullptr, block.first_line, output);
+        }
+        return;
     }
-    release(held_.size(), output);
-    if (at_end && header_line_ > 0) {
-        add_notes({.only_header = true}, header_line_);
+    const std::string_view text = block.text;
+    auto beginning = hold(block.text, output);
+    if (!beginning && is_end && !read_as_one(block, output)) {
+        beginning = decide(held_lines(), *options_, true);
     }
-    if (at_end && !error_) {
-        set_layout(nullptr, 0, output);
+    if (beginning) {
+        const std::size_t taken = text.size() - block.text.size();
+        const std::string_view rows = start(*beginning, block.first_line, output);
+        if (rows.size() <= taken) {
+            block.text = error_ ? "" : text.substr(taken - rows.size());
+        } else { // some came before this block
+            Buffer bytes;
+            append(bytes, rows);
+            append(bytes, block.text);
+            block.bytes = std::move(bytes);
+            block.text = {block.bytes.data(), block.bytes.size()};
+        }
+        held_.clear();
     }
 }
 
-void Preamble::hold(std::string_view line) {
-    const std::size_t begin = held_.size();
-    held_.append(line);
-    if (const std::string_view text = line.substr(0, line.find_last_not_of("\r\n") + 1); is_blank(text)) {
-        blank_ += line.size();
-    } else if (options_->is_comment(text)) {
-        blank_ = 0;
-        comment_begin_ = begin;
-        comment_end_ = held_.size();
+std::optional<Beginning> Preamble::hold(std::string_view& text, Output& output) {
+    while (!text.empty()) {
+        const std::string_view from = text;
+        const Line line = next_line(text);
+        const bool is_row = options_->is_row(line.text);
+        if (is_row) {
+            ++looked_at_;
+            std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
+        } else if (!is_blank(line.text)) {
+            last_comment_ = held_.size();
+            if (looked_at_ == 0 && layout_.notes.empty()) {
+                add_notes({.comment = line.text}, held_line_ + count_of('\n', held_));
+            }
+        }
+        const bool is_full = held_.size() > most_held || (looked_at_ >= most_lines && !options_->read_text);
+        held_.append(from.substr(0, from.size() - text.size()));
+        if (is_row) {
+            if (auto found = decide(held_lines(), *options_, is_full)) {
+                return found;
+            }
+        } else if (looked_at_ == 0 && held_.size() > most_held) { // only the last comment may be the header
+            pass(std::string_view(held_).substr(0, last_comment_), output);
+            held_line_ += count_of('\n', std::string_view(held_).substr(0, last_comment_));
+            held_.erase(0, std::exchange(last_comment_, 0));
+        }
     }
+    return std::nullopt;
 }
 
 std::vector<Line> Preamble::held_lines() const {
     std::vector<Line> lines;
     for (std::string_view text = held_; !text.empty();) {
-        if (const Line line = next_line(text); !is_blank(line.text)) {
-            lines.push_back(line);
-        }
+        lines.push_back(next_line(text));
     }
     return lines;
 }
@@ -99,48 +98,107 @@ std::size_t Preamble::number_of(const Line& line) const {
     return held_line_ + static_cast<std::size_t>(std::count(held_.data(), line.text.data(), '\n'));
 }
 
-bool Preamble::find_header(bool is_end, Output& output) {
-    const std::vector<Line> lines = held_lines();
-    const std::optional<Beginning> beginning = decide(lines, *options_, is_end);
-    if (!beginning) {
+std::string_view Preamble::start(const Beginning& beginning, std::size_t& first_line, Output& output) {
+    const std::string_view held = held_;
+    if (beginning.error) {
+        error_ = beginning.error;
+        error_->place.line = number_of(beginning.error_line);
+        return {};
+    }
+    const auto until = [held](const Line& line) {
+        return held.substr(0, static_cast<std::size_t>(line.text.data() - held.data()));
+    };
+    if (!beginning.positions.empty()) {
+        layout_.is_whole = false;
+        layout_.select(beginning.positions, options_->numbers.names.size(), options_->numbers.kept);
+    }
+    const auto lines = held_lines();
+    const std::string_view before = beginning.rows < lines.size() ? until(lines[beginning.rows]) : held;
+    if (beginning.header) {
+        const std::string_view passed = until(beginning.header->line);
+        tell_passed(passed);
+        pass(passed, output);
+        start_below(*beginning.header, beginning.units ? &*beginning.units : nullptr, output);
+        const std::size_t end = passed.size() + beginning.header->line.text.size() + beginning.header->line.end.size();
+        pass(beginning.units ? until(beginning.units->line).substr(end) : before.substr(end), output);
+    } else {
+        tell_passed(before);
+        pass(before, output);
+    }
+    if (beginning.row) {
+        const std::size_t number = number_of(beginning.row->line);
+        width_ = layout_.is_whole ? RowWidth() : RowWidth{beginning.row->width(), number};
+        if (beginning.choice) {
+            layout_.notes.push_back(*beginning.choice);
+            layout_.notes.back().place.line = number;
+        }
+        has_row_ = true;
+        set_layout(&*beginning.row, number, output);
+    } else {
+        pass(held.substr(before.size()), output);
+        return {};
+    }
+    first_line = held_line_ + count_of('\n', before);
+    return held.substr(before.size());
+}
+
+void Preamble::start_below(const HeaderLine& header, const HeaderLine* units, Output& output) {
+    header_line_ = number_of(header.line);
+    if (const auto names = header.names_at(layout_.positions); names && names->size() == layout_.count) {
+        Said said{.names = *names, .header = header.names()};
+        for (std::size_t i = 0; units != nullptr && i < layout_.count; ++i) {
+            if (const std::size_t at = layout_.position(i); at < units->fields.size()) {
+                said.units.push_back(units->name(at));
+            }
+        }
+        if (options_->order_of) {
+            auto fields = options_->order_of(*names);
+            if (!std::ranges::is_sorted(fields)) {
+                std::ranges::transform(fields, fields.begin(), [this](std::size_t at) { return layout_.position(at); });
+                layout_.select(std::move(fields), layout_.count, options_->numbers.kept);
+            }
+        }
+        add_notes(said, header_line_);
+    }
+    keep_names(header);
+    if (is_written()) {
+        write_header(output.bytes, *written_, layout_, header);
+        if (units != nullptr) {
+            write_units(output.bytes, *written_, layout_, *units);
+        }
+    }
+    layout_.names = header.names();
+    layout_.header = {header.width(), header_line_};
+}
+
+bool Preamble::read_as_one(IoBlock& block, Output& output) {
+    auto read = options_->read_text && looked_at_ > 0 ? options_->read_text(held_) : std::nullopt;
+    if (!read) {
         return false;
     }
-    if (beginning->error) {
-        error_ = beginning->error;
-        error_->place.line = number_of(beginning->error_line);
+    std::ranges::move(read->second, std::back_inserter(layout_.notes));
+    block.bytes.clear();
+    append(block.bytes, read->first);
+    block.text = {block.bytes.data(), block.bytes.size()};
+    block.first_line = 1;
+    has_row_ = true;
+    const HeaderLine row({block.text, {}}, options_->delimiter.value_or(Delimiter::of_row(block.text)));
+    set_layout(&row, 1, output);
+    held_.clear();
+    return true;
+}
+
+void Preamble::finish(Output& output, bool at_end) {
+    if (has_row_) {
+        return;
     }
-    if (!beginning->positions.empty()) {
-        layout_.select(beginning->positions, options_->numbers.names.size(), options_->numbers.kept);
+    pass(std::exchange(held_, {}), output);
+    if (at_end && header_line_ > 0) {
+        add_notes({.only_header = true}, header_line_);
     }
-    if (beginning->is_data) { // the row is converted, not copied
-        held_.resize(held_.size() - lines.back().text.size() - lines.back().end.size());
+    if (at_end && !error_) {
+        set_layout(nullptr, 0, output);
     }
-    if (beginning->header) {
-        const HeaderLine& header = *beginning->header;
-        const auto begin = static_cast<std::size_t>(header.line.text.data() - held_.data());
-        header_line_ = number_of(header.line);
-        if (const auto names = header.names_at(layout_.positions); names && names->size() == layout_.count) {
-            read_by(*names);
-            add_notes({.names = *names, .header = header.names()}, header_line_);
-        }
-        if (error_) {
-            held_.clear();
-            return false;
-        }
-        pass(std::string_view(held_).substr(0, begin), output);
-        keep_names(header);
-        if (is_written()) {
-            write_header(output.bytes, *written_, layout_, header);
-        }
-        layout_.names = header.names();
-        layout_.header = {header.width(), header_line_};
-        held_.erase(0, begin + header.line.text.size() + header.line.end.size());
-    }
-    if (!error_) {
-        header_done_ = true;
-        release(held_.size(), output);
-    }
-    return beginning->is_data && !error_;
 }
 
 void Preamble::pass(std::string_view text, Output& output) const {
@@ -149,28 +207,18 @@ void Preamble::pass(std::string_view text, Output& output) const {
     }
 }
 
-void Preamble::release(std::size_t bytes, Output& output) {
-    const std::string_view released = std::string_view(held_).substr(0, bytes);
-    pass(released, output);
-    held_line_ += static_cast<std::size_t>(std::ranges::count(released, '\n'));
-    held_.erase(0, bytes);
-    comment_begin_ -= std::min(comment_begin_, bytes);
-    comment_end_ -= std::min(comment_end_, bytes);
-    blank_ = std::min(blank_, held_.size());
-}
-
-void Preamble::limit(Output& output) {
-    constexpr std::size_t most_held = std::size_t{64} << 10U;
-    constexpr std::size_t most_blank = std::size_t{1} << 20U;
-    const auto is_too_much = [this](std::size_t size) { return size - blank_ > most_held || blank_ > most_blank; };
-    if (header_done_ || error_ || !is_too_much(held_.size() - (comment_end_ - comment_begin_))) {
-        return;
+void Preamble::tell_passed(std::string_view text) {
+    Said said;
+    std::size_t first = 0;
+    for (std::size_t line = held_line_; !text.empty(); ++line) {
+        const std::string_view next = next_line(text).text;
+        if (options_->is_row(next) && said.passed++ == 0) {
+            said.comment = next;
+            first = line;
+        }
     }
-    if (options_->columns.has_names()) {
-        find_header(true, output);
-    }
-    if (!header_done_ && !error_) {
-        release(is_too_much(held_.size() - comment_end_) ? held_.size() : comment_begin_, output);
+    if (said.passed > 0) {
+        add_notes(said, first);
     }
 }
 
@@ -181,17 +229,6 @@ void Preamble::add_notes(const Said& said, std::size_t line) {
     for (Note& note : options_->notes_of(said)) {
         note.place.line = line;
         layout_.notes.push_back(std::move(note));
-    }
-}
-
-void Preamble::read_by(const std::vector<std::string>& names) {
-    if (!options_->order_of) {
-        return;
-    }
-    std::vector<std::size_t> fields = options_->order_of(names).places;
-    if (!std::ranges::is_sorted(fields)) {
-        std::ranges::transform(fields, fields.begin(), [this](std::size_t at) { return layout_.position(at); });
-        layout_.select(std::move(fields), layout_.count, options_->numbers.kept);
     }
 }
 
@@ -212,18 +249,17 @@ void Preamble::keep_names(const HeaderLine& header) {
     }
 }
 
-void Preamble::set_layout(const Line* row, std::size_t number, Output& output) {
+void Preamble::set_layout(const HeaderLine* row, std::size_t number, Output& output) {
     const std::size_t known = options_->width > 0 ? options_->width : options_->columns.empty() ? layout_.count : 0;
-    layout_.delimiter =
-        options_->delimiter.value_or(row != nullptr ? Delimiter::of_row(row->text) : Delimiter::character(','));
-    layout_.field_count = row != nullptr ? HeaderLine(*row, layout_.delimiter).fields.size() : known;
-    layout_.line_end = row == nullptr || row->end.empty() ? "\n" : std::string(row->end);
+    layout_.delimiter = row != nullptr ? row->delimiter : options_->delimiter.value_or(Delimiter::character(','));
+    layout_.field_count = row != nullptr ? row->fields.size() : known;
+    layout_.line_end = row == nullptr || row->line.end.empty() ? "\n" : std::string(row->line.end);
     if (row != nullptr && options_->take_count) {
         const auto taken = options_->take_count(layout_.field_count);
         if (const auto* wrong = std::get_if<std::string>(&taken)) {
             error_ = StreamError{.what = StreamError::What::count,
                                  .place = {number},
-                                 .column = {.text = std::string(row->text)},
+                                 .column = {.text = std::string(row->line.text)},
                                  .wrong = *wrong};
             return;
         }

@@ -136,6 +136,29 @@ void write_header(Buffer& to, const Options& options, const Layout& layout, cons
     append(to, header.line.end.empty() ? std::string_view("\n") : header.line.end);
 }
 
+void write_units(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& units) {
+    const char delimiter = units.delimiter.text();
+    const bool has_brackets = units.line.text.find('[') != std::string_view::npos;
+    std::vector<std::string_view> own;
+    for (const Spec& spec : options.operation->attitudes) {
+        const Representation& entry = representation(spec.name);
+        for (std::size_t i = 0; i < spec.size(); ++i) {
+            const bool is_angle = entry.has_angles() && i >= entry.first_angle;
+            own.push_back(!is_angle ? "-" : spec.unit == AngleUnit::degrees ? "deg" : "rad");
+        }
+    }
+    own.resize(result_columns(options, layout).size(), "-");
+    const auto write_own = [&](const auto& begin_field) {
+        for (const std::string_view unit : own) {
+            begin_field();
+            append(to, has_brackets ? fmt::format("[{}]", unit) : std::string(unit));
+        }
+    };
+    append(to, layout.appends ? "" : units.prefix);
+    write_fields(to, layout, units.line.text, units.fields, delimiter, write_own);
+    append(to, units.line.end.empty() ? std::string_view("\n") : units.line.end);
+}
+
 void write_added_header(Buffer& to, const Options& options, const Layout& layout) {
     std::string indices;
     for (std::size_t i = 0; i < layout.field_count; ++i) {

@@ -29,6 +29,8 @@ struct ConvertedRow {
 
 /// Writes the header with the result's columns in their place.
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header);
+/// Writes a line of units below the header, with the result's in their place.
+void write_units(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& units);
 /// Writes a header for an input that has none: other columns are named by their index.
 void write_added_header(Buffer& to, const Options& options, const Layout& layout);
 

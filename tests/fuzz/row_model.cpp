@@ -256,19 +256,13 @@ public:
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
             write_added_header(i);
-            if (i == refused_row_) {
-                outcome_.to_the_end = false;
-                outcome_.refused_line = i + 1;
-            } else {
-                write_line(i);
-            }
+            write_line(i);
         }
         return outcome_;
     }
 
     std::optional<Outcome> operator()(std::string_view text, Model& reference, std::string_view reference_text) {
-        if (!begin(text) || !reference.begin(reference_text) || refused_row_ != none ||
-            reference.refused_row_ != none || !pair_with(reference)) {
+        if (!begin(text) || !reference.begin(reference_text) || !pair_with(reference)) {
             return std::nullopt;
         }
         for (std::size_t i = 0; i < lines_.size() && outcome_.to_the_end; ++i) {
@@ -293,7 +287,8 @@ public:
 
 private:
     /// Settles where rows begin, and where the selected names stand. False where that is not modelled: headers of other
-    /// names, comments above the rows, and rows without numbers in the place of the first.
+    /// names, comments above the rows, and rows that are not numeric, or have other fields than names, in the place of
+    /// the first. Where the options say that all lines are rows, the first numeric one fixes delimiter and width.
     bool begin(std::string_view text) {
         if (text.starts_with("\xEF\xBB\xBF")) {
             text.remove_prefix(3);
@@ -307,24 +302,63 @@ private:
         if (has_names != by_name_ || first == lines_.end() || has_time(text)) {
             return false;
         }
-        delimiter_ = delimiter_of(first->text, rules_.delimiter);
-        line_end_ = first->end.empty() ? "\n" : first->end;
-        const auto met = outcome_.met;
-        std::size_t first_read = none; // the first row with numbers
-        for (std::size_t i = first_data_; i < lines_.size() && !width_; ++i) {
-            Fields fields;
-            std::vector<std::string> texts;
-            if (is_data(i) && numbers_of(lines_[i], fields, texts)) {
-                first_read = i;
-                width_ = width_of(fields, delimiter_);
-            }
-        }
-        outcome_.met = met;
-        refused_row_ = by_name_ && width_ && !is_as_wide(header_width_, *width_) ? first_read : none;
-        meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
         const bool is_told = rules_.header == "no" || rules_.header == "add";
-        return is_told || (first_read == first_data_ && (by_name_ || rules_.header == "auto") &&
+        std::size_t first_numeric = first_data_;
+        std::size_t looked_at = 0;
+        while (first_numeric < lines_.size() && !(is_data(first_numeric) && is_numeric(lines_[first_numeric]))) {
+            looked_at += is_data(first_numeric++) ? 1 : 0;
+        }
+        constexpr std::size_t few = 50; // the program looks at twice as many, but not at long ones
+        const bool is_found = first_numeric < lines_.size() && looked_at < few &&
+                              lines_[first_numeric].text.data() - text.data() < std::ptrdiff_t{32} * 1024;
+        if (!is_found && (looked_at >= few || first_numeric < lines_.size() || !is_told)) {
+            return false;
+        }
+        const Line& row = is_found && (!stops() || first_numeric == first_data_) ? lines_[first_numeric] : *first;
+        delimiter_ = delimiter_of(row.text, rules_.delimiter);
+        line_end_ = row.end.empty() ? "\n" : row.end;
+        Fields fields;
+        static_cast<void>(split(row.text, delimiter_, fields));
+        if (!items_.empty()) {
+            width_ = width_of(fields, delimiter_);
+        }
+        if (by_name_ && !is_as_wide(header_width_, *width_)) {
+            return false;
+        }
+        meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given", name_of(delimiter_)));
+        return is_told || (first_numeric == first_data_ && (by_name_ || rules_.header == "auto") &&
                            std::none_of(lines_.begin(), first, [](const Line& line) { return line.comment; }));
+    }
+
+    /// Whether the selected fields are numbers or words for a missing one, at least one of them a number.
+    bool is_numeric(const Line& line) {
+        const char delimiter = delimiter_of(line.text, rules_.delimiter);
+        Fields fields;
+        if (!split(line.text, delimiter, fields)) {
+            return false;
+        }
+        const Width width = width_of(fields, delimiter);
+        if (items_.empty() && width.fields != rules_.inputs && width.filled != rules_.inputs) {
+            return false;
+        }
+        bool has_number = false;
+        for (std::size_t i = 0; i < rules_.inputs; ++i) {
+            const std::size_t at = place(i);
+            if (at >= fields.size()) {
+                return false;
+            }
+            std::string text = content(fields[at], delimiter);
+            double value = 0.0;
+            const bool is_number = read(text, value);
+            std::ranges::transform(text, text.begin(),
+                                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            constexpr std::string_view missing = " na n/a null none nil - ? . ";
+            if (!is_number && !text.empty() && missing.find(" " + text + " ") == std::string_view::npos) {
+                return false;
+            }
+            has_number = has_number || is_number;
+        }
+        return has_number;
     }
 
     /// A time of ISO 8601, which is not modelled, may stand in the place of a number.
@@ -740,13 +774,12 @@ private:
     std::optional<std::size_t> header_;
     std::string header_text_;
     Width header_width_;
-    std::optional<Width> width_; ///< of the first row whose selected fields are numbers
+    std::optional<Width> width_; ///< of the first numeric row
     char delimiter_ = ',';
     std::string_view line_end_ = "\n";
     Outcome outcome_;
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    std::size_t refused_row_ = none; ///< whose fields are not as many as the names
     Model* reference_ = nullptr;
     std::map<std::size_t, std::size_t> partners_; ///< of each paired line that of the reference
     std::set<std::size_t> wrong_keys_;            ///< lines

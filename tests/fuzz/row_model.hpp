@@ -60,7 +60,6 @@ struct Outcome {
     std::size_t answered = 0;
     std::array<std::vector<std::size_t>, 2> unpaired; ///< lines, of the stream and of the reference
     bool to_the_end = true;
-    std::size_t refused_line = 0; ///< of what ends the run: a row of other fields than names
     std::vector<std::string> met; ///< rules that had a part in it
 };
 
