@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <utility>
 
 #include "../operations/operations.hpp"
@@ -17,318 +16,264 @@
 namespace rotconv::cli {
 namespace {
 
-using Indices = std::vector<std::size_t>; ///< of numbers or groups of a text
-
-constexpr std::string_view brackets = "[](){}<>";
+using Indices = std::vector<std::size_t>; ///< of groups of a text
+using Numbers = std::vector<ValueNumber>;
 
 template <class... Arguments>
 [[noreturn]] void refuse(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     throw Usage("argument: {}", fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
-bool is_one_of(std::string_view word, std::string_view list) {
-    const auto words = words_in(list);
-    return std::ranges::count(words, word) > 0;
-}
-
-/// Whether the numbers under a label are never those of the attitude.
-bool is_never_read(const std::vector<std::string>& parts) {
-    return is_one_of(parts.back(),
-                     "position translation pos xyz origin scale center size t tvec time covariance angular "
-                     "linear omega gyro gyr") ||
-           std::ranges::any_of(parts, [](const std::string& part) {
-               const auto beginnings = words_in("rate speed spd dps vel acc std sigma cov var err cmd setpoint target "
-                                                "ref delta reset offset bias");
-               return is_one_of(part, "dot sp des desired") ||
-                      std::ranges::any_of(beginnings,
-                                          [&part](const std::string& each) { return part.starts_with(each); });
-           });
-}
-
-/// Whether a label says that something is to be done to the numbers.
-bool is_operation(std::string_view label, const std::vector<std::string>& parts) {
-    return label.ends_with(".T") || label.ends_with("_T") || std::ranges::any_of(parts, [](const std::string& part) {
-               return is_one_of(part, "inv inverse inverted conj conjugate transpose transposed neg negative minus");
-           });
+std::vector<std::string> labels_of(const Numbers& numbers) { return mapped(numbers, &ValueNumber::label); }
+std::vector<std::string> without_empty(const std::vector<std::string>& texts) {
+    return filtered(texts, [](const std::string& text) { return !text.empty(); });
 }
 
 /// deg or rad at the end of a label: roll_deg, "yaw [rad]", rollDeg.
-std::string_view unit_in(const std::string& label) {
-    const std::string last = parts_of_label(label).back();
-    const std::string_view unit = name_and_unit(label).second;
-    return is_one_of(last, "deg degree degrees")   ? "deg"
-           : is_one_of(last, "rad radian radians") ? "rad"
-           : unit == "deg" || unit == "rad"        ? unit
-                                                   : "";
+std::string unit_in(const std::string& label) {
+    const auto unit = name_and_unit("_ " + joined(parts_of_label(label), "_")).second;
+    return unit == "deg" || unit == "rad" ? std::string(unit) : std::string();
 }
 
-std::string with_modifier(const Spec& spec, Modifier modifier) {
-    Spec meant = spec;
-    meant.apply({modifier});
-    return meant.text();
+/// The words of convention at the end of a label.
+std::vector<std::string> conventions_in(const std::string& label) {
+    auto words = mapped(parts_of_label(label), convention_in);
+    words.erase(words.begin(), std::ranges::find(words.rbegin(), words.rend(), "").base());
+    return words;
 }
 
-/// The attitude among the numbers of a text.
-class Attitude {
+/// The last part of a label that is not a unit or an order.
+std::string name_in(const std::string& label) {
+    const auto parts = parts_of_label(label);
+    const auto name = std::find_if_not(parts.rbegin(), parts.rend() - 1, [](const std::string& part) {
+        return !unit_of_word(part).empty() || part == "xyzw" || part == "wxyz" || EulerSequence::parse(part);
+    });
+    return *name;
+}
+
+/// Whether the numbers under a label are never those of the attitude.
+bool is_aside(const std::string& label) {
+    return is(WordKind::aside, name_in(label)) ||
+           std::ranges::any_of(parts_of_label(lower(label)), [](const std::string& part) {
+               const auto beginnings = words_in(words_of(WordKind::aside_beginning));
+               return is(WordKind::aside_anywhere, part) ||
+                      std::ranges::any_of(beginnings, [&part](const auto& each) { return part.starts_with(each); });
+           });
+}
+
+/// Whether a label says that something is done to the numbers.
+bool is_operation(const std::string& label) {
+    return label.ends_with(".T") || label.ends_with("_T") ||
+           std::ranges::any_of(parts_of_label(label), [](const auto& part) { return is(WordKind::operation, part); });
+}
+void refuse_operation(const std::string& label) {
+    if (is_operation(label)) {
+        refuse("{} says that something is done to the numbers, which is not", quoted(label));
+    }
+}
+
+/// The numbers of an attitude, or of another part of a row, among those of a text, held against what the text says.
+class Reading {
 public:
-    Attitude(const ValueText& text, const Spec& spec, std::string_view from) : text_(text), spec_(spec), from_(from) {}
+    Reading(const ValueText& text, const Part& part, std::string_view from) : text_(text), part_(part), from_(from) {}
 
-    /// The numbers in the order of the SPEC.
-    std::vector<ValueNumber> numbers() {
-        group_ = choose();
-        auto numbers = numbers_in(group_);
+    /// The numbers of the attitude, which are some of the text's, in the order of the SPEC.
+    Numbers chosen() {
+        const std::size_t group = choose();
+        return held(filtered(text_.numbers, [group](const ValueNumber& each) { return each.group == group; }));
+    }
+
+    /// Numbers of one group in the order of the part.
+    Numbers held(Numbers numbers) {
+        const std::size_t own = numbers.front().group;
+        if (!std::ranges::all_of(numbers, [own](const ValueNumber& each) { return each.group == own; })) {
+            refuse_groups(mapped(numbers, &ValueNumber::group));
+        }
         leave_out_lengths(numbers);
-        add_components(numbers);
-        numbers = by_labels(std::move(numbers));
-        for (std::size_t group = group_;; group = text_.groups[group].parent) {
-            refuse_operation(group);
+        numbers = by_labels(numbers);
+        for (std::size_t group = own; group != 0 || part_.attitude; group = text_.groups[group].parent) {
+            const std::string& label = text_.groups[group].label;
+            refuse_operation(label);
             for (const ValueWord& word : text_.words) {
                 if (word.group == group) {
-                    hold(word.text, word.is_order, numbers);
+                    hold(word.text, numbers);
                 }
             }
-            const std::string& label = text_.groups[group].label;
-            const std::string_view last = std::string_view(label).substr(label.find_last_of("_.: ") + 1);
-            if (last.size() > 1) {
-                hold_label(last, numbers);
-            }
-            for (ValueNumber& number : numbers) {
-                number.unit = number.unit.empty() ? text_.groups[group].unit : number.unit;
+            for (const std::string& word : conventions_in(label)) {
+                if (part_.attitude || !EulerSequence::parse(word)) { // the xyz of a vector
+                    hold(word, numbers);
+                }
             }
             if (group == 0) {
                 break;
             }
         }
         hold_units(numbers);
-        return spec_.name == RepresentationId::dcm && numbers.size() == 16 ? of_pose(numbers) : numbers;
+        return part_.attitude && spec().name == RepresentationId::dcm && numbers.size() == 16 ? of_pose(numbers)
+                                                                                              : numbers;
     }
-    [[nodiscard]] std::vector<stream::Note> notes() { return std::move(notes_); }
+
+    void check_aside(std::size_t group) const {
+        if (part_.attitude && is_left_out(group)) {
+            refuse("the numbers after {} are not those of an attitude", quoted(text_.groups[group].label));
+        }
+    }
+
+    /// What was chosen although the command line does not say it, in one line.
+    [[nodiscard]] const std::string& note() const { return note_; }
 
 private:
-    void note(std::string text) { notes_.push_back({.kind = stream::Note::Kind::order, .text = std::move(text)}); }
+    void add_note(std::string_view text) { note_ += (note_.empty() ? "" : "; ") + std::string(text); }
 
-    [[nodiscard]] Part part() const { return {operations::names_of(spec_), 0, spec_}; }
-    [[nodiscard]] std::vector<ValueNumber> numbers_in(std::size_t group) const {
-        return filtered(text_.numbers, [group](const ValueNumber& each) { return each.group == group; });
+    [[nodiscard]] const Spec& spec() const { return *part_.attitude; }
+    [[nodiscard]] std::string text_of_part() const { return part_.attitude ? spec().text() : joined(part_.names); }
+    [[nodiscard]] bool is_euler() const {
+        return spec().name == RepresentationId::euler || spec().name == RepresentationId::rpy;
     }
+
+    // Which group is read.
+
     [[nodiscard]] std::vector<std::string> labels_in(std::size_t group) const {
-        return mapped(numbers_in(group), &ValueNumber::label);
-    }
-    [[nodiscard]] std::vector<std::string> parts_of(std::size_t group) const {
-        return parts_of_label(text_.groups[group].label);
+        return labels_of(filtered(text_.numbers, [group](const auto& each) { return each.group == group; }));
     }
     [[nodiscard]] bool is_left_out(std::size_t group) const {
-        bool is_out = group != 0 && is_never_read(name_parts_of(group));
-        for (; group != 0 && !is_out; group = text_.groups[group].parent) {
-            const std::string last = parts_of(group).back();
-            is_out = last == "header" || last == "stamp";
+        const auto labels = labels_in(group);
+        bool is_out = (group != 0 && is_aside(text_.groups[group].label) && !is_operation(text_.groups[group].label)) ||
+                      std::ranges::all_of(labels, [](const auto& label) {
+                          return !label.empty() && (is_aside(label) || is(WordKind::size, label));
+                      });
+        for (; group != 0; group = text_.groups[group].parent) {
+            const std::string last = lower(parts_of_label(text_.groups[group].label).back());
+            is_out = is_out || last == "header" || last == "stamp";
         }
         return is_out;
     }
-
-    /// The parts of a label without a unit and an order at its end.
-    [[nodiscard]] std::vector<std::string> name_parts_of(std::size_t group) const {
-        auto parts = parts_of(group);
-        const auto says_how = [](const std::string& part) {
-            return is_one_of(part, "deg degree degrees rad radian radians xyzw wxyz") ||
-                   std::ranges::any_of(messages::all_sequences(),
-                                       [&](const auto& each) { return lower(each) == part; });
-        };
-        while (parts.size() > 1 && says_how(parts.back())) {
-            parts.pop_back();
-        }
-        return parts;
-    }
-    [[nodiscard]] std::string name_in(std::size_t group) const { return name_parts_of(group).back(); }
-
-    /// Refuses labels that say more than a name, or that name one number before several.
-    void refuse_operation(std::size_t group) const {
-        if (const std::string& label = text_.groups[group].label; is_operation(label, parts_of(group))) {
-            refuse("{} says that something is done to the numbers, which is not", quoted(label));
-        }
-    }
-    void check_label(std::size_t group) const {
-        const std::string& label = text_.groups[group].label;
-        refuse_operation(group);
-        const auto names = part().names;
-        const bool is_name_of_one =
-            is_one_of(lower(label), "w x y z i j k") || std::ranges::count(names, lower(label)) > 0;
-        if (is_name_of_one && !is_called_by_name(group)) {
-            refuse("{} is the name of one number, and several follow it", quoted(label));
-        }
+    [[nodiscard]] bool has_names(std::size_t group) const {
+        const auto labels = labels_in(group);
+        return std::ranges::count(labels, "") == 0 && find_names(part_, labels);
     }
     [[nodiscard]] bool is_called_by_name(std::size_t group) const {
-        return named_representation(name_in(group)) == spec_.name ||
-               named_representation(text_.groups[group].label) == spec_.name;
+        const std::string& label = text_.groups[group].label;
+        return named_representation(name_in(label)) == spec().name || named_representation(label) == spec().name;
+    }
+    [[nodiscard]] bool is_called_attitude(std::size_t group) const {
+        return is(WordKind::attitude, name_in(text_.groups[group].label));
+    }
+    [[nodiscard]] bool has_unit(std::size_t group) const {
+        const std::string_view unit = spec().unit == AngleUnit::degrees ? "deg" : "rad";
+        return unit_in(text_.groups[group].label) == unit || std::ranges::any_of(text_.words, [&](const auto& word) {
+                   return word.group == group && word.text == unit;
+               });
     }
 
-    /// The group whose numbers are the attitude's.
     [[nodiscard]] std::size_t choose() {
-        Indices groups;
-        for (std::size_t i = 0; i < text_.groups.size(); ++i) {
-            const bool has_numbers = std::ranges::count(text_.numbers, i, &ValueNumber::group) > 0;
-            if (has_numbers && (i == 0 || !is_operation(text_.groups[i].label, parts_of(i))) && is_left_out(i)) {
-                continue;
-            }
-            if (has_numbers) {
-                check_label(i);
-                groups.push_back(i);
-            }
-        }
-        const auto is_only_aside = [this](std::size_t group) { // single numbers whose labels are never read
-            const auto labels = labels_in(group);
-            return group == 0 && std::ranges::all_of(labels, [](const std::string& label) {
-                       return !label.empty() && is_never_read(parts_of_label(label));
-                   });
-        };
-        if (groups.size() > 1) {
-            std::erase_if(groups, is_only_aside);
-        }
+        Indices groups = mapped(text_.numbers, &ValueNumber::group);
+        std::ranges::sort(groups);
+        groups.erase(std::ranges::unique(groups).begin(), groups.end());
+        const std::size_t first = groups.front();
+        std::erase_if(groups, [this](std::size_t group) { return is_left_out(group); });
         if (groups.empty()) {
             refuse("the numbers after {} are not those of an attitude",
-                   quoted(text_.groups[text_.numbers.front().group].label));
+                   quoted(first == 0 ? text_.numbers.front().label : text_.groups[first].label));
         }
-        const auto has_names = [this](std::size_t group) {
-            const auto labels = labels_in(group);
-            return std::ranges::count(labels, "") == 0 && find_names(part(), labels).has_value();
-        };
-        const auto has_own_name = [this](std::size_t group) {
-            return !text_.groups[group].label.empty() && is_called_by_name(group);
-        };
-        const auto is_called_attitude = [this](std::size_t group) {
-            return is_one_of(name_in(group), "rotation orientation attitude rot ori");
-        };
-        for (const auto& is_right :
-             {std::function<bool(std::size_t)>(has_names), std::function<bool(std::size_t)>(has_own_name),
-              std::function<bool(std::size_t)>(is_called_attitude)}) {
-            auto found = filtered(groups, is_right);
-            if (found.size() > 1) { // of two that differ in the unit the SPEC's
-                const std::string_view unit = spec_.unit == AngleUnit::degrees ? "deg" : "rad";
-                const auto in_unit =
-                    filtered(found, [&](std::size_t group) { return text_.groups[group].unit == unit; });
+        for (const std::size_t group : groups) {
+            const std::string& label = text_.groups[group].label;
+            refuse_operation(label);
+            const bool is_of_one =
+                is(WordKind::number_of_a_set, label) || std::ranges::count(part_.names, lower(label)) > 0;
+            if (is_of_one && !is_called_by_name(group)) {
+                refuse("{} is the name of one number, and several follow it", quoted(label));
+            }
+        }
+        for (const auto is_right : {&Reading::has_names, &Reading::is_called_by_name, &Reading::is_called_attitude}) {
+            auto found = filtered(groups, [&](std::size_t group) { return (this->*is_right)(group); });
+            if (found.size() > 1) { // two may differ in the unit
+                const auto in_unit = filtered(found, [this](std::size_t group) { return has_unit(group); });
                 found = in_unit.size() == 1 ? in_unit : found;
             }
             if (found.size() == 1) {
-                note_left_out(groups, found[0]);
+                std::erase(groups, found[0]);
+                if (!groups.empty()) {
+                    add_note(fmt::format("the numbers after {} are left out", quoted_list(labels_of_groups(groups))));
+                }
                 return found[0];
             }
         }
         if (groups.size() > 1) {
-            const auto labels = mapped(groups, [this](std::size_t group) { return text_.groups[group].label; });
-            refuse("more than one set of numbers, with the labels {}: none of them alone is that of {}",
-                   quoted_list(filtered(labels, [](const std::string& label) { return !label.empty(); })),
-                   spec_.text());
+            refuse_groups(groups);
         }
         const std::string& label = text_.groups[groups[0]].label;
-        if (label.find('.') != std::string::npos && !named_representation(name_in(groups[0]))) {
+        if (label.find('.') != std::string::npos && !named_representation(name_in(label))) {
             refuse("{} is not understood as the name of an attitude", quoted(label));
         }
-        if (!label.empty() && !named_representation(name_in(groups[0])) && !is_convention_label(label)) {
-            note(fmt::format("the numbers after {} are read as {}", quoted(label), spec_.text()));
+        if (!label.empty() && !named_representation(name_in(label)) && conventions_in(label).empty()) {
+            add_note(fmt::format("the numbers after {} are read as {}", quoted(label), spec().text()));
         }
         return groups[0];
     }
 
-    [[nodiscard]] static bool is_convention_label(std::string_view label) {
-        const std::string last = parts_of_label(label).back();
-        return is_one_of(last, "rpy ypr deg rad degrees radians xyzw wxyz");
+    [[nodiscard]] std::vector<std::string> labels_of_groups(const Indices& groups) const {
+        return without_empty(mapped(groups, [this](std::size_t group) {
+            return group == 0 ? joined(without_empty(labels_in(group))) : text_.groups[group].label;
+        }));
     }
-
-    void note_left_out(const Indices& groups, std::size_t chosen) {
-        const auto others = filtered(groups, [chosen](std::size_t group) { return group != chosen; });
-        const auto labels = mapped(others, [this](std::size_t group) {
-            return text_.groups[group].label.empty()
-                       ? joined(filtered(labels_in(group), [](const auto& each) { return !each.empty(); }))
-                       : text_.groups[group].label;
-        });
-        if (!labels.empty()) {
-            note(fmt::format("the numbers after {} are left out", quoted_list(labels)));
-        }
+    [[noreturn]] void refuse_groups(Indices groups) const {
+        groups.erase(std::ranges::unique(groups).begin(), groups.end());
+        refuse("more than one set of numbers, with the labels {}: none of them alone is that of {}",
+               quoted_list(labels_of_groups(groups)), text_of_part());
     }
 
     /// Numbers in a unit of length are a position's.
-    static void leave_out_lengths(std::vector<ValueNumber>& numbers) {
+    static void leave_out_lengths(Numbers& numbers) {
         const auto is_length = [](const ValueNumber& number) { return number.unit == "m"; };
+        const auto is_named = [](const ValueNumber& each) { return !each.label.empty() || !each.unit.empty(); };
         const auto length = std::ranges::find_if(numbers, is_length);
-        if (length == numbers.end()) {
-            return;
-        }
-        const bool others_are_named = std::ranges::all_of(numbers, [&](const ValueNumber& each) {
-            return is_length(each) || !each.label.empty() || !each.unit.empty();
-        });
-        if (!others_are_named || std::ranges::all_of(numbers, is_length)) {
+        if (length != numbers.end() &&
+            (!std::ranges::all_of(numbers, is_named) || std::ranges::all_of(numbers, is_length))) {
             refuse("{} has a unit of length", quoted(length->text));
         }
         std::erase_if(numbers, is_length);
     }
 
-    /// The sum of a quaternion as its four numbers.
-    void add_components(std::vector<ValueNumber>& numbers) const {
-        if (std::ranges::none_of(numbers, [](const ValueNumber& each) { return each.component != '\0'; })) {
-            return;
-        }
-        if (spec_.name != RepresentationId::quat) {
-            refuse("a sum with i, j and k is a quaternion, not {}", spec_.text());
-        }
-        for (const ValueNumber& each : numbers) {
-            if (!each.label.empty()) {
-                refuse("{} is not understood before a sum", quoted(each.label));
-            }
-        }
-        std::vector<ValueNumber> sum;
-        for (const char component : {'\0', 'i', 'j', 'k'}) {
-            const auto has = [component](const ValueNumber& each) { return each.component == component; };
-            if (std::ranges::count_if(numbers, has) > 1) {
-                refuse("two terms of the sum are of one kind");
-            }
-            const auto found = std::ranges::find_if(numbers, has);
-            ValueNumber& number = sum.emplace_back(found == numbers.end() ? ValueNumber{.text = "0"} : *found);
-            number.label = component == '\0' ? "w" : component == 'i' ? "x" : component == 'j' ? "y" : "z";
-        }
-        numbers = std::move(sum);
-    }
+    // What labels say.
 
-    /// The numbers in the order of their labels, which are held against the SPEC.
-    [[nodiscard]] std::vector<ValueNumber> by_labels(std::vector<ValueNumber> numbers) {
+    /// The numbers in the order of their labels, which are held against the part.
+    [[nodiscard]] Numbers by_labels(Numbers numbers) {
         for (ValueNumber& number : numbers) {
-            if (const std::string_view unit = unit_in(number.label); !unit.empty() && number.unit.empty()) {
-                number.unit = unit;
-            }
+            number.unit = number.unit.empty() ? unit_in(number.label) : number.unit;
         }
-        auto labels = mapped(numbers, &ValueNumber::label);
-        const auto named =
-            static_cast<std::size_t>(std::ranges::count_if(labels, [](const auto& label) { return !label.empty(); }));
-        if (named == 0) {
+        auto labels = labels_of(numbers);
+        const auto given = without_empty(labels);
+        if (given.empty()) {
             return numbers;
         }
-        for (const std::string& label : labels) {
-            if (!label.empty() && std::ranges::count(labels, label) > 1) {
+        for (const std::string& label : given) {
+            if (std::ranges::count(given, label) > 1) {
                 refuse("two of the numbers are called {}", quoted(label));
             }
         }
-        if (spec_.name == RepresentationId::quat) { // i j k w
-            auto letters = labels;
-            for (std::string& each : letters) {
+        std::optional<KnownNames> known = find_names(part_, labels);
+        if (!known && given.size() == labels.size() && part_.attitude) {
+            for (std::string& each : labels) { // i j k are x y z
                 each = each == "i" ? "x" : each == "j" ? "y" : each == "k" ? "z" : each;
             }
-            labels = find_names(part(), labels) ? labels : letters;
-        }
-        std::optional<KnownNames> known = find_names(part(), labels);
-        if (!known && named == labels.size()) {
-            known = components_in(labels);
-        }
-        if (known && !known->decides) {
-            note(fmt::format("the labels {} do not say which number of {} each is: they are read as they stand",
-                             joined(labels), spec_.text()));
-            return numbers;
+            known = spec().name == RepresentationId::quat ? find_names(part_, labels) : components_in(labels);
         }
         if (!known) {
-            refuse_labels(labels, named);
+            refuse_labels(given, labels.size() - given.size());
         }
-        if (named < labels.size()) {
-            refuse("{} numbers without a label stand beside those of {}", labels.size() - named, spec_.text());
+        if (!known->decides) {
+            add_note(fmt::format("the labels {} do not say which number of {} each is: they are read as they stand",
+                                 joined(labels), text_of_part()));
+            return numbers;
         }
-        return mapped(known->places, [&numbers](std::size_t place) {
+        if (given.size() < labels.size()) {
+            refuse("{} numbers without a label stand beside those of {}", labels.size() - given.size(), text_of_part());
+        }
+        return in_order(numbers, known->places);
+    }
+    [[nodiscard]] static Numbers in_order(const Numbers& numbers, const auto& places) {
+        return mapped(places, [&numbers](std::size_t place) {
             ValueNumber number = numbers[place];
             number.is_joined = false;
             return number;
@@ -337,241 +282,191 @@ private:
 
     /// Bare x y z, or after r, rot and the like: components of a vector along the axes, or angles about them.
     [[nodiscard]] std::optional<KnownNames> components_in(const std::vector<std::string>& labels) const {
-        const bool is_vector = is_one_of(representation(spec_.name).text, "rotvec cayley mrp");
-        const bool is_euler = (spec_.name == RepresentationId::euler || spec_.name == RepresentationId::rpy) &&
-                              spec_.project == nullptr && !spec_.sequence.proper();
-        const auto found =
-            labels.size() == 3 && (is_vector || is_euler) ? find_names({{"x", "y", "z"}, 0, {}}, labels) : std::nullopt;
+        using enum RepresentationId;
+        const bool is_vector = spec().name == rotvec || spec().name == cayley || spec().name == mrp;
+        const bool has_axes = is_euler() && spec().project == nullptr && !spec().sequence.proper();
+        auto found =
+            labels.size() == 3 && (is_vector || has_axes) ? find_names({{"x", "y", "z"}, 0, {}}, labels) : std::nullopt;
         if (!found) {
             return std::nullopt;
         }
-        const std::string& x = labels[found->places[0]];
-        std::string prefix = lower(x.substr(0, x.size() - 1));
-        prefix.erase(0, prefix.find_first_not_of('_'));
-        prefix.resize(prefix.find_last_not_of('_') + 1);
-        if (!prefix.empty() && !is_one_of(prefix, "r rot rotvec rvec angle")) {
+        std::string prefix = without_marks(labels[found->places[0]]);
+        prefix.pop_back();
+        if (!prefix.empty() && !is(WordKind::vector_of_angles, prefix)) {
             return std::nullopt;
         }
-        KnownNames ordered = *found;
-        for (std::size_t i = 0; is_euler && i < 3; ++i) {
-            ordered.places[i] = found->places[static_cast<std::size_t>(spec_.sequence.axis(i))];
+        const auto places = found->places;
+        for (std::size_t i = 0; has_axes && i < 3; ++i) {
+            found->places[i] = places[static_cast<std::size_t>(spec().sequence.axis(i))];
         }
-        return ordered;
+        return found;
     }
 
-    [[noreturn]] void refuse_labels(const std::vector<std::string>& labels, std::size_t named) const {
-        const auto given = filtered(labels, [](const std::string& label) { return !label.empty(); });
-        if (named < labels.size()) {
+    [[noreturn]] void refuse_labels(const std::vector<std::string>& given, std::size_t others) const {
+        if (others > 0) {
             refuse("{} not understood: the other numbers have no label",
-                   quoted_list(given) + (named == 1 ? " is" : " are"));
+                   quoted_list(given) + (given.size() == 1 ? " is" : " are"));
         }
-        std::vector<std::string> others;
-        for (const Project& project : projects()) {
-            if (project.is_spec() && find_names(std::get<Spec>(parse_spec(project.text)), labels) &&
-                words_in(project.columns).size() == labels.size()) {
-                others.emplace_back(project.text);
+        std::vector<std::string_view> owners;
+        for (const std::string_view name : messages::all_names()) {
+            const auto parsed = parse_spec(name);
+            const auto* const owner = std::get_if<Spec>(&parsed);
+            if (owner != nullptr && (owner->project != nullptr || name == owner->text()) &&
+                owner->size() == given.size() && find_names(*owner, given)) {
+                owners.push_back(name);
             }
         }
-        for (const RepresentationId id : all_representations) {
-            if (id != RepresentationId::euler && find_names(Spec{.name = id}, labels)) {
-                others.emplace_back(representation(id).text);
-            }
-        }
-        refuse("the labels {} are not those of {}{}", quoted_list(given), spec_.text(),
-               others.empty() ? std::string() : fmt::format(": they are those of {}", joined(others, ", ")));
+        refuse("the labels {} are not those of {}{}", quoted_list(given), text_of_part(),
+               owners.empty() ? "" : fmt::format(": they are those of {}", joined(owners, ", ")));
     }
 
-    /// What a label says at its end: q_xyzw, euler_xyz, rpy_deg.
-    void hold_label(std::string_view last, std::vector<ValueNumber>& numbers) {
-        const std::string low = lower(last);
-        if (is_one_of(low, "deg degree degrees rad radian radians")) {
-            for (ValueNumber& number : numbers) {
-                number.unit = number.unit.empty() ? low.substr(0, 3) : number.unit;
-            }
-        } else if (is_one_of(low, "rpy ypr xyzw wxyz passive col positive")) {
-            hold(low, false, numbers);
-        } else if (std::ranges::count(messages::all_sequences(), last) > 0 || named_representation(last)) {
-            hold(std::string(last), false, numbers);
-        }
-    }
+    // What words of convention say.
 
     /// Holds a word of convention against the SPEC, and applies an order that FROM leaves open.
-    void hold(const std::string& word, bool is_order, std::vector<ValueNumber>& numbers) {
-        const bool is_sequence = std::ranges::count(messages::all_sequences(), word) > 0;
-        if (is_order) {
-            std::string upper = word;
-            std::ranges::transform(upper, upper.begin(),
-                                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-            refuse("order {} has two meanings: euler:{} about the body's axes (three.js), euler:{} about fixed ones "
-                   "(Blender)",
-                   quoted(word), upper, lower(word));
+    void hold(const std::string& word, Numbers& numbers) {
+        if (const std::string_view unit = unit_of_word(word); !unit.empty()) {
+            for (ValueNumber& number : numbers) {
+                if (!number.unit.empty() && number.unit != unit) {
+                    refuse("{} is in {} and in {}", quoted(number.text), number.unit, unit);
+                }
+                number.unit = unit;
+            }
+            return;
         }
+        if (!part_.attitude) {
+            refuse("{} is not understood before {}", quoted(word), text_of_part());
+        }
+        Spec meant = spec();
+        const auto* const modifier =
+            std::ranges::find_if(all_modifiers, [&word](Modifier each) { return name_of(each) == word; });
+        const auto sequence = EulerSequence::parse(word == "rpy" ? "xyz" : word == "ypr" ? "ZYX" : word);
         if (word == "xyzw" || word == "wxyz") {
             hold_order(word, numbers);
-        } else if (word == "deg" || word == "rad") {
-            for (ValueNumber& number : numbers) {
-                if (!number.unit.empty() && number.unit != word) {
-                    refuse("{} is in {} and in {}", quoted(number.text), number.unit, word);
-                }
-                number.unit = word;
-            }
-        } else if (is_sequence || word == "rpy" || word == "ypr") {
-            const std::string sequence = word == "rpy" ? "xyz" : word == "ypr" ? "ZYX" : word;
-            const bool is_euler = spec_.name == RepresentationId::euler || spec_.name == RepresentationId::rpy;
-            if (!is_euler || spec_.sequence.text() != sequence) {
-                Spec meant{.name = RepresentationId::euler,
-                           .sequence = EulerSequence::parse(sequence).value_or(roll_pitch_yaw),
-                           .unit = spec_.unit};
-                meant.name = word == "rpy" ? RepresentationId::rpy : meant.name;
-                refuse("{} is {}, not {}", quoted(word), meant.text(), spec_.text());
-            }
-        } else if (const auto named = named_representation(word)) {
-            const bool is_open = is_one_of(lower(word), "matrix euler");
-            if (*named != spec_.name && !is_open) {
-                refuse("{} is {}, not {}", quoted(word), representation(*named).text, spec_.text());
-            }
-        } else {
-            for (const Modifier modifier : all_modifiers) {
-                if (name_of(modifier) == word && !spec_.modifiers().has(modifier)) {
-                    const bool has_meaning = representation(spec_.name).modifiers.has(modifier);
-                    refuse("{} is {}", quoted(word),
-                           has_meaning ? with_modifier(spec_, modifier)
-                                       : fmt::format("no modifier of {}", spec_.text()));
-                }
-            }
+        } else if (sequence && !(is_euler() && spec().sequence.text() == sequence->text())) {
+            meant = {.name = word == "rpy" ? RepresentationId::rpy : RepresentationId::euler,
+                     .sequence = *sequence,
+                     .unit = spec().unit};
+            refuse("{} is {}, not {}", quoted(word), meant.text(), spec().text());
+        } else if (modifier != all_modifiers.end() && !spec().modifiers().has(*modifier)) {
+            meant.apply(ModifierSet{*modifier});
+            refuse("{} is {}", quoted(word),
+                   representation(spec().name).modifiers.has(*modifier)
+                       ? meant.text()
+                       : fmt::format("no modifier of {}", spec().text()));
+        } else if (const auto named = named_representation(word);
+                   !sequence && named && *named != spec().name && lower(word) != "matrix" && lower(word) != "euler") {
+            refuse("{} is {}, not {}", quoted(word), representation(*named).text, spec().text());
         }
     }
 
-    void hold_order(const std::string& word, std::vector<ValueNumber>& numbers) {
-        const bool is_last = word == "xyzw";
-        if (spec_.name != RepresentationId::quat) {
-            refuse("{} is an order of quat, not of {}", quoted(word), spec_.text());
+    void hold_order(const std::string& word, Numbers& numbers) {
+        if (spec().name != RepresentationId::quat) {
+            refuse("{} is an order of quat, not of {}", quoted(word), spec().text());
         }
-        const bool is_named =
-            spec_.scalar_last || spec_.project != nullptr || from_.find("wxyz") != std::string_view::npos;
-        const bool are_labelled =
-            std::ranges::none_of(numbers, [](const ValueNumber& each) { return each.label.empty(); });
-        if (are_labelled || spec_.scalar_last == is_last || numbers.size() != 4 || std::exchange(is_ordered_, true)) {
+        const bool are_labelled = std::ranges::none_of(numbers, &std::string::empty, &ValueNumber::label);
+        if (are_labelled || spec().scalar_last == (word == "xyzw") || numbers.size() != 4 ||
+            std::exchange(is_ordered_, true)) {
             return;
         }
-        if (is_named) {
+        if (spec().scalar_last || spec().project != nullptr || from_.find("wxyz") != std::string_view::npos) {
             refuse("{} contradicts {}", quoted(word), from_);
         }
-        std::rotate(numbers.begin(), numbers.begin() + 3, numbers.end());
-        note(fmt::format("{} is applied, as quat:xyzw does", quoted(word)));
+        numbers = in_order(numbers, std::array<std::size_t, 4>{3, 0, 1, 2});
+        add_note(fmt::format("{} is applied, as quat:xyzw does", quoted(word)));
     }
 
     /// Holds the units of numbers against those of the SPEC.
-    void hold_units(const std::vector<ValueNumber>& numbers) const {
-        const Representation& entry = representation(spec_.name);
+    void hold_units(const Numbers& numbers) const {
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const std::string& unit = numbers[i].unit;
-            const bool is_angle = entry.has_angles() && i >= entry.first_angle;
-            const std::string_view own = spec_.unit == AngleUnit::degrees ? "deg" : "rad";
-            if (unit.empty() || (is_angle && unit == own) || (entry.has_angles() && i < entry.first_angle)) {
+            if (!unit.empty() && !part_.attitude) {
+                refuse("{} is in {}, which is not the unit of these numbers", quoted(numbers[i].text), unit);
+            }
+            if (unit.empty()) {
                 continue;
             }
-            Spec meant = spec_;
+            const Representation& entry = representation(spec().name);
+            const std::string_view own = spec().unit == AngleUnit::degrees ? "deg" : "rad";
+            if (entry.has_angles() && (unit == own || i < entry.first_angle)) {
+                continue;
+            }
+            Spec meant = spec();
             meant.unit = unit == "deg" ? AngleUnit::degrees : AngleUnit::radians;
-            refuse("{} is in {}, but {} {}", quoted(numbers[i].text), unit, spec_.text(),
+            refuse("{} is in {}, but {} {}", quoted(numbers[i].text), unit, spec().text(),
                    entry.has_angles() ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles");
         }
     }
 
     /// The rotation of a pose of 4x4.
-    [[nodiscard]] std::vector<ValueNumber> of_pose(const std::vector<ValueNumber>& numbers) {
-        const auto is = [&numbers](std::size_t at, double expected) {
-            double value = 0.0;
-            return stream::read_number(numbers[at].text, value) == stream::NumberError::none && value == expected;
+    [[nodiscard]] Numbers of_pose(const Numbers& numbers) {
+        const auto has_end = [&numbers](const std::array<std::size_t, 4>& places) { // 0 0 0 1
+            return std::ranges::all_of(places, [&](std::size_t place) {
+                double value = 0.0;
+                return stream::read_number(numbers[place].text, value) == stream::NumberError::none &&
+                       value == (place == 15 ? 1.0 : 0.0);
+            });
         };
-        const bool by_rows = is(12, 0.0) && is(13, 0.0) && is(14, 0.0) && is(15, 1.0);
-        const bool by_columns = is(3, 0.0) && is(7, 0.0) && is(11, 0.0) && is(15, 1.0);
-        const auto shows_row = [&numbers](std::size_t row) {
-            const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(4 * row);
-            return std::all_of(first, first + 4,
-                               [&](const ValueNumber& each) { return each.bracket == first->bracket; });
-        };
-        const bool shows_rows =
-            shows_row(0) && shows_row(1) && shows_row(2) && shows_row(3) && numbers[0].bracket != numbers[4].bracket;
-        if (spec_.column_major ? !by_columns : !by_rows && !by_columns) {
-            if (spec_.column_major) {
-                refuse("16 numbers under {} need 0 0 0 1 in their last column", spec_.text());
-            }
+        const bool by_rows = has_end({12, 13, 14, 15});
+        const bool by_columns = has_end({3, 7, 11, 15});
+        bool shows_rows = true;
+        for (std::size_t i = 1; i < numbers.size(); ++i) {
+            shows_rows = shows_rows && (numbers[i].bracket == numbers[i - 1].bracket) == (i % 4 != 0);
+        }
+        if (spec().column_major && !by_columns) {
+            refuse("16 numbers under {} need 0 0 0 1 in their last column", spec().text());
+        }
+        if (!by_rows && !by_columns) {
             refuse("16 numbers are a 4x4 with 0 0 0 1 in its last row, or by columns (dcm:col) in its last column: "
                    "these have neither");
         }
-        const bool takes_columns = !spec_.column_major && !by_rows;
+        const bool takes_columns = !spec().column_major && !by_rows;
         if (takes_columns) {
-            note("the 4x4 is read by columns, as dcm:col does: its last column is 0 0 0 1");
-        } else if (!spec_.column_major && by_columns && !shows_rows) {
-            note("the 4x4 is read by rows; if it is listed by columns: dcm:col");
+            add_note("the 4x4 is read by columns, as dcm:col does: its last column is 0 0 0 1");
+        } else if (!spec().column_major && by_columns && !shows_rows) {
+            add_note("the 4x4 is read by rows; if it is listed by columns: dcm:col");
         }
         constexpr std::array<std::size_t, 9> rows{0, 1, 2, 4, 5, 6, 8, 9, 10};
         constexpr std::array<std::size_t, 9> columns{0, 4, 8, 1, 5, 9, 2, 6, 10};
-        return mapped(takes_columns ? columns : rows, [&numbers](std::size_t place) {
-            ValueNumber number = numbers[place];
-            number.is_joined = false;
-            return number;
-        });
+        return in_order(numbers, takes_columns ? columns : rows);
     }
 
     const ValueText& text_;
-    const Spec& spec_;
+    const Part& part_;
     std::string_view from_;
-    std::size_t group_ = 0;
     bool is_ordered_ = false; ///< by a word
-    std::vector<stream::Note> notes_;
+    std::string note_;
 };
 
-/// All numbers of a text, those of each part in the order of their labels.
-std::vector<ValueNumber> of_parts(const ValueText& text, const stream::RowNumbers& row) {
-    const bool has_names = row.attitude.has_value(); // identify reads numbers as they stand
-    auto numbers = text.numbers;
-    for (const ValueWord& word : text.words) {
-        const auto named = named_representation(word.text);
-        if (has_names && !(named && (named == row.attitude->name || (row.second && named == row.second->name)))) {
-            refuse("{} is not understood beside several sets of numbers", quoted(word.text));
-        }
-    }
-    for (const ValueGroup& group : text.groups) {
-        const auto label = parts_of_label(group.label);
-        if (has_names && (is_operation(group.label, label) || !unit_in(group.label).empty() || !group.unit.empty() ||
-                          is_one_of(label.back(), "xyzw wxyz passive ypr col"))) {
-            refuse("{} is not understood beside several sets of numbers", quoted(group.label));
-        }
-    }
-    if (!has_names || numbers.size() != row.names.size()) {
+/// The numbers of a text for the parts of a row.
+Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::string_view from, std::string& note) {
+    if (parts.size() == 1 && !text.numbers.empty()) {
+        Reading reading(text, parts[0], from);
+        auto numbers = reading.chosen();
+        note = reading.note();
         return numbers;
     }
-    const auto labels = mapped(numbers, &ValueNumber::label);
-    const std::vector<Part> parts = parts_of(row);
-    const RowNames names = names_of_row(parts, labels);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        for (std::size_t i = parts[k].begin; i < parts[k].begin + parts[k].names.size(); ++i) {
-            const bool is_degrees = parts[k].attitude && parts[k].attitude->unit == AngleUnit::degrees;
-            const std::string unit(numbers[i].unit.empty() ? unit_in(labels[i]) : numbers[i].unit);
-            if (!unit.empty() && (!parts[k].attitude || unit != (is_degrees ? "deg" : "rad"))) {
-                refuse("{} is in {}, which is not the unit of these numbers", quoted(numbers[i].text), unit);
-            }
-        }
-        const auto own = parts[k].of(labels);
-        if (!names.sets[k] && std::ranges::any_of(own, [](const std::string& label) { return !label.empty(); })) {
-            refuse("the labels {} are not those of {}", joined(own),
-                   parts[k].attitude ? parts[k].attitude->text() : joined(parts[k].names));
-        }
+    const Part& last = parts.back();
+    if (text.numbers.size() != last.begin + last.names.size()) {
+        return text.numbers; // an error of the row
     }
-    numbers = mapped(names.places, [&numbers](std::size_t place) { return numbers[place]; });
+    Numbers numbers = mapped(names_of_row(parts, labels_of(text.numbers)).places,
+                             [&text](std::size_t place) { return text.numbers[place]; });
+    for (const Part& part : parts) {
+        const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(part.begin);
+        Reading reading(text, part, from);
+        reading.check_aside(begin->group);
+        const auto own = reading.held({begin, begin + static_cast<std::ptrdiff_t>(part.names.size())});
+        std::ranges::copy(own, begin);
+        note = note.empty() ? reading.note() : note;
+    }
     return numbers;
 }
 
 } // namespace
 
 bool is_value(std::string_view word) {
-    const std::size_t first = std::min(word.find_first_not_of("[](){}<> \t\r\n"), word.size());
-    const bool has_bracket = word.substr(0, first).find_first_of(brackets) != std::string_view::npos;
-    word.remove_prefix(first);
-    return stream::is_number(word.substr(0, word.find_first_of(",; \t\r\n[](){}<>"))) ||
-           (has_bracket && word.find_first_of("0123456789+-.") == 0);
+    word.remove_prefix(std::min(word.find_first_not_of("[](){}<> \t\r\n"), word.size()));
+    return stream::is_number(word.substr(0, word.find_first_of(",; \t\r\n[](){}<>")));
 }
 
 Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given,
@@ -591,21 +486,21 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
         return {std::move(text), *given, {}};
     }
     const ValueText read = parse_values(text);
-    Values values{.delimiter = *given};
-    std::vector<ValueNumber> chosen = read.numbers;
-    const bool is_one = numbers.attitude && numbers.names.size() == numbers.attitude->size();
-    if (!chosen.empty() && !are_selected && is_one) {
-        Attitude attitude(read, *numbers.attitude, from);
-        chosen = attitude.numbers();
-        values.notes = attitude.notes();
-    } else if (!are_selected) {
-        chosen = of_parts(read, numbers);
+    const bool by_place = are_selected || !numbers.attitude; // identify reads numbers as they stand
+    if (by_place && !read.words.empty()) {
+        refuse("{} is not understood beside numbers that are read as they stand", quoted(read.words[0].text));
     }
+    std::string note;
+    Values values{.delimiter = *given};
+    const Numbers chosen = by_place ? read.numbers : numbers_of(read, parts_of(numbers), from, note);
     for (const ValueNumber& number : chosen) {
         if (&number != chosen.data()) {
             values.row += number.is_joined ? ' ' : given->text();
         }
         values.row += number.text;
+    }
+    if (!note.empty()) {
+        values.notes.push_back({.kind = stream::Note::Kind::order, .text = std::move(note)});
     }
     return values;
 }
