@@ -308,14 +308,19 @@ private:
 
     void number(std::size_t group, std::string_view label) {
         const bool is_joined = last().kind == TokenKind::number || is_unit(last());
+        const bool after_comma = last().text == ",";
         const Token& token = take();
         if (size() == most_numbers) {
             refuse(token, fmt::format("more than {} numbers are not one attitude", most_numbers));
         }
         ValueNumber& made = read_.numbers.emplace_back();
-        made = {
-            std::string(token.text),   std::string(label), std::string(unit_of_word(token.suffix)), group, brackets_,
-            is_joined && label.empty()};
+        made.text = token.text;
+        made.label = label;
+        made.unit = unit_of_word(token.suffix);
+        made.group = group;
+        made.bracket = brackets_;
+        made.is_joined = is_joined && label.empty();
+        made.after_comma = after_comma;
         if (is_unit(peek()) && peek(1).kind != TokenKind::is) {
             made.unit = unit_of_word(take().text);
         }
@@ -448,10 +453,16 @@ private:
         const bool is_labelled = is_label(0);
         const Token& token = take();
         const std::string_view text = token.text;
-        if (text == "-" && token.begins_line && !peek().is_joined &&
-            (peek().kind == TokenKind::word ||
-             (limit_ != no_limit && (peek().kind == TokenKind::number || peek().kind == TokenKind::open)))) {
-            return; // of a list
+        if (text == "-" && token.begins_line && !peek().is_joined) { // of a list
+            std::size_t lines = 0;
+            while (peek(lines).kind == TokenKind::line) {
+                ++lines;
+            }
+            const TokenKind next = peek(lines).kind;
+            if (next == TokenKind::word ||
+                (limit_ != no_limit && (next == TokenKind::number || next == TokenKind::open))) {
+                return;
+            }
         }
         if (!is_name(text) && !is_unit(token) && !is(WordKind::heading, text)) {
             refuse(token);
@@ -496,7 +507,9 @@ private:
         while (peek().kind == TokenKind::is) {
             take();
         }
-        if (is_text(label) || is_convention(group, label)) {
+        std::string name = lower(label.text);
+        name.erase(0, name.find_first_not_of('_'));
+        if (is_text(label, name) || is_convention(group, label, name)) {
             return;
         }
         const std::size_t first = size();
@@ -552,8 +565,7 @@ private:
     }
 
     /// Takes what a label has that is not a number.
-    bool is_text(const Token& label) {
-        const std::string_view name = label.text.substr(std::min(label.text.find_first_not_of('_'), label.text.size()));
+    bool is_text(const Token& label, std::string_view name) {
         if (!is(WordKind::text_key, name) && !(in_xml_ && is(WordKind::xml_key, name))) {
             return false;
         }
@@ -570,9 +582,8 @@ private:
     }
 
     /// Takes a word that says with its label how the numbers of the group are meant.
-    bool is_convention(std::size_t group, const Token& label) {
+    bool is_convention(std::size_t group, const Token& label, std::string_view name) {
         const Token& value = peek();
-        const std::string name = lower(label.text);
         const bool is_truth = value.kind == TokenKind::word && is(WordKind::truth, value.text);
         const bool is_true = lower(value.text) == "true";
         std::string_view word;
@@ -673,11 +684,11 @@ std::optional<RepresentationId> named_representation(std::string_view word) {
 }
 
 std::vector<std::string> parts_of_label(std::string_view label) {
-    const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
     std::vector<std::string> parts(1);
     for (std::size_t i = 0; i < label.size(); ++i) {
         const bool is_mark = std::string_view("_.: \t").find(label[i]) != std::string_view::npos;
-        const bool begins = i > 0 && is_upper(label[i]) && !is_upper(label[i - 1]);
+        const bool begins = i > 0 && std::isupper(static_cast<unsigned char>(label[i])) != 0 &&
+                            std::islower(static_cast<unsigned char>(label[i - 1])) != 0;
         if ((is_mark || begins) && !parts.back().empty()) {
             parts.emplace_back();
         }

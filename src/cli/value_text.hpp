@@ -80,6 +80,7 @@ struct ValueNumber {
     std::size_t group = 0;   ///< the index of the innermost group with a label
     std::size_t bracket = 0; ///< counts the brackets before it, so that equal ones are those of one bracket
     bool is_joined = false;  ///< nothing but blanks separates it from the number before it
+    bool after_comma = false;
 };
 
 /// A word that says how the numbers of a group are meant: a unit, or a word of convention.

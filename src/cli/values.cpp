@@ -178,7 +178,7 @@ private:
         }
         for (const std::size_t group : groups) {
             const std::string& label = text_.groups[group].label;
-            refuse_operation(label);
+            std::ranges::for_each(labels_in(group), refuse_operation);
             const bool is_of_one =
                 is(WordKind::number_of_a_set, label) || std::ranges::count(part_.names, lower(label)) > 0;
             if (is_of_one && !is_called_by_name(group)) {
@@ -203,6 +203,7 @@ private:
             refuse_groups(groups);
         }
         const std::string& label = text_.groups[groups[0]].label;
+        refuse_operation(label);
         if (label.find('.') != std::string::npos && !named_representation(name_in(label))) {
             refuse("{} is not understood as the name of an attitude", quoted(label));
         }
@@ -493,10 +494,10 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
     std::string note;
     Values values{.delimiter = *given};
     const Numbers chosen = by_place ? read.numbers : numbers_of(read, parts_of(numbers), from, note);
+    const bool has_commas = std::ranges::any_of(chosen, &ValueNumber::after_comma); // blanks do not separate as they do
     for (const ValueNumber& number : chosen) {
-        if (&number != chosen.data()) {
-            values.row += number.is_joined ? ' ' : given->text();
-        }
+        values.row +=
+            &number == chosen.data() ? "" : std::string(1, number.is_joined && has_commas ? ' ' : given->text());
         values.row += number.text;
     }
     if (!note.empty()) {
