@@ -34,6 +34,7 @@ constexpr auto words_of_kinds = std::to_array<std::string_view>({
     " dot sp des desired ",
     " rate speed spd dps vel acc std sigma cov var err cmd setpoint target ref delta reset offset bias ",
     " inv inverse inverted conj conjugate transpose transposed neg negative minus ",
+    " matrix euler ",
     " rotation orientation attitude rot ori ",
     " w x y z i j k ",
     " r rot rotvec rvec angle ",

@@ -42,6 +42,7 @@ enum class WordKind : std::uint8_t {
     aside_anywhere,   ///< as a part of such a label
     aside_beginning,  ///< as the beginning of a part of such a label
     operation,        ///< a part of a label that says that something is done to the numbers
+    open_name,        ///< a name that does not contradict another
     attitude,         ///< at the end of a label of an attitude
     number_of_a_set,  ///< the label of one number
     vector_of_angles, ///< before x, y and z

@@ -325,38 +325,38 @@ private:
 
     /// Holds a word of convention against the SPEC, and applies an order that FROM leaves open.
     void hold(const std::string& word, Numbers& numbers) {
-        if (const std::string_view unit = unit_of_word(word); !unit.empty()) {
-            for (ValueNumber& number : numbers) {
-                if (!number.unit.empty() && number.unit != unit) {
-                    refuse("{} is in {} and in {}", quoted(number.text), number.unit, unit);
-                }
-                number.unit = unit;
+        const std::string_view unit = unit_of_word(word);
+        for (ValueNumber& number : numbers) {
+            if (!unit.empty() && !number.unit.empty() && number.unit != unit) {
+                refuse("{} is in {} and in {}", quoted(number.text), number.unit, unit);
             }
+            number.unit = unit.empty() ? number.unit : unit;
+        }
+        if (!unit.empty()) {
             return;
         }
         if (!part_.attitude) {
             refuse("{} is not understood before {}", quoted(word), text_of_part());
         }
-        Spec meant = spec();
         const auto* const modifier =
             std::ranges::find_if(all_modifiers, [&word](Modifier each) { return name_of(each) == word; });
         const auto sequence = EulerSequence::parse(word == "rpy" ? "xyz" : word == "ypr" ? "ZYX" : word);
+        const auto named = named_representation(word);
+        Spec meant = spec();
         if (word == "xyzw" || word == "wxyz") {
             hold_order(word, numbers);
-        } else if (sequence && !(is_euler() && spec().sequence.text() == sequence->text())) {
-            meant = {.name = word == "rpy" ? RepresentationId::rpy : RepresentationId::euler,
-                     .sequence = *sequence,
-                     .unit = spec().unit};
-            refuse("{} is {}, not {}", quoted(word), meant.text(), spec().text());
-        } else if (modifier != all_modifiers.end() && !spec().modifiers().has(*modifier)) {
+        } else if (sequence) {
+            meant.name = is_euler() && spec().sequence.text() == sequence->text() ? spec().name
+                         : word == "rpy"                                          ? RepresentationId::rpy
+                                                                                  : RepresentationId::euler;
+            meant.sequence = *sequence;
+        } else if (modifier != all_modifiers.end()) {
             meant.apply(ModifierSet{*modifier});
-            refuse("{} is {}", quoted(word),
-                   representation(spec().name).modifiers.has(*modifier)
-                       ? meant.text()
-                       : fmt::format("no modifier of {}", spec().text()));
-        } else if (const auto named = named_representation(word);
-                   !sequence && named && *named != spec().name && lower(word) != "matrix" && lower(word) != "euler") {
-            refuse("{} is {}, not {}", quoted(word), representation(*named).text, spec().text());
+        } else if (named && named != spec().name && !is(WordKind::open_name, word)) {
+            meant = {.name = *named};
+        }
+        if (meant.text() != spec().text()) {
+            refuse("{} is {}, not {}", quoted(word), meant.text(), spec().text());
         }
     }
 
@@ -364,8 +364,8 @@ private:
         if (spec().name != RepresentationId::quat) {
             refuse("{} is an order of quat, not of {}", quoted(word), spec().text());
         }
-        const bool are_labelled = std::ranges::none_of(numbers, &std::string::empty, &ValueNumber::label);
-        if (are_labelled || spec().scalar_last == (word == "xyzw") || numbers.size() != 4 ||
+        const bool is_labelled = !numbers.front().label.empty();
+        if (is_labelled || spec().scalar_last == (word == "xyzw") || numbers.size() != 4 ||
             std::exchange(is_ordered_, true)) {
             return;
         }
@@ -378,23 +378,18 @@ private:
 
     /// Holds the units of numbers against those of the SPEC.
     void hold_units(const Numbers& numbers) const {
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool has_angles = part_.attitude && representation(spec().name).has_angles();
+        const bool is_degrees = has_angles && spec().unit == AngleUnit::degrees;
+        const std::size_t first = has_angles ? representation(spec().name).first_angle : 0;
+        for (std::size_t i = first; i < numbers.size(); ++i) {
             const std::string& unit = numbers[i].unit;
-            if (!unit.empty() && !part_.attitude) {
-                refuse("{} is in {}, which is not the unit of these numbers", quoted(numbers[i].text), unit);
+            if (!unit.empty() && !(has_angles && unit == (is_degrees ? "deg" : "rad"))) {
+                Spec meant = part_.attitude.value_or(Spec());
+                meant.unit = is_degrees ? AngleUnit::radians : AngleUnit::degrees;
+                refuse("{} is in {}, but {} {}", quoted(numbers[i].text), unit, text_of_part(),
+                       has_angles ? fmt::format("is in {}: {}", is_degrees ? "deg" : "rad", meant.text())
+                                  : "has no angles");
             }
-            if (unit.empty()) {
-                continue;
-            }
-            const Representation& entry = representation(spec().name);
-            const std::string_view own = spec().unit == AngleUnit::degrees ? "deg" : "rad";
-            if (entry.has_angles() && (unit == own || i < entry.first_angle)) {
-                continue;
-            }
-            Spec meant = spec();
-            meant.unit = unit == "deg" ? AngleUnit::degrees : AngleUnit::radians;
-            refuse("{} is in {}, but {} {}", quoted(numbers[i].text), unit, spec().text(),
-                   entry.has_angles() ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles");
         }
     }
 
@@ -409,26 +404,21 @@ private:
         };
         const bool by_rows = has_end({12, 13, 14, 15});
         const bool by_columns = has_end({3, 7, 11, 15});
+        if (spec().column_major ? !by_columns : !by_rows && !by_columns) {
+            refuse("16 numbers under {} are a 4x4 with 0 0 0 1 in its last {}: these are not", spec().text(),
+                   spec().column_major ? "column" : "row, or by columns (dcm:col) in its last column");
+        }
         bool shows_rows = true;
         for (std::size_t i = 1; i < numbers.size(); ++i) {
             shows_rows = shows_rows && (numbers[i].bracket == numbers[i - 1].bracket) == (i % 4 != 0);
         }
-        if (spec().column_major && !by_columns) {
-            refuse("16 numbers under {} need 0 0 0 1 in their last column", spec().text());
-        }
-        if (!by_rows && !by_columns) {
-            refuse("16 numbers are a 4x4 with 0 0 0 1 in its last row, or by columns (dcm:col) in its last column: "
-                   "these have neither");
-        }
         const bool takes_columns = !spec().column_major && !by_rows;
-        if (takes_columns) {
-            add_note("the 4x4 is read by columns, as dcm:col does: its last column is 0 0 0 1");
-        } else if (!spec().column_major && by_columns && !shows_rows) {
-            add_note("the 4x4 is read by rows; if it is listed by columns: dcm:col");
+        if (takes_columns || (!spec().column_major && by_columns && !shows_rows)) {
+            add_note(takes_columns ? "the 4x4 is read by columns, as dcm:col does: its last column is 0 0 0 1"
+                                   : "the 4x4 is read by rows; if it is listed by columns: dcm:col");
         }
-        constexpr std::array<std::size_t, 9> rows{0, 1, 2, 4, 5, 6, 8, 9, 10};
-        constexpr std::array<std::size_t, 9> columns{0, 4, 8, 1, 5, 9, 2, 6, 10};
-        return in_order(numbers, takes_columns ? columns : rows);
+        return in_order(numbers, takes_columns ? std::array<std::size_t, 9>{0, 4, 8, 1, 5, 9, 2, 6, 10}
+                                               : std::array<std::size_t, 9>{0, 1, 2, 4, 5, 6, 8, 9, 10});
     }
 
     const ValueText& text_;
