@@ -34,12 +34,14 @@ struct Row : stream::HeaderLine {
 
 /// Whether the text has rows, and all are read and answered by the operation; without one, their numbers are read.
 bool reads(std::string_view text, stream::InputOptions input, const stream::RowOperation* operation = nullptr) {
-    const operations::RowsAtOnce nothing([](const auto&...) {}, {}, {"nothing"});
+    const auto nothing = [](const stream::NumberRows& rows, const auto&...) { return rows.lines.size(); };
     if (input.take_count) {
         input.take_count = [](std::size_t fields) { return fields; };
     }
     const stream::Options options{.input = std::move(input),
-                                  .operation = operation != nullptr ? operation->copy() : nothing.copy()};
+                                  .operation = operation != nullptr
+                                                   ? std::make_shared<stream::RowOperation>(*operation)
+                                                   : operations::operation_of(nothing, {}, {"nothing"})};
     stream::TextSource source{std::string(text)};
     const auto result = stream::run(source, nullptr, options, [](const stream::Event&) {});
     return !result.error && !result.stopped && result.answered > 0;

@@ -393,7 +393,8 @@ ExitCode run_last_pass(const RowsCommand& command) {
     const bool is_whole = !ending.error && !ending.stopped;
     RowsResult result = reporter.result(ending);
     if (is_whole) {
-        const auto& [seconds, line] = command.options.operation->first_step;
+        const auto& step = command.options.operation->first_step;
+        const auto [seconds, line] = step ? *step : std::pair<double, std::size_t>();
         if (seconds >= least_doubtful_step && !command.options.input.numbers.has_unit) {
             reporter.add(stream::Note{
                 .kind = stream::Note::Kind::time_unit,

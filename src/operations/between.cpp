@@ -25,8 +25,8 @@ public:
         : at_(std::move(at)), between_(std::move(between)), columns_(columns),
           reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
 
-    void operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
-                    std::span<double> rest);
+    std::size_t operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
+                           std::span<double> rest);
 
 private:
     /// The quaternion at the fraction; the identity if there is none.
@@ -42,8 +42,8 @@ private:
     std::vector<RowReport> neighbour_reports_;
 };
 
-void Between::operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
-                         std::span<double> rest) {
+std::size_t Between::operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
+                                std::span<double> rest) {
     const std::span<const double> rows = pairs.numbers;
     const std::size_t width = columns_.width();
     const std::size_t count = rows.size() / width;
@@ -72,7 +72,7 @@ void Between::operator()(const stream::NumberRows& pairs, std::span<double> out,
     for (SomeRows* some : {&at_, &between_}) {
         some->run(size, out, size, rest);
         for (const RowReport& report : some->reports) { // the row's own error comes before those of the neighbours
-            RowReport& found = report_of(report.row, reports);
+            RowReport& found = stream::report_of(report.row, reports);
             found = found.error != Error::none && report.error == Error::none ? found : report;
         }
     }
@@ -83,7 +83,7 @@ void Between::operator()(const stream::NumberRows& pairs, std::span<double> out,
         if (!is_between || (is_later && report.error == Error::none)) { // the next row reports the later one
             continue;
         }
-        RowReport& found = report_of(row, reports);
+        RowReport& found = stream::report_of(row, reports);
         if (found.error == Error::none && report.error != Error::none) {
             found = {
                 .row = row, .error = report.error, .of_reference = true, .of_later = is_later, .defect = report.defect};
@@ -98,6 +98,7 @@ void Between::operator()(const stream::NumberRows& pairs, std::span<double> out,
             std::fill_n(out.data() + report.row * size, size, std::numeric_limits<double>::quiet_NaN());
         }
     }
+    return count;
 }
 
 std::array<double, 4> Between::attitude_between(std::size_t row, double fraction,
@@ -122,11 +123,6 @@ RowFunction of_pairs(RowFunction at, RowFunction between, const stream::PairColu
         return Between(std::move(at), std::move(between), columns, second, settings);
     }
     return at;
-}
-
-RowReport& report_of(std::size_t row, std::vector<RowReport>& reports) {
-    const auto place = std::ranges::lower_bound(reports, row, {}, &RowReport::row);
-    return place != reports.end() && place->row == row ? *place : *reports.insert(place, {.row = row});
 }
 
 void SomeRows::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {

@@ -21,9 +21,6 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
     return Rotation::near_unit(q[0], q[1], q[2], q[3]);
 }
 
-/// The report on the row among reports in the order of the rows; an empty one is added if there is none.
-[[nodiscard]] RowReport& report_of(std::size_t row, std::vector<RowReport>& reports);
-
 /// The function of rows of two attitudes as they are read: with both neighbours, if the reference is interpolated. A
 /// row between neighbours that are a half-turn apart has the error past_half_turn.
 /// @param at takes the second attitude as it is read, and `between` as a quaternion

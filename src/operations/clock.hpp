@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -38,11 +39,12 @@ public:
     /// @param seconds those since the previous time
     void accept(double seconds, std::size_t line) {
         if (++times_ == 2 && is_number_) {
-            first_step_ = {seconds, line};
+            *first_step_ = {seconds, line};
         }
         last_key_ = next_key_;
         last_ = next_;
     }
+    /// See stream::RowOperation; copies share it.
     [[nodiscard]] const auto& first_step() const noexcept { return first_step_; }
 
 private:
@@ -53,9 +55,9 @@ private:
     stream::ReadKey next_key_{};
     double last_ = 0.0;
     double next_ = 0.0;
-    std::size_t times_ = 0;                       ///< number of accepted times
-    bool is_number_ = true;                       ///< the last time is a number, not ISO 8601
-    std::pair<double, std::size_t> first_step_{}; ///< see RowOperation
+    std::size_t times_ = 0; ///< number of accepted times
+    bool is_number_ = true; ///< the last time is a number, not ISO 8601
+    std::shared_ptr<std::pair<double, std::size_t>> first_step_ = std::make_shared<std::pair<double, std::size_t>>();
 };
 
 } // namespace rotconv::operations

@@ -53,7 +53,7 @@ public:
         }
         rotations_.run(1, out, out_width);
         for (const RowReport& report : rotations_.reports) {
-            RowReport& of_attitudes = report_of(report.row, reports);
+            RowReport& of_attitudes = stream::report_of(report.row, reports);
             of_attitudes.diagnostics |= report.diagnostics;
             of_attitudes.deviation = report.deviation;
         }
@@ -86,12 +86,13 @@ Operation compare(const Comparison& comparison, const ComparisonRows& rows) {
             const std::span<double> compared = room.empty() ? out : std::span(room);
             pairs(numbers, compared, reports, rest);
             relative.compare(compared, out, width, reports);
+            return numbers.lines.size();
         };
     }
     std::vector<std::string> names{"angle"};
     names.resize(width);
-    auto made = std::make_shared<RowsAtOnce>(
-        std::move(function), pair_numbers(attitude_numbers(comparison.from()), rows, reference), std::move(names));
+    Operation made = operation_of(std::move(function),
+                                  pair_numbers(attitude_numbers(comparison.from()), rows, reference), std::move(names));
     made->unit = rows.unit;
     made->in_order = rows.delta > 0;
     return made;

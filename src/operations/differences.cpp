@@ -29,17 +29,15 @@ Composition composition_of(const Spec& spec, const RateSettings& settings) {
 }
 
 /// Compares each row with the last row before it that was not refused.
-class Differences final : public stream::RowOperation {
+class Differences {
 public:
     Differences(const Spec& spec, const RateSettings& settings, int time_power)
-        : clock_(time_power), size_(spec.size()), composition_(composition_of(spec, settings)) {
-        input = {.names = concatenated({"t"}, names_of(spec)), .attitude = spec, .kept = 1};
-        names = velocity_names(settings.degrees);
-        in_order = true;
-    }
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Differences>(*this); }
+        : clock_(time_power), size_(spec.size()), composition_(composition_of(spec, settings)) {}
 
-    std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    [[nodiscard]] const auto& first_step() const noexcept { return clock_.first_step(); }
+
+    std::size_t operator()(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports,
+                           std::span<double> /*rest*/) {
         reports.clear();
         const std::size_t count = rows.lines.size();
         steps_.resize(count);
@@ -76,7 +74,6 @@ public:
         }
         if (!waits && !steps_.empty()) {
             clock_ = clock;
-            first_step = clock_.first_step();
             const auto numbers = numbers_of(rows, steps_.back().row);
             last_.assign(numbers.begin(), numbers.end());
         }
@@ -176,7 +173,12 @@ private:
 } // namespace
 
 Operation differences(const Spec& spec, const RateSettings& settings, int time_power) {
-    return std::make_shared<Differences>(spec, settings, time_power);
+    const Differences function(spec, settings, time_power);
+    Operation made = operation_of(function, {.names = concatenated({"t"}, names_of(spec)), .attitude = spec, .kept = 1},
+                                  velocity_names(settings.degrees));
+    made->in_order = true;
+    made->first_step = function.first_step();
+    return made;
 }
 
 } // namespace rotconv::operations

@@ -1,6 +1,6 @@
+#include <span>
 #include <utility>
 
-#include "../core/representations/codec.hpp"
 #include "../stream/fmt.hpp"
 #include "between.hpp"
 #include "operations.hpp"
@@ -27,15 +27,28 @@ std::vector<std::string> concatenated(std::vector<std::string> names, const std:
     return names;
 }
 
-void add_attitude(stream::RowOperation& operation, const Spec& to) {
-    if (const auto ends = codec_of(to.name).open_ends) {
-        const auto& [numbers, end, other] = ends(to);
-        for (const std::size_t number : numbers) {
-            operation.open_ends.push_back({operation.names.size() + number, end, other});
-        }
+Operation operation_of(RowFunction function, stream::RowNumbers input, std::vector<std::string> names) {
+    auto made = std::make_shared<stream::RowOperation>();
+    made->input = std::move(input);
+    made->parts = {{.names = std::move(names), .function = std::move(function)}};
+    return made;
+}
+
+Operation operation_of(RowFunction function, stream::RowNumbers input, const Spec& to, bool continuous) {
+    Operation made = operation_of(std::move(function), std::move(input), names_of(to));
+    made->parts[0].attitude = to;
+    if (auto numbers = std::make_shared<ContinuousNumbers>(to); continuous && numbers->have_choice()) {
+        made->parts[0].follows = std::move(numbers);
     }
-    operation.names = concatenated(operation.names, names_of(to));
-    operation.attitudes.push_back(to);
+    return made;
+}
+
+Operation several(const std::vector<Operation>& operations) {
+    Operation all = operations.front();
+    for (const Operation& more : std::span(operations).subspan(1)) {
+        all->parts.push_back(more->parts.front());
+    }
+    return all;
 }
 
 stream::RowNumbers attitude_numbers(const Spec& spec) { return {.names = names_of(spec), .attitude = spec}; }
@@ -53,25 +66,23 @@ stream::RowNumbers pair_numbers(stream::RowNumbers numbers, const PairedRows& ro
 }
 
 Operation convert(const Conversion& conversion, bool continuous) {
-    return std::make_shared<RowsAtOnce>(function_of(conversion), attitude_numbers(conversion.from()), conversion.to(),
-                                        continuous);
+    return operation_of(function_of(conversion), attitude_numbers(conversion.from()), conversion.to(), continuous);
 }
 
 Operation compose(const Composition& composition, const PairedRows& rows, bool continuous) {
     const Spec& first = composition.first();
     const Spec& to = composition.to();
     const RowFunction between = function_of(Composition(first, Spec{}, to, composition.settings()));
-    return std::make_shared<RowsAtOnce>(
-        of_pairs(function_of(composition), between, rows.columns(first, composition.second()), composition.second(),
-                 composition.settings()),
-        pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
+    return operation_of(of_pairs(function_of(composition), between, rows.columns(first, composition.second()),
+                                 composition.second(), composition.settings()),
+                        pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
 } // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the functions free what they hold
 
 Operation rotate(const VectorRotation& rotation) {
     const std::vector<std::string> vector{"x", "y", "z"};
     const stream::RowNumbers numbers{.names = concatenated(names_of(rotation.from()), vector),
                                      .attitude = rotation.from()};
-    auto made = std::make_shared<RowsAtOnce>(function_of(rotation), numbers, vector);
+    auto made = operation_of(function_of(rotation), numbers, vector);
     made->keeps_names = true;
     return made;
 }
@@ -81,7 +92,7 @@ Operation rates(const Spec& spec, const RateSettings& settings) {
     const auto& taken = settings.inverse ? of_numbers : velocity_names(false);
     const auto& made = settings.inverse ? velocity_names(settings.degrees) : of_numbers;
     const stream::RowNumbers numbers{.names = concatenated(names_of(spec), taken), .attitude = spec};
-    return std::make_shared<RowsAtOnce>(function_of(Rates(spec, settings)), numbers, made);
+    return operation_of(function_of(Rates(spec, settings)), numbers, made);
 }
 
 Operation sample(const Spec& spec, const SampleSettings& settings) {
@@ -89,23 +100,24 @@ Operation sample(const Spec& spec, const SampleSettings& settings) {
                                                               auto /*rest*/) mutable {
         reports.clear();
         sampler.run(rows.numbers, out);
+        return rows.lines.size();
     };
-    return std::make_shared<RowsAtOnce>(function, stream::RowNumbers{.names = {"index"}}, spec, false);
+    return operation_of(function, {.names = {"index"}}, spec, false);
 }
 
 Operation identify(const IdentificationRows& rows, std::shared_ptr<Identification> identification) {
     const auto function = [identification = std::move(identification)](const auto& numbers, auto /*out*/, auto& reports,
                                                                        auto /*rest*/) {
         identification->add(numbers.numbers, numbers.lines, reports);
+        return numbers.lines.size();
     };
     stream::RowNumbers numbers;
     for (std::size_t i = 0; i < rows.count; ++i) {
         numbers.names.push_back(fmt::format("n{}", i + 1));
     }
     const bool is_known_beside = rows.paired || rows.count == 0; // or not yet known
-    auto made = std::make_shared<RowsAtOnce>(
-        function, pair_numbers(std::move(numbers), {is_known_beside, rows.by_key}, rows.known),
-        std::vector<std::string>{"angle"});
+    auto made =
+        operation_of(function, pair_numbers(std::move(numbers), {is_known_beside, rows.by_key}, rows.known), {"angle"});
     made->in_order = true;
     return made;
 }
@@ -114,8 +126,9 @@ Operation method(const MethodConversion& conversion, bool continuous) {
     const auto function = [conversion, angles = std::vector<double>()](const auto& rows, auto out, auto& reports,
                                                                        auto /*rest*/) mutable {
         conversion.run(rows.numbers, out, angles, reports);
+        return rows.lines.size();
     };
-    return std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), continuous);
+    return operation_of(function, attitude_numbers(conversion.from()), conversion.to(), continuous);
 }
 
 Operation all_methods(const MethodConversion& conversion, std::shared_ptr<MethodAnswers> answers) {
@@ -123,8 +136,9 @@ Operation all_methods(const MethodConversion& conversion, std::shared_ptr<Method
                                                                      auto /*rest*/) {
         answers->numbers.resize(rows.lines.size() * conversion.names().size() * conversion.to().size());
         conversion.run(rows.numbers, answers->numbers, answers->angles, reports);
+        return rows.lines.size();
     };
-    return std::make_shared<RowsAtOnce>(function, attitude_numbers(conversion.from()), conversion.to(), false);
+    return operation_of(function, attitude_numbers(conversion.from()), conversion.to(), false);
 }
 
 } // namespace rotconv::operations

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,7 +13,6 @@
 
 #include <rotconv/alignment.hpp>
 #include <rotconv/comparison.hpp>
-#include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
 #include <rotconv/identification.hpp>
 #include <rotconv/product.hpp>
@@ -39,12 +37,7 @@ using Operation = std::shared_ptr<stream::RowOperation>;
 [[nodiscard]] std::vector<std::string> concatenated(std::vector<std::string> names,
                                                     const std::vector<std::string>& others);
 
-/// Adds an attitude to the result of an operation.
-void add_attitude(stream::RowOperation& operation, const Spec& to);
-
-/// What an operation does with rows. `rest`: see Conversion::run(); empty if it is not needed.
-using RowFunction = std::function<void(const stream::NumberRows& rows, std::span<double> out,
-                                       std::vector<RowReport>& reports, std::span<double> rest)>;
+using stream::RowFunction;
 
 /// The function of a Conversion, Rates and the like.
 template <class Core> RowFunction function_of(const Core& core) {
@@ -54,65 +47,23 @@ template <class Core> RowFunction function_of(const Core& core) {
         } else {
             core.run(rows.numbers, out, reports);
         }
+        return rows.lines.size();
     };
 }
 
-/// An operation whose results may be attitudes. `continuous`, here and below: the results follow the motion, see
+/// An operation whose results are numbers of those names.
+[[nodiscard]] Operation operation_of(RowFunction function, stream::RowNumbers input, std::vector<std::string> names);
+/// An operation whose results are attitudes. `continuous`, here and below: they follow the motion, see
 /// ContinuousNumbers.
-class AttitudeOperation : public stream::RowOperation {
-public:
-    AttitudeOperation() = default;
-    AttitudeOperation(const Spec& to, bool continuous) : numbers_(std::make_shared<ContinuousNumbers>(to)) {
-        add_attitude(*this, to);
-        is_continuous = continuous && numbers_->have_choice();
-    }
-    void make_continuous(std::span<double> results, std::span<const RowReport> reports) override {
-        numbers_->run(results, reports, rest_);
-    }
-
-protected:
-    /// Memory for what the exact numbers have beside the results; empty if that is not needed.
-    [[nodiscard]] std::span<double> rest_of(std::span<const double> results) {
-        rest_.resize(is_continuous ? results.size() : 0);
-        return rest_;
-    }
-
-private:
-    std::shared_ptr<ContinuousNumbers> numbers_; ///< shared by all threads
-    std::vector<double> rest_;
-};
-
-/// An operation that answers all rows at once, by a function; its copies have copies of it.
-class RowsAtOnce final : public AttitudeOperation {
-public:
-    RowsAtOnce(RowFunction function, stream::RowNumbers numbers, std::vector<std::string> columns)
-        : function_(std::move(function)) {
-        input = std::move(numbers);
-        names = std::move(columns);
-    }
-    RowsAtOnce(RowFunction function, stream::RowNumbers numbers, const Spec& to, bool continuous)
-        : AttitudeOperation(to, continuous), function_(std::move(function)) {
-        input = std::move(numbers);
-    }
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<RowsAtOnce>(*this); }
-
-    std::size_t run(const stream::NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
-        function_(rows, out, reports, rest_of(out));
-        return rows.lines.size();
-    }
-
-private:
-    RowFunction function_;
-};
+[[nodiscard]] Operation operation_of(RowFunction function, stream::RowNumbers input, const Spec& to, bool continuous);
 
 [[nodiscard]] stream::RowNumbers attitude_numbers(const Spec& spec);
 
 /// The conversion of attitudes.
 [[nodiscard]] Operation convert(const Conversion& conversion, bool continuous);
 
-/// Several operations whose results are attitudes, one after the other. A row has the diagnostics of all, the smallest
-/// margin and the largest condition.
-[[nodiscard]] Operation several(std::vector<Operation> parts);
+/// Several operations whose results are attitudes, one after the other.
+[[nodiscard]] Operation several(const std::vector<Operation>& operations);
 
 /// The answers of a published method.
 [[nodiscard]] Operation method(const MethodConversion& conversion, bool continuous);

@@ -20,19 +20,17 @@ Conversion conversion_to(const Spec& to, ConversionSettings settings) {
     return {Spec{}, to, settings};
 }
 
-class Propagate final : public AttitudeOperation {
+class Propagate {
 public:
     explicit Propagate(const PropagationRows& rows)
-        : AttitudeOperation(rows.to, rows.continuous), clock_(rows.time_power),
-          velocity_unit_(rows.degrees ? radians_per_degree : 1.0), settings_(rows.conversion),
+        : clock_(rows.time_power), velocity_unit_(rows.degrees ? radians_per_degree : 1.0), settings_(rows.conversion),
           stop_at_error_(rows.stop_at_error), propagator_(rows.settings),
-          conversion_(conversion_to(rows.to, rows.conversion)) {
-        input = {.names = {"t", "wx", "wy", "wz"}, .kept = 1};
-        in_order = true;
-    }
-    [[nodiscard]] std::unique_ptr<RowOperation> copy() const override { return std::make_unique<Propagate>(*this); }
+          conversion_(conversion_to(rows.to, rows.conversion)) {}
 
-    std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) override {
+    [[nodiscard]] const auto& first_step() const noexcept { return clock_.first_step(); }
+
+    std::size_t operator()(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports,
+                           std::span<double> rest) {
         bool flush = rows.are_last;
         answered_ = 0;
         quaternions_.clear();
@@ -43,7 +41,6 @@ public:
             const PushResult pushed = propagator_.push(interval, velocity_unit_ * velocity_of(rows, row));
             if (pushed.refused == Error::none) {
                 clock_.accept(interval, rows.lines[row]);
-                first_step = clock_.first_step();
             }
             pushed_.push_back(pushed.refused);
             take(pushed.answer, reports);
@@ -55,7 +52,7 @@ public:
         if (flush) {
             take(propagator_.flush(), reports);
         }
-        convert(rows, out, reports);
+        convert(rows, out, reports, rest);
         pushed_.erase(pushed_.begin(), pushed_.begin() + static_cast<std::ptrdiff_t>(answered_));
         return answered_;
     }
@@ -93,8 +90,8 @@ private:
     }
 
     /// Converts the attitudes of the answered rows; of their reports, one for each, the empty ones are removed.
-    void convert(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) {
-        const auto rest = rest_of(out);
+    void convert(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports,
+                 std::span<double> rest) {
         conversion_.run(quaternions_, out, converted_, rest);
         for (const RowReport& converted : converted_) {
             RowReport& report = reports[converted.row];
@@ -130,6 +127,12 @@ private:
 
 } // namespace
 
-Operation propagate(const PropagationRows& rows) { return std::make_shared<Propagate>(rows); }
+Operation propagate(const PropagationRows& rows) {
+    const Propagate function(rows);
+    Operation made = operation_of(function, {.names = {"t", "wx", "wy", "wz"}, .kept = 1}, rows.to, rows.continuous);
+    made->in_order = true;
+    made->first_step = function.first_step();
+    return made;
+}
 
 } // namespace rotconv::operations

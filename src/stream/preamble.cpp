@@ -236,7 +236,7 @@ void Preamble::keep_names(const HeaderLine& header) {
     if (written_ == nullptr || !written_->operation->keeps_names) {
         return;
     }
-    const std::size_t count = written_->operation->names.size();
+    const std::size_t count = written_->operation->width();
     for (std::size_t i = layout_.count - count; i < layout_.count; ++i) {
         const std::size_t at = layout_.position(i);
         layout_.kept_names.emplace_back(at < header.fields.size() ? trimmed(header.fields[at]) : "");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
 
 #include "fmt.hpp"
@@ -47,51 +49,58 @@ struct PairColumns {
     [[nodiscard]] constexpr std::size_t width() const noexcept { return interpolates ? fraction() + 1 : later(); }
 };
 
-/// A number whose range has an open end: if it is rounded to that end, the other one is written.
-struct OpenEnd {
-    std::size_t number = 0; ///< its index in a result
-    double end = 0.0;
-    double other = 0.0;
+/// Calls `what` once all blocks before have come to their call of it; each block does so once.
+/// @return false if the run is over: nothing was done and nothing is to be written
+using Ordered = std::function<bool(const std::function<void()>& what)>;
+
+/// Answers rows: writes the numbers of each, and sets `reports` to those of the remarkable rows, in their order. If
+/// results depend on later rows, only the first rows are answered, as many as can be, or all with `rows.are_last`; the
+/// others come first in the next call. `rest`: see Conversion::run(); empty if it is not needed.
+/// @return how many rows are answered
+using RowFunction = std::function<std::size_t(const NumberRows& rows, std::span<double> out,
+                                              std::vector<RowReport>& reports, std::span<double> rest)>;
+
+/// A part of a result: the numbers of an attitude, or others.
+struct ResultPart {
+    std::vector<std::string> names{};
+    std::optional<Spec> attitude{};
+    RowFunction function{};
+    std::shared_ptr<ContinuousNumbers> follows{}; ///< makes the numbers continuous, for all threads; null: nothing does
+    // Of the rows at hand, reused:
+    std::vector<double> out{};
+    std::vector<double> rest{};
+    std::vector<RowReport> reports{};
 };
 
-/// Computes results from the numbers of rows.
-class RowOperation {
-public:
-    RowOperation() = default;
-    virtual ~RowOperation() = default;
-    /// A copy for another thread; state that follows the rows in their order is shared.
-    [[nodiscard]] virtual std::unique_ptr<RowOperation> copy() const = 0;
-
-    /// Answers rows: writes the results of each, of names.size() numbers. `reports` is set to the reports of the
-    /// remarkable rows, in their order. If results depend on later rows, only the first rows are
-    /// answered, as many as can be, or all with `rows.are_last`; the others come first in the next call.
-    /// @return how many rows are answered
-    virtual std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports) = 0;
-    /// Makes results follow each other: called after run() of the same rows, for all rows in their order.
-    virtual void make_continuous(std::span<double> /*results*/, std::span<const RowReport> /*reports*/) {}
-
+/// Computes results from the numbers of rows. A copy for another thread has copies of the functions and their memory.
+struct RowOperation {
     RowNumbers input{};
-    std::vector<std::string> names{}; ///< the columns of the result
-    bool keeps_names = false;         ///< the result has the names of the last selected columns, if the input has names
-    std::vector<Spec> attitudes{};    ///< the attitudes that the result is, one after the other, if it is any
-    std::vector<OpenEnd> open_ends{};
-    /// Seconds between the first two times, if the times are numbers, and the line of the second.
-    std::pair<double, std::size_t> first_step{};
-    std::string_view unit{};    ///< the unit of angles beyond a limit
-    bool in_order = false;      ///< rows must come in their order; otherwise each copy may answer any rows
-    bool is_continuous = false; ///< results then pass make_continuous()
+    std::vector<ResultPart> parts{};
+    bool keeps_names = false; ///< the result has the names of the last selected columns, if the input has names
+    bool in_order = false;    ///< rows must come in their order; otherwise each copy may answer any rows
+    std::string_view unit{};  ///< the unit of angles beyond a limit
+    /// Seconds between the first two times, if the times are numbers, and the line of the second; may be null.
+    std::shared_ptr<const std::pair<double, std::size_t>> first_step{};
 
-protected:
-    RowOperation(const RowOperation&) = default;
-    RowOperation(RowOperation&&) = default;
-    RowOperation& operator=(const RowOperation&) = default;
-    RowOperation& operator=(RowOperation&&) = default;
+    /// How many numbers a result has.
+    [[nodiscard]] std::size_t width() const noexcept;
+    [[nodiscard]] std::vector<std::string> names() const;
+    /// Whether results follow each other, by `ordered` of run().
+    [[nodiscard]] bool is_continuous() const noexcept;
+
+    /// Answers rows with all parts, see RowFunction. Of several parts a row has the diagnostics of all, the smallest
+    /// margin and the largest condition.
+    std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports,
+                    const Ordered& ordered = {});
 };
+
+/// The report on the row among reports in the order of the rows; an empty one is added if there is none.
+[[nodiscard]] RowReport& report_of(std::size_t row, std::vector<RowReport>& reports);
 
 /// Grows without setting its new elements, which are then read into.
 using Numbers = fmt::basic_memory_buffer<double, 64>;
 
-/// Rows that were answered together, see NumberRows, and their results, of the operation's names.size() numbers each,
+/// Rows that were answered together, see NumberRows, and their results, of the operation's width() numbers each,
 /// nan if the row's report has an error.
 struct AnsweredRows {
     Numbers numbers;

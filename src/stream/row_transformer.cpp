@@ -10,9 +10,9 @@ namespace rotconv::stream {
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout),
-      operation_(options.operation->in_order ? options.operation : options.operation->copy()),
-      gathered_(options, layout, reference_layout), writer_(options, layout),
-      nans_(options.operation->names.size(), std::numeric_limits<double>::quiet_NaN()) {}
+      operation_(options.operation->in_order ? options.operation : std::make_shared<RowOperation>(*options.operation)),
+      width_(operation_->width()), gathered_(options, layout, reference_layout), writer_(options, layout),
+      nans_(width_, std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(const PairBlock& pairs, Output& output, const Ordered& ordered) {
     for (auto next = pairs.rows.begin(); next != pairs.rows.end() && !output.stopped;) {
@@ -20,7 +20,7 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output, const Ord
         for (; next != pairs.rows.end() && gathered_.rows().size() < rows_at_once(); ++next) {
             gathered_.add(*next);
         }
-        finish_batch(answer(true), {}, output, ordered);
+        finish_batch(answer(true, output, ordered), {}, output);
     }
 }
 
@@ -43,15 +43,15 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
         }
         const bool is_whole = text.empty();
         const bool at_error = options_->on_error == OnError::stop && gathered_.has_error();
-        std::size_t answered = answer(at_error || (is_end && is_whole));
+        std::size_t answered = answer(at_error || (is_end && is_whole), output, ordered);
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
-            answered = answer(true);
+            answered = answer(true, output, ordered);
         }
         if (answered < gathered_.count()) {
             line = gathered_.numbers().lines[answered];
             text = all.substr(static_cast<std::size_t>(gathered_.drop_from(answered) - all.data()));
         }
-        finish_batch(answered, all, output, ordered);
+        finish_batch(answered, all, output);
         if (is_whole) {
             waiting_ = text;
             waiting_line_ = line;
@@ -68,12 +68,11 @@ bool RowTransformer::is_doubles_alone() const noexcept {
 
 void RowTransformer::write_doubles(std::string_view rows, Output& output) {
     const std::size_t row_size = options_->input.width * sizeof(double);
-    const std::size_t width = operation_->names.size();
     const auto lines = gathered_.numbers().lines;
     next_report_ = 0;
     for (std::size_t next = 0; next < lines.size() && !output.stopped;) {
         const std::size_t end = next_report_ < reports_.size() ? reports_[next_report_].row : lines.size();
-        append_bytes(output.bytes, std::span(results_).subspan(next * width, (end - next) * width));
+        append_bytes(output.bytes, std::span(results_).subspan(next * width_, (end - next) * width_));
         output.rows += end - next;
         output.answered += end - next;
         next = end;
@@ -85,21 +84,21 @@ void RowTransformer::write_doubles(std::string_view rows, Output& output) {
     }
 }
 
-std::size_t RowTransformer::answer(bool flush) {
-    results_.resize(gathered_.count() * operation_->names.size());
+std::size_t RowTransformer::answer(bool flush, Output& output, const Ordered& ordered) {
+    results_.resize(gathered_.count() * width_);
     NumberRows rows = gathered_.numbers();
     rows.are_last = flush;
-    return operation_->run(rows, results_, reports_);
+    return operation_->run(rows, results_, reports_, [&](const auto& what) {
+        if (!ordered || operation_->in_order) { // with in_order there is one thread
+            what();
+        } else {
+            output.stopped = !ordered(what);
+        }
+        return !output.stopped;
+    });
 }
 
-void RowTransformer::finish_batch(std::size_t answered, std::string_view text, Output& output, const Ordered& ordered) {
-    const auto results = std::span(results_).first(answered * operation_->names.size());
-    const auto make_continuous = [&] { operation_->make_continuous(results, reports_); };
-    if (operation_->is_continuous && ordered && !operation_->in_order) { // with in_order there is one thread
-        output.stopped = !ordered(make_continuous);
-    } else if (operation_->is_continuous) {
-        make_continuous();
-    }
+void RowTransformer::finish_batch(std::size_t answered, std::string_view text, Output& output) {
     if (is_doubles_alone()) {
         write_doubles(text, output);
     } else {
@@ -169,12 +168,11 @@ void RowTransformer::write_row(Row& row, Output& output) {
         }
     }
     if (options_->writes_rows) {
-        const std::size_t size = operation_->names.size();
         writer_.write(output.bytes, {.line = row.line,
                                      .number = row.number,
                                      .fields = gathered_.fields_of(row),
                                      .result = failed ? std::span<const double>(nans_)
-                                                      : std::span(results_).subspan(row.index * size, size),
+                                                      : std::span(results_).subspan(row.index * width_, width_),
                                      .report = &report,
                                      .failed = failed,
                                      .partner = partner_});

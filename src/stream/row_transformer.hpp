@@ -18,10 +18,6 @@
 
 namespace rotconv::stream {
 
-/// Called once for each block: waits until it has been called for all blocks before, then calls `what`.
-/// @return false if the run is over: nothing was done and nothing is to be written
-using Ordered = std::function<bool(const std::function<void()>& what)>;
-
 /// Converts blocks of rows to their output. The output depends only on the block, the options and the layout (unless
 /// the operation remembers rows), so that several transformers may work on the blocks of one stream.
 class RowTransformer {
@@ -46,16 +42,16 @@ private:
     /// How many rows are answered together. If results depend on later rows, a row without a result, and the rows after
     /// it, wait for the next call, up to `most_waiting` bytes.
     [[nodiscard]] std::size_t rows_at_once() const noexcept {
-        return operation_->is_continuous && !operation_->in_order ? every_row : batch_rows;
+        return operation_->is_continuous() && !operation_->in_order ? every_row : batch_rows;
     }
     /// Doubles in and only the result out: consecutive rows without a report are written together.
     [[nodiscard]] bool is_doubles_alone() const noexcept;
     void write_doubles(std::string_view rows, Output& output);
     /// Runs the operation on the rows that have numbers; returns how many are answered, see RowOperation::run().
-    std::size_t answer(bool flush);
-    /// Makes the results of the first `answered` rows continuous, in the order of the stream, writes the rows, and
-    /// hands them over with their results if there is a fold. `text`: what the rows were taken off.
-    void finish_batch(std::size_t answered, std::string_view text, Output& output, const Ordered& ordered);
+    std::size_t answer(bool flush, Output& output, const Ordered& ordered);
+    /// Writes the rows, of which so many are answered, and hands them over with their results if there is a fold.
+    /// `text`: what the rows were taken off.
+    void finish_batch(std::size_t answered, std::string_view text, Output& output);
     void write(Output& output);
     void write_row(Row& row, Output& output);
     /// Whether the next report belongs to the row.
@@ -70,6 +66,7 @@ private:
     const Options* options_;
     const Layout* layout_;
     std::shared_ptr<RowOperation> operation_; ///< a copy, as it may have its own working memory
+    std::size_t width_;                       ///< numbers of a result
     GatheredRows gathered_;
     RowWriter writer_;
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "../core/representations/codec.hpp"
 #include "json.hpp"
 #include "row_events.hpp"
 
@@ -100,10 +101,9 @@ std::string label_of(const Spec& spec) {
     return is_project ? std::string(spec.project->text) : spec.text();
 }
 
-/// The columns of the result, its diagnostics and its partner, if they are written. Views into the arguments.
-std::vector<std::string_view> result_columns(const Options& options, const Layout& layout) {
-    const auto& names = layout.kept_names.empty() ? options.operation->names : layout.kept_names;
-    std::vector<std::string_view> columns(names.begin(), names.end());
+/// The columns of the result, its diagnostics and its partner, if they are written.
+std::vector<std::string> result_columns(const Options& options, const Layout& layout) {
+    auto columns = layout.kept_names.empty() ? options.operation->names() : layout.kept_names;
     if (options.diagnostic_columns) {
         columns.insert(columns.end(), diagnostic_names.begin(), diagnostic_names.end());
     }
@@ -117,7 +117,7 @@ std::vector<std::string_view> result_columns(const Options& options, const Layou
 
 std::vector<std::string> result_keys(const Options& options, const Layout& layout, Delimiter delimiter) {
     std::vector<std::string> keys;
-    for (const std::string_view column : result_columns(options, layout)) {
+    for (const std::string& column : result_columns(options, layout)) {
         keys.push_back(json_string(delimiter.unquoted(column)));
     }
     return keys;
@@ -126,7 +126,7 @@ std::vector<std::string> result_keys(const Options& options, const Layout& layou
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header) {
     const char delimiter = header.delimiter.text();
     const auto write_names = [&](const auto& begin_field) {
-        for (const std::string_view name : result_columns(options, layout)) {
+        for (const std::string& name : result_columns(options, layout)) {
             begin_field();
             append(to, name);
         }
@@ -170,23 +170,33 @@ void write_added_header(Buffer& to, const Options& options, const Layout& layout
     write_header(to, options, layout, HeaderLine({indices, layout.line_end}, layout.delimiter));
 }
 
-RowWriter::RoundedEnd RowWriter::rounded(const OpenEnd& range) const {
+void RowWriter::add_open_ends(const ResultPart& part, std::size_t first) {
+    const auto ends_of = part.attitude ? codec_of(part.attitude->name).open_ends : nullptr;
+    if (ends_of == nullptr) {
+        return;
+    }
+    const auto& [numbers, end, other] = ends_of(*part.attitude);
     const Digits digits = options_->digits;
-    const int whole_digits = std::abs(range.end) < 10.0 ? 1 : 3; // of radians or degrees
+    const int whole_digits = std::abs(end) < 10.0 ? 1 : 3; // of radians or degrees
     const int decimals = digits.decimals >= 0 ? digits.decimals : digits.significant - whole_digits;
     double half_a_digit = -1.0; // one digit does not show the end
     if (whole_digits + decimals > 1) {
         static_cast<void>(read_number(fmt::format("5e{}", -decimals - 1), half_a_digit)); // the nearest double
     }
-    return {range, half_a_digit, number_text(range.end, digits), number_text(range.other, digits)};
+    for (const std::size_t number : numbers) {
+        open_ends_.push_back({first + number, end, half_a_digit, number_text(end, digits), number_text(other, digits)});
+    }
 }
 
 RowWriter::RowWriter(const Options& options, const Layout& layout)
     : options_(&options), layout_(&layout),
       is_plain_(options.format == Format::csv && !options.diagnostic_columns && !options.pairing) {
-    if (!options.digits.shortest() && !options.operation->is_continuous) {
-        std::ranges::transform(options.operation->open_ends, std::back_inserter(open_ends_),
-                               [this](const OpenEnd& range) { return rounded(range); });
+    std::size_t first = 0;
+    for (const ResultPart& part : options.operation->parts) {
+        if (!options.digits.shortest() && !options.operation->is_continuous()) {
+            add_open_ends(part, first);
+        }
+        first += part.names.size();
     }
     for (const std::string& key : result_keys(options, layout, layout.delimiter)) {
         json_keys_.push_back(key + ": ");
@@ -206,7 +216,7 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
     const Layout& layout = *layout_; // this and copies in the function below save 4 % of this loop
     const char delimiter = layout.delimiter.text();
     const Digits digits = options_->digits;
-    const std::size_t width = options_->operation->names.size();
+    const std::size_t width = options_->operation->width();
     const std::size_t room = room_for(width, digits);
     for (const Row& row : rows) {
         const auto result = results.subspan(row.index * width, width);
@@ -218,8 +228,8 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
 void RowWriter::write_number(Buffer& to, double value, std::size_t column) const {
     const std::size_t start = to.size();
     append_number(to, value, options_->digits);
-    for (const auto& [range, half_a_digit, text, other] : open_ends_) {
-        if (column == range.number && std::abs(value - range.end) <= half_a_digit &&
+    for (const auto& [number, end, half_a_digit, text, other] : open_ends_) {
+        if (column == number && std::abs(value - end) <= half_a_digit &&
             std::string_view(to.data() + start, to.size() - start) == text) {
             to.resize(start);
             append(to, other);
@@ -227,36 +237,24 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
     }
 }
 
-template <class WriteNumbers, class WriteText>
-void RowWriter::for_each_column(const ConvertedRow& row, std::size_t first, const WriteNumbers& numbers,
-                                const WriteText& text) const {
-    numbers(row.result.subspan(first), first);
-    if (options_->diagnostic_columns) {
-        numbers(figures_of(row), row.result.size());
-        text(notes_of(row));
-    }
-}
-
 void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
     write_fields(to, *layout_, row.line.text, row.fields, delimiter, [&](const auto& begin_field) {
-        const auto numbers = [&](std::span<const double> values, std::size_t first) {
-            const bool are_figures = first == row.result.size();
-            if ((open_ends_.empty() || are_figures) && !values.empty()) {
-                begin_field();
-                append_numbers(to, values, delimiter, options_->digits);
-                return;
-            }
-            for (const double value : values) {
-                begin_field();
-                write_number(to, value, first++);
-            }
-        };
-        const auto text = [&](std::string_view words) {
+        if (open_ends_.empty()) {
             begin_field();
-            append(to, words.empty() && layout_->delimiter.is_blanks() ? "-" : words);
-        };
-        for_each_column(row, 0, numbers, text);
+            append_numbers(to, row.result, delimiter, options_->digits);
+        }
+        for (std::size_t i = 0; i < row.result.size() && !open_ends_.empty(); ++i) {
+            begin_field();
+            write_number(to, row.result[i], i);
+        }
+        if (options_->diagnostic_columns) {
+            begin_field();
+            append_numbers(to, figures_of(row), delimiter, options_->digits);
+            begin_field();
+            const std::string notes = notes_of(row);
+            append(to, notes.empty() && layout_->delimiter.is_blanks() ? "-" : notes);
+        }
         append(to, row.partner);
     });
     append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
@@ -294,80 +292,81 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
             append(to, std::isnan(value) ? "null" : value > 0 ? "\"inf\"" : "\"-inf\"");
         }
     };
-    std::size_t first = 0; // of a SPEC's numbers, which have one key with a block
-    for (const Spec& spec : options_->block ? options_->operation->attitudes : std::vector<Spec>()) {
-        begin_member();
-        append_json_string(to, spec.text());
-        append(to, ": [");
-        for (std::size_t i = first; i < first + spec.size(); ++i) {
-            append(to, i > first ? ", " : "");
-            number(row.result[i], i);
+    std::size_t column = 0;
+    for (const ResultPart& part : options_->operation->parts) {
+        if (options_->block) { // the numbers of a SPEC have one key
+            begin_member();
+            append_json_string(to, part.attitude->text());
+            append(to, ": [");
         }
-        append(to, "]");
-        first += spec.size();
+        for (std::size_t i = 0; i < part.names.size(); ++i) {
+            if (!options_->block) {
+                key();
+            } else {
+                append(to, i > 0 ? ", " : "");
+            }
+            number(row.result[column], column);
+            ++column;
+        }
+        append(to, options_->block ? "]" : "");
     }
-    const auto numbers_with_keys = [&](std::span<const double> values, std::size_t column) {
-        for (const double value : values) {
+    if (options_->diagnostic_columns) {
+        for (const double figure : figures_of(row)) {
             key();
-            number(value, column++);
+            number(figure, column);
         }
-    };
-    const auto text_with_key = [&](std::string_view text) {
         key();
-        append_json_string(to, text);
-    };
-    for_each_column(row, first, numbers_with_keys, text_with_key);
+        append_json_string(to, notes_of(row));
+    }
     append(to, "}\n");
 }
 
-void RowWriter::write_attitudes(Buffer& to, std::span<const std::string> texts,
-                                std::span<const std::string> labels) const {
+void RowWriter::write_attitude(Buffer& to, const Spec& spec, std::span<const std::string> texts, std::string_view label,
+                               std::size_t label_width) {
     const auto out = std::back_inserter(to);
-    const std::size_t longest = std::ranges::max(labels, {}, &std::string::size).size();
-    for (std::size_t k = 0; k < labels.size(); ++k) {
-        const Spec& spec = options_->operation->attitudes[k];
-        const auto own = texts.first(spec.size());
-        const bool is_matrix = spec.name == RepresentationId::dcm;
-        std::array<std::string_view, 9> in_rows;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            in_rows.at(is_matrix ? spec.order().at(i) : i) = own[i];
+    const bool is_matrix = spec.name == RepresentationId::dcm;
+    std::array<std::string_view, 9> in_rows;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        in_rows.at(is_matrix ? spec.order().at(i) : i) = texts[i];
+    }
+    const std::size_t width = is_matrix ? std::ranges::max(texts, {}, &std::string::size).size() : 0;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (i == 0 || (is_matrix && i % 3 == 0)) {
+            fmt::format_to(out, "{:<{}}", i == 0 ? label : "", label_width);
         }
-        const std::size_t width = is_matrix ? std::ranges::max(own, {}, &std::string::size).size() : 0;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            if (i == 0 || (is_matrix && i % 3 == 0)) {
-                fmt::format_to(out, "{:<{}}", i == 0 ? labels[k] : "", longest);
-            }
-            fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width,
-                           i + 1 == own.size() || (is_matrix && i % 3 == 2) ? "\n" : "");
-        }
-        texts = texts.subspan(own.size());
+        fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width,
+                       i + 1 == texts.size() || (is_matrix && i % 3 == 2) ? "\n" : "");
     }
 }
 
 void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
     const auto out = std::back_inserter(to);
-    const std::vector<Spec>& specs = options_->operation->attitudes;
+    const std::vector<ResultPart>& parts = options_->operation->parts;
     if (!options_->block) {
         fmt::format_to(out, "line {}\n", row.number);
     }
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < row.result.size(); ++i) {
-        Buffer text;
-        write_number(text, row.result[i], i);
-        texts.push_back(fmt::to_string(text));
+    std::vector<std::string> labels(parts.size());
+    for (std::size_t k = 0; k < parts.size() && parts.size() > 1; ++k) {
+        labels[k] = (options_->block ? "" : "  ") + label_of(*parts[k].attitude);
     }
-    std::size_t labelled = 0; // the first number that is not yet written
-    if (specs.size() > 1 || (specs.size() == 1 && specs[0].name == RepresentationId::dcm)) {
-        std::vector<std::string> labels;
-        for (const Spec& spec : specs) {
-            labelled += spec.size();
-            labels.push_back(specs.size() == 1 ? "" : (options_->block ? "" : "  ") + label_of(spec));
+    const std::size_t longest = std::ranges::max(labels, {}, &std::string::size).size();
+    std::size_t column = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const auto& names = layout_->kept_names.empty() ? parts[k].names : layout_->kept_names;
+        std::vector<std::string> texts;
+        for (std::size_t i = 0; i < names.size(); ++i, ++column) {
+            Buffer text;
+            write_number(text, row.result[column], column);
+            texts.push_back(fmt::to_string(text));
         }
-        write_attitudes(to, texts, labels);
-    }
-    const auto& names = layout_->kept_names.empty() ? options_->operation->names : layout_->kept_names;
-    for (std::size_t i = labelled; i < row.result.size(); ++i) {
-        fmt::format_to(out, "  {:<9}  {}\n", names[i], texts[i]);
+        const std::optional<Spec>& spec = parts[k].attitude;
+        if (parts.size() > 1 || (spec && spec->name == RepresentationId::dcm)) {
+            write_attitude(to, *spec, texts, labels[k], longest);
+            continue;
+        }
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            fmt::format_to(out, "  {:<9}  {}\n", names[i], texts[i]);
+        }
     }
     if (options_->diagnostic_columns) {
         const auto figures = figures_of(row);

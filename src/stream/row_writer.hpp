@@ -53,28 +53,25 @@ private:
     void write_json(Buffer& to, const ConvertedRow& row) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
     void write_f64(Buffer& to, const ConvertedRow& row) const;
-    /// Calls numbers(values, first_column) and text(words) for the columns of the result from number `first` on, and,
-    /// if asked for, for the four diagnostic columns.
-    template <class WriteNumbers, class WriteText> void for_each_column(const ConvertedRow& row, std::size_t first,
-                                                                        const WriteNumbers& numbers,
-                                                                        const WriteText& text) const;
-
     const Options* options_;
     const Layout* layout_;
     std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes, with a colon
-    /// An open end as rounded numbers may show it.
-    struct RoundedEnd {
-        OpenEnd range{};
+    /// A number whose range has an open end: if it is rounded to that end, the other one is written.
+    struct OpenEnd {
+        std::size_t number = 0; ///< its index in a result
+        double end = 0.0;
         double half_a_digit = 0.0; ///< half of the last digit that is printed
         std::string text{};        ///< the end as it would be printed
         std::string other{};       ///< printed instead
     };
-    [[nodiscard]] RoundedEnd rounded(const OpenEnd& range) const;
-    /// Writes numbers of the attitudes, each with its label, matrices in three lines.
-    void write_attitudes(Buffer& to, std::span<const std::string> texts, std::span<const std::string> labels) const;
+    /// Adds the open ends of a part whose numbers begin with that of the index.
+    void add_open_ends(const ResultPart& part, std::size_t first);
+    /// Writes an attitude with its label, a matrix in three lines.
+    static void write_attitude(Buffer& to, const Spec& spec, std::span<const std::string> texts, std::string_view label,
+                               std::size_t label_width);
 
-    std::vector<RoundedEnd> open_ends_; ///< if numbers are rounded
-    bool is_plain_;                     ///< text, and nothing but the result is added to it
+    std::vector<OpenEnd> open_ends_; ///< if numbers are rounded
+    bool is_plain_;                  ///< text, and nothing but the result is added to it
 };
 
 } // namespace rotconv::stream

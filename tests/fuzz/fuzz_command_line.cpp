@@ -40,7 +40,7 @@ void require(bool holds) {
 void check(const stream::Options& options) {
     const stream::InputOptions& input = options.input;
     require(input.numbers.names.empty() == (input.take_count != nullptr));
-    require(!options.operation->names.empty() && options.threads > 0);
+    require(options.operation->width() > 0 && options.threads > 0);
     require(options.digits.significant >= 0 && options.digits.significant <= 100);
     require(options.digits.decimals >= -1 && options.digits.decimals <= 100);
     require(input.width == 0 || input.width >= input.numbers.names.size());

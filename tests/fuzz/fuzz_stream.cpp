@@ -163,7 +163,7 @@ struct Program {
     [[nodiscard]] bool has_text_alone() const { return !options().writes_rows && !command.is_check; }
     /// It serves one run.
     [[nodiscard]] bool remembers() const {
-        return operation().in_order || operation().is_continuous || options().fold || options().input.take_count ||
+        return operation().in_order || operation().is_continuous() || options().fold || options().input.take_count ||
                command.source != nullptr || command.first_pass || reports;
     }
 };
@@ -234,7 +234,7 @@ bool run_first_pass(const Input& input, Program& own, Result& result) {
         return false;
     }
     own.command.options.operation = std::get<cli::Operation>(found);
-    result.aligned = own.operation().copy();
+    result.aligned = std::make_shared<RowOperation>(own.operation());
     result.angles_before = results->angles;
     return true;
 }
@@ -500,7 +500,7 @@ void check_alignment(const Result& result, const std::vector<std::string>& words
 
 /// Rows of doubles are so many as were asked for, and each is an attitude.
 void check_sample(const Result& result, const std::vector<std::string>& words, const Program& program) {
-    const Spec spec = program.operation().attitudes.front();
+    const Spec spec = *program.operation().parts.front().attitude;
     if (argument_of(words, "--format") != "f64") {
         return;
     }
@@ -525,7 +525,7 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
     const Spec reference = std::get<Spec>(parse_spec(to));
     return {.from = *program.options().input.numbers.attitude,
             .reference = degrees ? reference.in_degrees() : reference,
-            .product = composes ? std::optional(program.operation().attitudes.front()) : std::nullopt,
+            .product = composes ? std::optional(*program.operation().parts.front().attitude) : std::nullopt,
             .per_radian = per_radian_of(words),
             .tolerance = std::strtod(argument_of(words, "--tolerance", "1e-3").c_str(), nullptr),
             .lock_margin = std::strtod(argument_of(words, "--lock-margin", "1e-15").c_str(), nullptr),
@@ -537,11 +537,11 @@ fuzz::Compared compared_of(const std::vector<std::string>& words, const Program&
 
 /// What the command makes of the numbers of one row alone.
 fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
-    return [operation = std::shared_ptr<RowOperation>(program.operation().copy()),
+    return [operation = std::make_shared<RowOperation>(program.operation()),
             kept = program.options().input.numbers.kept, columns = diagnostic_columns,
             other_key = program.is_by_key() ? program.options().input.numbers.names.size() : 0](
                const std::vector<double>& numbers, const std::vector<std::string>& texts) {
-        fuzz::Answer answer{.numbers = std::vector<double>(operation->names.size()), .notes = {}};
+        fuzz::Answer answer{.numbers = std::vector<double>(operation->width()), .notes = {}};
         std::vector<double> others;
         std::vector<double> kept_numbers;
         std::vector<std::string_view> kept_texts;
@@ -556,9 +556,6 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         const std::size_t line = 1;
         std::vector<RowReport> reports;
         operation->run({others, {&line, 1}, kept_numbers, kept_texts}, answer.numbers, reports);
-        if (operation->is_continuous) {
-            operation->make_continuous(answer.numbers, reports);
-        }
         const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
         answer.of_reference = report.of_reference;
@@ -626,7 +623,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     }
     // Nor are names that are kept, and rows of a product that lack a partner.
     if ((command == "rotate" && argument_of(words, "--header", "auto") != "no") || (composes && program.is_paired()) ||
-        (composes && operation.is_continuous)) {
+        (composes && operation.is_continuous())) {
         return std::nullopt;
     }
     // Nor are references between two rows, and keys with units: pieces and threads must give the same, and a test of
@@ -639,7 +636,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     fuzz::Rules rules = reading_rules_of(words, program.options().input.numbers);
     rules.precision = precision;
     rules.decimals = fixed ? std::atoi(argument_of(words, "--decimals").c_str()) : -1;
-    rules.names = operation.names;
+    rules.names = operation.names();
     rules.format = format;
     rules.append = has(words, "--append") || compares;
     rules.diagnostic_columns = argument_of(words, "--diagnostics") == "columns" && !sums_up;
