@@ -34,7 +34,8 @@ void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t
     const std::size_t width = options_->input.width;
     const std::size_t size = text.size();
     while (!text.empty() && rows_.size() < most_rows && size - text.size() < most_bytes) {
-        const auto scanned = options_->input.is_comment(text) ? std::nullopt : readers_[0].scan(text, parts_);
+        const bool is_comment = width == 0 && options_->input.is_comment(text);
+        const auto scanned = is_comment ? std::nullopt : readers_[0].scan(text, parts_);
         if (scanned) {
             Row& row = rows_.emplace_back(scanned->line, line++);
             row.numbers = scanned->numbers;
@@ -43,8 +44,8 @@ void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t
             text.remove_prefix(row.line.text.size() + row.line.end.size());
             continue;
         }
-        Row& row = rows_.emplace_back(next_row(text, width), line++);
-        row.passes = width == 0 && !options_->input.is_row(row.line.text);
+        Row& row = rows_.emplace_back(next_line(text), line++);
+        row.passes = !options_->input.is_row(row.line.text);
         if (!row.passes) {
             take(row);
         }
@@ -61,14 +62,22 @@ void GatheredRows::add(const Row& pair) {
 }
 
 void GatheredRows::gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows) {
-    const std::size_t rows = std::min(most_rows, doubles.size() / (layout_->count * sizeof(double)));
-    parts_.numbers.resize(rows * layout_->count);
+    clear();
+    lines_.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
+    std::iota(lines_.begin(), lines_.end(), line);
+    line += lines_.size();
+    parts_.numbers.resize(lines_.size() * layout_->count);
     const std::size_t size = parts_.numbers.size() * sizeof(double);
     std::memcpy(parts_.numbers.data(), doubles.data(), size);
     doubles.remove_prefix(size);
-    lines_.resize(rows);
-    std::iota(lines_.begin(), lines_.end(), line);
-    line += rows;
+}
+
+void GatheredRows::add_rows(std::string_view doubles) {
+    for (const std::size_t number : lines_) {
+        Row& row = rows_.emplace_back(next_row(doubles, options_->input.width), number);
+        row.numbers = row.line.text;
+        row.index = rows_.size() - 1;
+    }
 }
 
 const char* GatheredRows::drop_from(std::size_t index) {

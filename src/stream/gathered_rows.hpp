@@ -29,8 +29,10 @@ public:
     void gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes);
     /// Reads a row and its partner, unless the row has an error.
     void add(const Row& pair);
-    /// Takes the numbers of rows off doubles that are nothing else, up to `most_rows`; there are no rows() then.
+    /// Takes the numbers of rows off doubles that are nothing else, up to `most_rows`, without rows() of them.
     void gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows);
+    /// Adds the rows() whose numbers were taken off these doubles.
+    void add_rows(std::string_view doubles);
     /// Drops the rows from that index on, which are left to a later batch.
     /// @return where the text of the first begins
     const char* drop_from(std::size_t index);

@@ -35,7 +35,16 @@ static_assert(RowReader::room_behind >= NumberScan::reach);
 } // namespace
 
 std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) const {
-    if (options_->width > 0 || layout_->number_of_field.empty()) {
+    const std::size_t first = to.numbers.size();
+    if (options_->width > 0) {
+        const Line row = next_row(text, options_->width);
+        add_doubles(row.text, to.numbers);
+        for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
+            to.keep(first);
+        }
+        return ScannedRow{row, row.text};
+    }
+    if (layout_->number_of_field.empty()) {
         return std::nullopt;
     }
     const Delimiter delimiter = layout_->delimiter;
@@ -60,7 +69,6 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
             begin = stop + 1;
         }
     }
-    const std::size_t first = to.numbers.size();
     to.numbers.resize(first + layout_->count);
     const char* const at =
         scan_numbers(begin, text_end, delimiter.text(), layout_->number_of_field, std::span(to.numbers).subspan(first));
@@ -93,13 +101,6 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
 
 bool RowReader::read(std::string_view row, RowParts& to) const {
     const std::size_t first_number = to.numbers.size();
-    if (options_->width > 0) {
-        add_doubles(row, to.numbers);
-        for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
-            to.keep(first_number);
-        }
-        return true;
-    }
     const std::size_t first_field = to.fields.size();
     if (!split(row, layout_->is_whole ? std::span<const std::size_t>() : layout_->positions, to)) {
         return false;

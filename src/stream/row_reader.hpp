@@ -37,7 +37,7 @@ struct RowParts {
     }
 };
 
-/// A row of text that was not split into fields.
+/// A row that was not split into fields.
 struct ScannedRow {
     Line line;
     std::string_view numbers; ///< the part of the line that they are
@@ -54,11 +54,11 @@ public:
     /// From here on rows of another width are errors, unless the options take them.
     void expect(const RowWidth& width) noexcept { width_ = options_->ragged ? RowWidth() : width; }
 
-    /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is as most are: they
-    /// stand side by side without blanks around them, and it has no quotes.
+    /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is of doubles, or as
+    /// most are: the numbers stand side by side without blanks around them, and it has no quotes.
     /// @return nothing, and nothing is added, for any other row
     [[nodiscard]] std::optional<ScannedRow> scan(std::string_view text, RowParts& to) const;
-    /// Adds what is read of a row, of text or of doubles; of text its fields too.
+    /// Adds what is read of a row of text, and its fields.
     /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
     /// The text of the first number, which is a key; nothing where `to.error` says why.

@@ -12,6 +12,8 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
     : options_(&options), layout_(&layout),
       operation_(options.operation->in_order ? options.operation : std::make_shared<RowOperation>(*options.operation)),
       width_(operation_->width()), gathered_(options, layout, reference_layout), writer_(options, layout),
+      are_doubles_alone_(options.input.width > 0 && options.format == Format::f64 && writer_.writes_results_alone() &&
+                         !options.fold && options.writes_rows),
       nans_(width_, std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(const PairBlock& pairs, Output& output, const Ordered& ordered) {
@@ -20,7 +22,8 @@ void RowTransformer::transform(const PairBlock& pairs, Output& output, const Ord
         for (; next != pairs.rows.end() && gathered_.rows().size() < rows_at_once(); ++next) {
             gathered_.add(*next);
         }
-        finish_batch(answer(true, output, ordered), {}, output);
+        answer(true, output, ordered);
+        finish_batch({}, output);
     }
 }
 
@@ -36,7 +39,7 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
     }
     for (std::size_t limit = rows_at_once(); !text.empty() && !output.stopped;) {
         const std::string_view all = text;
-        if (is_doubles_alone()) {
+        if (are_doubles_alone_) {
             gathered_.gather_numbers(text, line, limit);
         } else {
             gathered_.gather(text, line, limit, limit == every_row ? text.size() : most_waiting);
@@ -51,36 +54,13 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
             line = gathered_.numbers().lines[answered];
             text = all.substr(static_cast<std::size_t>(gathered_.drop_from(answered) - all.data()));
         }
-        finish_batch(answered, all, output);
+        finish_batch(all, output);
         if (is_whole) {
             waiting_ = text;
             waiting_line_ = line;
             return;
         }
         limit = answered == 0 && gathered_.rows().empty() ? 2 * limit : rows_at_once();
-    }
-}
-
-bool RowTransformer::is_doubles_alone() const noexcept {
-    return options_->input.width > 0 && options_->format == Format::f64 && !layout_->has_other_fields() &&
-           !options_->diagnostic_columns && !options_->fold && !options_->pairing;
-}
-
-void RowTransformer::write_doubles(std::string_view rows, Output& output) {
-    const std::size_t row_size = options_->input.width * sizeof(double);
-    const auto lines = gathered_.numbers().lines;
-    next_report_ = 0;
-    for (std::size_t next = 0; next < lines.size() && !output.stopped;) {
-        const std::size_t end = next_report_ < reports_.size() ? reports_[next_report_].row : lines.size();
-        append_bytes(output.bytes, std::span(results_).subspan(next * width_, (end - next) * width_));
-        output.rows += end - next;
-        output.answered += end - next;
-        next = end;
-        if (next < lines.size()) {
-            Row row({rows.substr(next * row_size, row_size), {}}, lines[next]);
-            row.index = next++;
-            write_row(row, output);
-        }
     }
 }
 
@@ -98,13 +78,18 @@ std::size_t RowTransformer::answer(bool flush, Output& output, const Ordered& or
     });
 }
 
-void RowTransformer::finish_batch(std::size_t answered, std::string_view text, Output& output) {
-    if (is_doubles_alone()) {
-        write_doubles(text, output);
-    } else {
-        write(output);
+void RowTransformer::finish_batch(std::string_view text, Output& output) {
+    if (are_doubles_alone_ && reports_.empty() && !output.stopped) {
+        append_bytes(output.bytes, results_);
+        output.rows += gathered_.count();
+        output.answered += gathered_.count();
+        return;
     }
-    if (options_->fold && answered > 0) { // operations with a fold answer all rows at once
+    if (are_doubles_alone_) {
+        gathered_.add_rows(text);
+    }
+    write(output);
+    if (options_->fold && gathered_.count() > 0) { // operations with a fold answer all rows at once
         AnsweredRows& batch = output.batches.emplace_back();
         gathered_.move_to(batch);
         batch.results = std::exchange(results_, {});

@@ -44,14 +44,10 @@ private:
     [[nodiscard]] std::size_t rows_at_once() const noexcept {
         return operation_->is_continuous() && !operation_->in_order ? every_row : batch_rows;
     }
-    /// Doubles in and only the result out: consecutive rows without a report are written together.
-    [[nodiscard]] bool is_doubles_alone() const noexcept;
-    void write_doubles(std::string_view rows, Output& output);
     /// Runs the operation on the rows that have numbers; returns how many are answered, see RowOperation::run().
     std::size_t answer(bool flush, Output& output, const Ordered& ordered);
-    /// Writes the rows, of which so many are answered, and hands them over with their results if there is a fold.
-    /// `text`: what the rows were taken off.
-    void finish_batch(std::size_t answered, std::string_view text, Output& output);
+    /// Writes the rows, which were taken off the text, and hands them over with their results if there is a fold.
+    void finish_batch(std::string_view text, Output& output);
     void write(Output& output);
     void write_row(Row& row, Output& output);
     /// Whether the next report belongs to the row.
@@ -69,6 +65,7 @@ private:
     std::size_t width_;                       ///< numbers of a result
     GatheredRows gathered_;
     RowWriter writer_;
+    bool are_doubles_alone_;       ///< doubles in and only the result out: rows are looked at if one has a report
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered
     std::size_t waiting_line_ = 0; ///< the line of the first of them
     // One batch, reused:

@@ -190,7 +190,8 @@ void RowWriter::add_open_ends(const ResultPart& part, std::size_t first) {
 
 RowWriter::RowWriter(const Options& options, const Layout& layout)
     : options_(&options), layout_(&layout),
-      is_plain_(options.format == Format::csv && !options.diagnostic_columns && !options.pairing) {
+      is_plain_((options.format == Format::csv || options.format == Format::f64) && !options.diagnostic_columns &&
+                !options.pairing && (options.input.width == 0 || !layout.has_other_fields())) {
     std::size_t first = 0;
     for (const ResultPart& part : options.operation->parts) {
         if (!options.digits.shortest() && !options.operation->is_continuous()) {
@@ -217,6 +218,10 @@ void RowWriter::write(Buffer& to, std::span<const Row> rows, std::span<const dou
     const char delimiter = layout.delimiter.text();
     const Digits digits = options_->digits;
     const std::size_t width = options_->operation->width();
+    if (options_->format == Format::f64) {
+        append_bytes(to, results.subspan(rows.front().index * width, rows.size() * width));
+        return;
+    }
     const std::size_t room = room_for(width, digits);
     for (const Row& row : rows) {
         const auto result = results.subspan(row.index * width, width);

@@ -40,8 +40,8 @@ public:
     RowWriter(const Options& options, const Layout& layout);
 
     void write(Buffer& to, const ConvertedRow& row) const;
-    /// Writes rows to which the output adds only the result, in the place of the row's numbers or at its end.
-    /// `results` are those of all rows at hand.
+    /// Writes rows that were scanned, one after the other, to which the output adds only the result, in the place of
+    /// the row's numbers or at its end. `results` are those of all rows at hand.
     void write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const;
     /// Whether all rows that do not fail are such rows.
     [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_ && open_ends_.empty(); }
@@ -71,7 +71,7 @@ private:
                                std::size_t label_width);
 
     std::vector<OpenEnd> open_ends_; ///< if numbers are rounded
-    bool is_plain_;                  ///< text, and nothing but the result is added to it
+    bool is_plain_;                  ///< nothing but the result is added to a row that is copied
 };
 
 } // namespace rotconv::stream
