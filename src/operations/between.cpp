@@ -16,12 +16,12 @@ void scatter(std::span<const double> from, std::size_t size, std::span<const std
     }
 }
 
-/// A function of rows whose second attitude lies between two rows of a reference, see stream::Pairing.
-class Between {
+/// The function of rows whose second attitude is interpolated in a reference, see stream::Pairing.
+class BetweenRows {
 public:
     /// See of_pairs().
-    Between(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& reference,
-            const ConversionSettings& settings)
+    BetweenRows(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& reference,
+                const ConversionSettings& settings)
         : at_(std::move(at)), between_(std::move(between)), columns_(columns),
           reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
 
@@ -29,43 +29,39 @@ public:
                            std::span<double> rest);
 
 private:
-    /// The quaternion at the fraction; the identity if there is none.
-    [[nodiscard]] std::array<double, 4> attitude_between(std::size_t row, double fraction,
-                                                         std::vector<RowReport>& reports) const;
+    /// The quaternion at the place; the identity if there is none.
+    [[nodiscard]] std::array<double, 4> attitude_at(std::size_t row, const stream::Between& place,
+                                                    std::vector<RowReport>& reports) const;
+    /// Adds to the report on a row what is to be told of its neighbours.
+    void add_neighbours(std::size_t row, const stream::Between& place, std::vector<RowReport>& reports) const;
 
     SomeRows at_;
     SomeRows between_; ///< rows with the quaternion between the neighbours
     stream::PairColumns columns_;
-    Conversion reading_; ///< reads the neighbours
-    std::vector<double> numbers_;
-    std::vector<double> neighbours_; ///< the earlier and the later of each row, as quaternions
+    Conversion reading_;            ///< reads the neighbours
+    std::vector<double> attitudes_; ///< the neighbours as quaternions
     std::vector<RowReport> neighbour_reports_;
 };
 
-std::size_t Between::operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
-                                std::span<double> rest) {
-    const std::span<const double> rows = pairs.numbers;
-    const std::size_t width = columns_.width();
-    const std::size_t count = rows.size() / width;
-    numbers_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-        append(numbers_, rows.subspan(i * width + columns_.first_size, 2 * columns_.second_size));
-    }
-    neighbours_.resize(8 * count);
-    reading_.run(numbers_, neighbours_, neighbour_reports_);
+std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<double> out,
+                                    std::vector<RowReport>& reports, std::span<double> rest) {
+    const std::size_t first_size = columns_.first_size;
+    const std::size_t second_size = columns_.second_size;
+    const std::size_t count = pairs.between.size();
+    attitudes_.resize(4 * (pairs.neighbours.size() / second_size));
+    reading_.run(pairs.neighbours, attitudes_, neighbour_reports_);
     at_.clear();
     between_.clear();
     reports.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        const auto row = rows.subspan(i * width, width);
-        const double fraction = row[columns_.fraction()];
-        SomeRows& some = fraction > 0.0 ? between_ : at_; // at 0 the reference has the row's key
+        const stream::Between& row = pairs.between[i];
+        SomeRows& some = row.is_at_row() ? at_ : between_;
         some.rows.push_back(i);
-        append(some.numbers, row.first(columns_.first_size));
-        if (fraction > 0.0) {
-            append(some.numbers, attitude_between(i, fraction, reports));
+        append(some.numbers, pairs.numbers.subspan(i * first_size, first_size));
+        if (row.is_at_row()) {
+            append(some.numbers, pairs.neighbours.subspan(row.earlier * second_size, second_size));
         } else {
-            append(some.numbers, row.subspan(columns_.first_size, columns_.second_size));
+            append(some.numbers, attitude_at(i, row, reports));
         }
     }
     const std::size_t size = out.size() / std::max<std::size_t>(count, 1);
@@ -76,21 +72,9 @@ std::size_t Between::operator()(const stream::NumberRows& pairs, std::span<doubl
             found = found.error != Error::none && report.error == Error::none ? found : report;
         }
     }
-    for (const RowReport& report : neighbour_reports_) {
-        const std::size_t row = report.row / 2;
-        const bool is_later = report.row % 2 == 1;
-        const bool is_between = rows[row * width + columns_.fraction()] > 0.0;
-        if (!is_between || (is_later && report.error == Error::none)) { // the next row reports the later one
-            continue;
-        }
-        RowReport& found = stream::report_of(row, reports);
-        if (found.error == Error::none && report.error != Error::none) {
-            found = {
-                .row = row, .error = report.error, .of_reference = true, .of_later = is_later, .defect = report.defect};
-        } else if (found.error == Error::none) {
-            found.reference_defect = report.defect;
-            found.reference_unusual = report.unusual;
-            found.diagnostics |= report.diagnostics;
+    for (std::size_t i = 0; i < count && !neighbour_reports_.empty(); ++i) {
+        if (!pairs.between[i].is_at_row()) {
+            add_neighbours(i, pairs.between[i], reports);
         }
     }
     for (const RowReport& report : reports) {
@@ -101,18 +85,41 @@ std::size_t Between::operator()(const stream::NumberRows& pairs, std::span<doubl
     return count;
 }
 
-std::array<double, 4> Between::attitude_between(std::size_t row, double fraction,
-                                                std::vector<RowReport>& reports) const {
-    const Rotation earlier = rotation_at(neighbours_.data() + 8 * row);
-    const Rotation later = rotation_at(neighbours_.data() + 8 * row + 4);
+std::array<double, 4> BetweenRows::attitude_at(std::size_t row, const stream::Between& place,
+                                               std::vector<RowReport>& reports) const {
+    const Rotation earlier = rotation_at(attitudes_.data() + 4 * place.earlier);
+    const Rotation later = rotation_at(attitudes_.data() + 4 * place.later);
     if (std::isnan(earlier.w()) || std::isnan(later.w())) {
         return {1.0}; // their own errors are reported
     }
-    const auto found = interpolate(earlier, later, fraction);
+    const auto found = interpolate(earlier, later, place.fraction);
     if (!found) {
         reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
     }
     return found.value_or(Rotation()).components();
+}
+
+void BetweenRows::add_neighbours(std::size_t row, const stream::Between& place, std::vector<RowReport>& reports) const {
+    for (const std::size_t neighbour : {place.earlier, place.later}) {
+        const auto report = std::ranges::lower_bound(neighbour_reports_, neighbour, {}, &RowReport::row);
+        const bool is_later = neighbour == place.later;
+        if (report == neighbour_reports_.end() || report->row != neighbour ||
+            (is_later && report->error == Error::none)) {
+            continue; // the next row reports the later one
+        }
+        RowReport& found = stream::report_of(row, reports);
+        if (found.error == Error::none && report->error != Error::none) {
+            found = {.row = row,
+                     .error = report->error,
+                     .of_reference = true,
+                     .of_later = is_later,
+                     .defect = report->defect};
+        } else if (found.error == Error::none) {
+            found.reference_defect = report->defect;
+            found.reference_unusual = report->unusual;
+            found.diagnostics |= report->diagnostics;
+        }
+    }
 }
 
 } // namespace
@@ -120,7 +127,7 @@ std::array<double, 4> Between::attitude_between(std::size_t row, double fraction
 RowFunction of_pairs(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& second,
                      const ConversionSettings& settings) {
     if (columns.interpolates) {
-        return Between(std::move(at), std::move(between), columns, second, settings);
+        return BetweenRows(std::move(at), std::move(between), columns, second, settings);
     }
     return at;
 }

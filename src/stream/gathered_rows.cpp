@@ -15,39 +15,25 @@ GatheredRows::GatheredRows(const Options& options, const Layout& layout, const L
     }
 }
 
-void GatheredRows::expect(const std::array<RowWidth, 2>& widths) noexcept {
-    for (std::size_t side = 0; side < readers_.size(); ++side) {
-        readers_[side].expect(widths.at(side));
-    }
-}
-
-void GatheredRows::clear() noexcept {
-    rows_.clear();
-    parts_.clear();
-    errors_.clear();
-    lines_.clear();
-    reference_lines_.clear();
-}
-
 void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes) {
-    clear();
+    read_.clear();
     const std::size_t width = options_->input.width;
     const std::size_t size = text.size();
-    while (!text.empty() && rows_.size() < most_rows && size - text.size() < most_bytes) {
+    while (!text.empty() && read_.rows.size() < most_rows && size - text.size() < most_bytes) {
         const bool is_comment = width == 0 && options_->input.is_comment(text);
-        const auto scanned = is_comment ? std::nullopt : readers_[0].scan(text, parts_);
+        const auto scanned = is_comment ? std::nullopt : readers_[0].scan(text, read_.parts);
         if (scanned) {
-            Row& row = rows_.emplace_back(scanned->line, line++);
+            Row& row = read_.rows.emplace_back(scanned->line, line++);
             row.numbers = scanned->numbers;
-            row.index = lines_.size();
-            lines_.push_back(row.number);
+            row.index = read_.lines.size();
+            read_.lines.push_back(row.number);
             text.remove_prefix(row.line.text.size() + row.line.end.size());
             continue;
         }
-        Row& row = rows_.emplace_back(next_line(text), line++);
+        Row& row = read_.rows.emplace_back(next_line(text), line++);
         row.passes = !options_->input.is_row(row.line.text);
         if (!row.passes) {
-            take(row);
+            read_last();
         }
         if (row.error != nullptr && options_->on_error == OnError::stop) {
             return;
@@ -55,125 +41,94 @@ void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t
     }
 }
 
-void GatheredRows::add(const Row& pair) {
-    if (Row& row = rows_.emplace_back(pair); row.has_numbers()) {
-        take(row);
-    }
-}
-
 void GatheredRows::gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows) {
-    clear();
-    lines_.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
-    std::iota(lines_.begin(), lines_.end(), line);
-    line += lines_.size();
-    parts_.numbers.resize(lines_.size() * layout_->count);
-    const std::size_t size = parts_.numbers.size() * sizeof(double);
-    std::memcpy(parts_.numbers.data(), doubles.data(), size);
+    read_.clear();
+    read_.lines.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
+    std::iota(read_.lines.begin(), read_.lines.end(), line);
+    line += read_.lines.size();
+    read_.parts.numbers.resize(read_.lines.size() * layout_->count);
+    const std::size_t size = read_.parts.numbers.size() * sizeof(double);
+    std::memcpy(read_.parts.numbers.data(), doubles.data(), size);
     doubles.remove_prefix(size);
 }
 
 void GatheredRows::add_rows(std::string_view doubles) {
-    for (const std::size_t number : lines_) {
-        Row& row = rows_.emplace_back(next_row(doubles, options_->input.width), number);
+    for (const std::size_t number : read_.lines) {
+        Row& row = read_.rows.emplace_back(next_row(doubles, options_->input.width), number);
         row.numbers = row.line.text;
-        row.index = rows_.size() - 1;
+        row.index = read_.rows.size() - 1;
     }
 }
 
 const char* GatheredRows::drop_from(std::size_t index) {
     const auto first =
-        std::ranges::find_if(rows_, [index](const Row& row) { return row.has_numbers() && row.index == index; });
+        std::ranges::find_if(read_.rows, [index](const Row& row) { return row.has_numbers() && row.index == index; });
     const char* const begin = first->line.text.data();
-    rows_.erase(first, rows_.end());
+    read_.rows.erase(first, read_.rows.end());
     return begin;
 }
 
-void GatheredRows::take(Row& row) {
-    const std::size_t first_number = parts_.numbers.size();
-    const std::size_t first_kept = parts_.kept.size();
-    const std::size_t first_key = parts_.keys.size();
-    row.index = lines_.size();
-    row.first_field = parts_.fields.size();
-    const bool is_pair = row.partner.number > 0;
-    const bool is_own_read = take_line(row.line.text, Side::stream, is_pair);
-    row.field_count = parts_.fields.size() - row.first_field;
-    if (is_own_read && (!is_pair || take_partner(row))) {
-        lines_.push_back(row.number);
-        if (is_pair) {
-            reference_lines_.push_back(row.partner.number);
-        }
-        return;
+void GatheredRows::read_last() {
+    Row& row = read_.rows.back();
+    RowParts& parts = read_.parts;
+    const std::size_t first_number = parts.numbers.size();
+    row.index = read_.lines.size();
+    row.first_field = parts.fields.size();
+    const bool is_read = readers_[0].read(row.line.text, parts);
+    row.field_count = parts.fields.size() - row.first_field;
+    if (is_read) {
+        read_.lines.push_back(row.number);
+    } else {
+        parts.numbers.resize(first_number);
+        parts.error.place = {row.number};
+        read_.fail(std::exchange(parts.error, {}));
     }
-    parts_.numbers.resize(first_number);
-    parts_.kept.resize(first_kept);
-    parts_.keys.resize(first_key);
-    parts_.error.place = {row.number};
-    row.error = &errors_.emplace_back(std::exchange(parts_.error, {}));
 }
 
-bool GatheredRows::take_partner(const Row& row) {
-    const auto take = [this](const Partner& partner) {
-        const bool is_read = take_line(partner.text, Side::reference, true);
-        parts_.error.cause = {is_read ? 0 : partner.number, Side::reference};
-        return is_read;
-    };
-    if (!take(row.partner)) {
-        return false;
-    }
-    if (!options_->pairing->interpolates) {
-        return true;
-    }
-    const std::size_t kept = parts_.kept.size();
-    const std::size_t keys = parts_.keys.size();
-    if (!take(row.later)) {
-        return false;
-    }
-    parts_.numbers.push_back(row.fraction);
-    parts_.kept.resize(kept); // without the later key
-    parts_.keys.resize(keys);
-    return true;
-}
-
-bool GatheredRows::take_line(std::string_view text, Side side, bool of_pair) {
-    const RowReader& reader = readers_[index_of(side)];
-    const bool is_scanned = of_pair && reader.scan({text.data(), text.size() + RowReader::room_behind}, parts_);
-    return is_scanned || reader.read(text, parts_); // gather() has scanned a line that is not of a pair
+const Pair& GatheredRows::pair_of(const Row& row) const noexcept {
+    static const Pair none;
+    return read_.pairs.empty() ? none : read_.pairs[static_cast<std::size_t>(&row - read_.rows.data())];
 }
 
 RowError GatheredRows::error_of(const Row& row, const RowReport& report, std::string_view given) const {
     if (row.error != nullptr) {
         return *row.error;
     }
-    if (row.fraction > 0.0 && report.error == Error::past_half_turn) {
+    if (options_->pairing && report.error == Error::past_half_turn) { // between neighbours half a turn apart
         return {.place = {row.number},
                 .what = RowError::What::no_partner,
                 .text = std::string(given),
                 .error = report.error};
     }
-    const bool is_partner = report.of_reference && row.partner.number > 0;
-    const Partner& at = report.of_later ? row.later : row.partner;
+    const Pair& pair = pair_of(row);
+    const bool is_partner = report.of_reference && pair.partner.number > 0;
+    const Partner& at = report.of_later ? pair.later : pair.partner;
     return {.place = {row.number},
             .cause = {is_partner ? at.number : 0, Side::reference},
             .what = RowError::What::attitude,
-            .text =
-                is_partner ? reader(Side::reference).selected_text(at.text) : reader(Side::stream).selected_text(given),
+            .text = is_partner ? readers_[1].selected_text(at.text) : readers_[0].selected_text(given),
             .error = report.error,
             .defect = report.defect,
             .norm = report.error == Error::defect ? norm_of(row, report) : 0.0};
 }
 
 double GatheredRows::norm_of(const Row& row, const RowReport& report) const {
-    if (report.of_reference && row.partner.number == 0) {
+    if (report.of_reference && !options_->pairing) {
         return 0.0; // the second attitude of a row
     }
     const RowNumbers& read = report.of_reference ? options_->pairing->reference.numbers : options_->input.numbers;
     if (!read.attitude || read.attitude->name != RepresentationId::quat) {
         return 0.0;
     }
-    const PairColumns columns{.first_size = layout_->count - read.kept, .second_size = 4};
-    const std::size_t first = report.of_later ? columns.later() : report.of_reference ? columns.first_size : 0;
-    const std::size_t size = parts_.numbers.size() / lines_.size(); // with the partner's
-    const auto q = std::span<const double>(parts_.numbers).subspan(row.index * size + first, 4);
+    std::span<const double> q = read_.parts.numbers;
+    q = q.subspan(row.index * (q.size() / read_.lines.size())); // with the partner's
+    if (report.of_reference && options_->pairing->interpolates) {
+        const Between& between = read_.between[row.index];
+        q = std::span<const double>(read_.neighbours).subspan(4 * (report.of_later ? between.later : between.earlier));
+    } else if (report.of_reference) {
+        q = q.subspan(layout_->count - read.kept);
+    }
+    q = q.first(4);
     const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
     double squares = 0.0; // scaled, so that they neither overflow nor underflow
     for (const double number : q) {
@@ -186,9 +141,9 @@ void GatheredRows::split(Row& row) {
     if (options_->input.width > 0) {
         split_doubles(row);
     } else if (row.field_count == 0) {
-        row.first_field = parts_.fields.size();
-        static_cast<void>(layout_->delimiter.split(row.line.text, parts_.fields));
-        row.field_count = parts_.fields.size() - row.first_field;
+        row.first_field = read_.parts.fields.size();
+        static_cast<void>(layout_->delimiter.split(row.line.text, read_.parts.fields));
+        row.field_count = read_.parts.fields.size() - row.first_field;
     }
 }
 
@@ -196,7 +151,7 @@ void GatheredRows::split_doubles(Row& row) {
     const std::string_view bytes = row.line.text;
     constexpr std::size_t room = 40; // for a number and the delimiter, so that the text never moves
     const std::size_t width = options_->input.width;
-    parts_.fields.clear();
+    read_.parts.fields.clear();
     row.first_field = 0;
     row.field_count = width;
     made_.clear();
@@ -204,7 +159,7 @@ void GatheredRows::split_doubles(Row& row) {
     for (std::size_t i = 0; i < width; ++i) {
         const std::string_view field = bytes.substr(i * sizeof(double), sizeof(double));
         if (options_->format == Format::f64) {
-            parts_.fields.push_back(field);
+            read_.parts.fields.push_back(field);
             continue;
         }
         if (i > 0) {
@@ -214,7 +169,7 @@ void GatheredRows::split_doubles(Row& row) {
         std::memcpy(&number, field.data(), sizeof(double));
         const std::size_t begin = made_.size();
         append_number(made_, number, {});
-        parts_.fields.emplace_back(made_.data() + begin, made_.size() - begin);
+        read_.parts.fields.emplace_back(made_.data() + begin, made_.size() - begin);
     }
     if (options_->format != Format::f64) {
         row.line.text = {made_.data(), made_.size()};
@@ -222,11 +177,11 @@ void GatheredRows::split_doubles(Row& row) {
 }
 
 void GatheredRows::move_to(AnsweredRows& batch) {
-    batch.numbers = std::move(parts_.numbers);
-    batch.lines = std::move(lines_);
-    batch.reference_lines = std::move(reference_lines_);
-    batch.kept = std::move(parts_.kept);
-    batch.keys = std::move(parts_.keys);
+    batch.numbers = std::move(read_.parts.numbers);
+    batch.lines = std::move(read_.lines);
+    batch.reference_lines = std::move(read_.reference_lines);
+    batch.kept = std::move(read_.parts.kept);
+    batch.keys = std::move(read_.parts.keys);
 }
 
 } // namespace rotconv::stream

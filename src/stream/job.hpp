@@ -2,33 +2,28 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "event.hpp"
 #include "io_block.hpp"
 #include "layout.hpp"
+#include "row_reader.hpp"
 
 namespace rotconv::stream {
 
-/// A row of the reference.
-struct Partner {
-    std::string_view text;
-    std::size_t number = 0; ///< the line's; 0: there is none
-};
-
-/// A row of a stream, perhaps with the row of the reference that it is compared with.
+/// A row of a stream.
 struct Row {
     // Without a constructor all bytes would be cleared first, which takes longer than what it does.
     explicit Row(const Line& line_ = {}, std::size_t number_ = 0) noexcept : line(line_), number(number_) {}
 
     Line line;
     std::size_t number;              ///< the line's; 0 if there is only a row of the reference
-    Partner partner{};               ///< the row of the reference
-    Partner later{};                 ///< the next row of the reference, if the partner is interpolated
-    double fraction = 0.0;           ///< where the row's key is between theirs, from 0 to 1
     bool passes = false;             ///< blank or comment: goes out as it is
     const RowError* error = nullptr; ///< why it has no numbers, or no partner
     // Set when the row is read:
@@ -41,16 +36,61 @@ struct Row {
     [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == nullptr; }
 };
 
+/// A row of the reference.
+struct Partner {
+    std::string_view text;
+    std::size_t number = 0; ///< the line's; 0: there is none
+};
+
+/// The partner of a row.
+struct Pair {
+    Partner partner{};
+    Partner later{}; ///< the next row of the reference, if the partner is interpolated
+    Key key{};       ///< the row's, if rows are paired by key
+    Key partner_key{};
+    std::string partner_text{}; ///< its text, if that is written
+};
+
+/// Rows, and what was read of them.
+struct ReadRows {
+    std::vector<Row> rows;
+    RowParts parts;
+    std::deque<RowError> errors;    ///< what Row::error points to: they stay in their place
+    std::vector<std::size_t> lines; ///< those of the rows with numbers
+    // If rows are paired:
+    std::vector<Pair> pairs; ///< of each row
+    std::vector<std::size_t> reference_lines;
+    Numbers neighbours; ///< see NumberRows
+    std::vector<std::size_t> neighbour_lines;
+    std::vector<Between> between;
+
+    /// The numbers of the rows that have them.
+    [[nodiscard]] NumberRows numbers() const noexcept {
+        return {parts.numbers, lines, parts.kept, parts.keys, reference_lines, neighbours, between};
+    }
+    void clear() noexcept {
+        rows.clear();
+        parts.clear();
+        errors.clear();
+        lines.clear();
+        pairs.clear();
+        reference_lines.clear();
+        neighbours.clear();
+        neighbour_lines.clear();
+        between.clear();
+    }
+    /// Why the last row has no numbers.
+    void fail(RowError error) { rows.back().error = &errors.emplace_back(std::move(error)); }
+};
+
 /// Pairs of rows, in the order of the stream.
 struct PairBlock {
-    std::vector<Row> rows;                            ///< in pairs, or alone: not to be paired
-    std::vector<std::unique_ptr<RowError>> errors;    ///< what Row::error points to, or null
-    std::vector<std::shared_ptr<const Buffer>> texts; ///< hold the rows, with RowReader::room_behind
+    ReadRows read;                                    ///< in pairs, or alone: not to be paired
+    std::vector<std::shared_ptr<const Buffer>> texts; ///< hold the rows
     std::size_t bytes = 0;                            ///< size of the rows
 
     void clear() noexcept {
-        rows.clear();
-        errors.clear();
+        read.clear();
         texts.clear();
         bytes = 0;
     }
@@ -59,15 +99,15 @@ struct PairBlock {
 /// A block on its way from the input to the output.
 struct Job {
     IoBlock block;
-    PairBlock pairs;                  ///< instead of a block, if two streams are read side by side
-    std::array<RowWidth, 2> widths{}; ///< see JobReader
+    PairBlock pairs;  ///< instead of a block, if two streams are read side by side
+    RowWidth width{}; ///< see JobReader
     Output output;
     bool ran_in_order = false; ///< see Ordered
     bool done = false;
 
     /// The bytes of its lines.
     [[nodiscard]] std::size_t size() const noexcept { return block.text.size() + pairs.bytes; }
-    [[nodiscard]] bool has_rows() const noexcept { return !block.text.empty() || !pairs.rows.empty(); }
+    [[nodiscard]] bool has_rows() const noexcept { return !block.text.empty() || !pairs.read.rows.empty(); }
 };
 
 /// The source of a run's jobs. Used by one thread at a time.
@@ -88,8 +128,8 @@ public:
     [[nodiscard]] virtual std::optional<StreamError> error() const = 0;
     /// The layout of a stream; null if there is no reference.
     [[nodiscard]] virtual const Layout* layout(Side side) const = 0;
-    /// The row widths by Side, as far as they are known after the last job.
-    [[nodiscard]] virtual std::array<RowWidth, 2> widths() const = 0;
+    /// The row width of blocks, as far as it is known after the last job.
+    [[nodiscard]] virtual RowWidth width() const { return {}; }
     /// The rows without a partner, by Side.
     [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
     [[nodiscard]] virtual KeysMet keys() const { return {}; }

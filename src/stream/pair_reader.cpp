@@ -19,6 +19,7 @@ constexpr std::size_t most_bytes_ahead = std::size_t{1} << 20U;
 
 void PairReader::Stream::take_block(Job& job) {
     ended = !blocks.read(job);
+    reader.expect(blocks.width());
     auto& [bytes, block_text, first_line] = job.block;
     if (const std::size_t size = block_text.size(); size > 0) {
         auto text = std::make_shared<Buffer>();
@@ -28,10 +29,7 @@ void PairReader::Stream::take_block(Job& job) {
             bytes.resize(static_cast<std::size_t>(block_text.data() - bytes.data()) + size);
             *text = std::move(bytes);
         }
-        const std::size_t end = text->size();
-        text->resize(end + RowReader::room_behind);
-        std::fill(text->begin() + end, text->end(), '\0'); // none of the input's bytes
-        unread = {text->data() + end - size, size};
+        unread = {text->data() + text->size() - size, size};
         texts.push_back(std::move(text));
         line = first_line;
     }
@@ -41,37 +39,72 @@ void PairReader::Stream::take_block(Job& job) {
 void PairReader::Stream::take_line() {
     Waiting& next = waiting.emplace_back();
     next.number = line++;
-    next.line = next_row(unread, options->width);
-    next.ends_text = unread.empty();
-    next.passes = options->width == 0 && !options->is_row(next.line.text);
-    if (!next.passes && by_key) {
-        find_key(next);
-    }
-    rows_waiting += next.may_be_paired() ? 1U : 0U;
-    bytes_waiting += next.line.text.size();
-}
-
-void PairReader::Stream::find_key(Waiting& row) {
     parts.clear();
-    const auto key_text = reader.key(row.line.text, parts);
-    const ReadKey key = key_text ? reader.key_of(*key_text) : ReadKey();
-    if (key_text && key.error != KeyError::none) {
-        const bool is_word = key.error == KeyError::not_a_number;
-        parts.error = {
-            .what = is_word ? RowError::What::not_a_number : RowError::What::key, .text = *key_text, .key = key.error};
-    } else if (key_text && range && key.value <= range->last) {
-        parts.error = {.what = RowError::What::key_order, .text = *key_text};
-    } else if (key_text) {
-        keys.push_back(key.value);
-        range = {range ? range->first : key.value, key.value};
+    const bool is_comment = options->width == 0 && options->is_comment(unread);
+    const auto scanned = is_comment ? std::nullopt : reader.scan(unread, parts);
+    if (scanned) {
+        next.line = scanned->line;
+        unread.remove_prefix(next.line.text.size() + next.line.end.size());
+    } else {
+        next.line = next_line(unread);
+        next.passes = !options->is_row(next.line.text);
+    }
+    next.ends_text = unread.empty();
+    bytes_waiting += next.line.text.size();
+    if (next.passes) {
         return;
     }
-    parts.error.place = {row.number, side};
-    row.error = std::make_unique<RowError>(std::move(parts.error));
+    Pairable& row = pairable.emplace_back();
+    row.text = next.line.text;
+    row.number = next.number;
+    const bool is_read = scanned || reader.read(row.text, parts);
+    if (is_read) {
+        std::ranges::copy(parts.numbers, row.numbers.begin());
+    } else {
+        parts.error.place = {row.number, side};
+        row.error = std::make_unique<RowError>(std::exchange(parts.error, {}));
+    }
+    next.may_be_paired = !by_key || find_key(row, is_read);
+    if (!next.may_be_paired) {
+        parts.error.place = {row.number, side};
+        next.error = std::make_unique<RowError>(std::exchange(parts.error, {}));
+        pairable.pop_back();
+    }
+}
+
+bool PairReader::Stream::find_key(Pairable& row, bool is_read) {
+    std::string made; // of a double
+    std::optional<std::string_view> text;
+    if (!is_read) {
+        text = reader.key(row.text, parts);
+    } else if (options->width > 0) {
+        text = made = number_text(parts.kept[0]);
+    } else {
+        text = parts.keys[0];
+    }
+    if (!text) {
+        return false;
+    }
+    const ReadKey key = reader.key_of(*text);
+    if (key.error != KeyError::none) {
+        const bool is_word = key.error == KeyError::not_a_number;
+        parts.error = {.what = is_word ? RowError::What::not_a_number : RowError::What::key,
+                       .text = std::string(*text),
+                       .key = key.error};
+    } else if (range && key.value <= range->last) {
+        parts.error = {.what = RowError::What::key_order, .text = std::string(*text)};
+    } else {
+        row.key = key.value;
+        row.key_text = made.empty() ? *text : std::string_view();
+        row.kept = is_read ? parts.kept[0] : 0.0;
+        range = {range ? range->first : key.value, key.value};
+        return true;
+    }
+    return false;
 }
 
 PairReader::At PairReader::Stream::look(std::size_t ahead) {
-    while (rows_waiting <= ahead) {
+    while (pairable.size() <= ahead) {
         if (unread.empty()) {
             return ended ? At::end : At::dry;
         }
@@ -98,15 +131,15 @@ void PairReader::Stream::fail_row() {
         RowError{.place = {row.number, side},
                  .what = RowError::What::no_partner,
                  .text = options->width == 0 ? std::string(text) : reader.selected_text(text)});
+    row.may_be_paired = false;
     dispose_row();
 }
 
 void PairReader::Stream::dispose_row() {
-    --rows_waiting;
     if (by_key) {
-        disposed = keys.front();
-        keys.pop_front();
+        disposed = pairable.front().key;
     }
+    pairable.pop_front();
 }
 
 void PairReader::Stream::drop_line() {
@@ -125,8 +158,8 @@ void PairReader::Stream::hold(std::size_t count, PairBlock& pairs) {
 }
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
-    : pairing_(&*options.pairing), rows_(Side::stream, source, options, block_size),
-      references_(Side::reference, reference, options, block_size) {}
+    : pairing_(&*options.pairing), writes_partners_(options.writes_partners()),
+      rows_(Side::stream, source, options, block_size), references_(Side::reference, reference, options, block_size) {}
 
 bool PairReader::read(Job& job) {
     rows_.held = references_.held = 0;
@@ -145,8 +178,8 @@ bool PairReader::read(Job& job) {
         dry_ = waits                  ? &references_
                : row == At::dry       ? &rows_
                : reference == At::dry ? &references_
-                                      : match(job, row, reference);
-        const std::size_t rows = job.pairs.rows.size();
+                                      : act(job, match(row, reference));
+        const std::size_t rows = job.pairs.read.rows.size();
         const bool holds_much = rows >= enough_rows || (rows > 0 && job.pairs.texts.size() >= most_texts);
         if (rows >= most_rows || (dry_ != nullptr && holds_much)) {
             return true;
@@ -169,13 +202,15 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
         if (!is_own && !of_both) {
             return;
         }
-        while (!stream->waiting.empty() && !stream->waiting.front().may_be_paired()) {
+        while (!stream->waiting.empty() && !stream->waiting.front().may_be_paired) {
             Waiting& first = stream->waiting.front();
             if (is_own || first.error) {
-                Row& row = pairs.rows.emplace_back(is_own ? Row(first.line, first.number) : Row());
-                row.passes = first.passes;
-                row.error = first.error.get();
-                pairs.errors.push_back(std::move(first.error));
+                pairs.read.rows.push_back(is_own ? Row(first.line, first.number) : Row());
+                pairs.read.pairs.emplace_back();
+                pairs.read.rows.back().passes = first.passes;
+                if (first.error) {
+                    pairs.read.fail(std::move(*first.error));
+                }
                 stream->hold(1, pairs);
             }
             pairs.bytes += first.line.text.size() + 1;
@@ -185,25 +220,33 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
 }
 
 void PairReader::pair(Job& job, bool is_between) {
-    const Waiting& first = rows_.waiting.front();
-    const Waiting& other = references_.waiting.front();
+    const Pairable& own = rows_.pairable.front();
+    const Pairable& other = references_.pairable.front();
+    const Pairable& later = is_between ? references_.pairable[1] : other;
     if (pairing_->looks_for_key && !pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
         if (!any_pair_) {
             likely_key_.emplace(std::array{rows_.layout(), references_.layout()});
         }
-        likely_key_->add({first.line.text, other.line.text});
+        likely_key_->add({own.text, other.text});
     }
     any_pair_ = true;
-    Row& row = job.pairs.rows.emplace_back(first.line, first.number);
-    row.partner = row.later = {other.line.text, other.number};
-    if (is_between) {
-        const Waiting& later = *std::find_if(references_.waiting.begin() + 1, references_.waiting.end(),
-                                             [](const Waiting& each) { return each.may_be_paired(); });
-        row.later = {later.line.text, later.number};
-        row.fraction =
-            ratio(distance(rows_.keys[0], references_.keys[0]), distance(references_.keys[1], references_.keys[0]));
+    ReadRows& read = job.pairs.read;
+    read.rows.emplace_back(rows_.waiting.front().line, own.number);
+    Pair& pair = read.pairs.emplace_back(
+        Pair{{other.text, other.number}, {later.text, later.number}, own.key, other.key, std::string()});
+    if (writes_partners_) {
+        pair.partner_text = other.key_text.empty() ? number_text(other.kept) : trimmed(other.key_text);
     }
-    job.pairs.bytes += row.line.text.size() + row.partner.text.size() + row.later.text.size();
+    const Pairable* const wrong = own.error ? &own : other.error ? &other : &later;
+    if (wrong->error) {
+        RowError error = *wrong->error;
+        error.place = {own.number};
+        error.cause = {wrong == &own ? 0 : wrong->number, Side::reference};
+        read.fail(std::move(error));
+    } else {
+        add_numbers(read, later);
+    }
+    job.pairs.bytes += own.text.size() + other.text.size() + later.text.size();
     rows_.hold(1, job.pairs);
     references_.hold(is_between ? references_.texts.size() : 1, job.pairs);
     rows_.drop_row(true);
@@ -212,77 +255,135 @@ void PairReader::pair(Job& job, bool is_between) {
     }
 }
 
-void PairReader::drop_alone(Stream& stream) {
-    if (&stream == &rows_ && pairing_->by_key && !pairing_->interpolates) {
-        if (!references_.keys.empty()) {
-            compare_distance(distance(references_.keys[0], rows_.keys[0]));
+void PairReader::add_numbers(ReadRows& read, const Pairable& later) {
+    const Pairable& own = rows_.pairable.front();
+    const Pairable& other = references_.pairable.front();
+    const auto add = [](Numbers& to, const Pairable& row, const Stream& stream) {
+        to.append(row.numbers.data(), row.numbers.data() + stream.layout()->count - stream.options->numbers.kept);
+    };
+    const auto place_of = [&](const Pairable& row) { // it is one of the last two, or comes after them
+        auto& lines = read.neighbour_lines;
+        const auto last =
+            std::find(lines.end() - std::min<std::ptrdiff_t>(std::ssize(lines), 2), lines.end(), row.number);
+        const auto place = static_cast<std::size_t>(last - lines.begin());
+        if (last == lines.end()) {
+            lines.push_back(row.number);
+            add(read.neighbours, row, references_);
         }
-        if (references_.disposed) {
-            compare_distance(distance(rows_.keys[0], *references_.disposed));
+        return place;
+    };
+    read.rows.back().index = read.lines.size();
+    read.lines.push_back(own.number);
+    read.reference_lines.push_back(other.number);
+    add(read.parts.numbers, own, rows_);
+    if (!pairing_->interpolates) {
+        add(read.parts.numbers, other, references_);
+    } else {
+        const std::size_t earlier = place_of(other);
+        const bool is_at_row = &later == &other;
+        read.between.push_back({earlier, place_of(later),
+                                is_at_row ? 0.0 : ratio(distance(own.key, other.key), distance(later.key, other.key))});
+    }
+    for (const Pairable* row : {&own, &other}) {
+        if (pairing_->by_key) {
+            read.parts.kept.push_back(row->kept);
+        }
+        if (!row->key_text.empty()) {
+            read.parts.keys.push_back(row->key_text);
         }
     }
-    if (&stream == &rows_ && pairing_->needs_partner) {
-        stream.fail_row();
+}
+
+void PairReader::drop_alone() {
+    if (pairing_->by_key && !pairing_->interpolates) {
+        const Key& key = rows_.pairable.front().key;
+        if (!references_.pairable.empty()) {
+            compare_distance(distance(references_.pairable.front().key, key));
+        }
+        if (references_.disposed) {
+            compare_distance(distance(key, *references_.disposed));
+        }
+    }
+    if (pairing_->needs_partner) {
+        rows_.fail_row();
     } else {
-        stream.drop_row(false);
+        rows_.drop_row(false);
     }
 }
 
 void PairReader::compare_distance(KeyDistance found) { nearest_ = std::min(nearest_.value_or(found), found); }
 
-PairReader::Stream* PairReader::match(Job& job, At row, At reference) {
-    const bool interpolates = pairing_->interpolates;
+PairReader::Match PairReader::match(At row, At reference) {
     if (row == At::end || reference == At::end) {
-        if (row == At::end) {
-            references_.drop_row(interpolates);
-        } else {
-            drop_alone(rows_);
-        }
-        return nullptr;
+        return row == At::end ? Match::reference_alone : Match::row_alone;
     }
-    if (!pairing_->by_key || rows_.keys[0] == references_.keys[0]) {
-        pair(job);
-        return nullptr;
+    if (!pairing_->by_key || rows_.pairable.front().key == references_.pairable.front().key) {
+        return Match::pair;
     }
-    const bool is_before = rows_.keys[0] < references_.keys[0];
-    Stream& low = is_before ? rows_ : references_;
-    const Stream& high = is_before ? references_ : rows_;
-    const KeyDistance apart = distance(low.keys[0], high.keys[0]);
-    const bool has_other = high.disposed && distance(low.keys[0], *high.disposed) <= apart; // that is no farther away
-    if (interpolates ? is_before : apart > pairing_->within || has_other) {
-        drop_alone(low);
-        return nullptr;
-    }
-    const At next = low.look(1);
-    if (next == At::dry) {
-        return &low;
-    }
-    if (next == At::too_far) {
-        error_ = StreamError{.what = StreamError::What::far_key, .place = {low.waiting.front().number, low.side}};
-    } else if (interpolates) {
-        match_between(job, next);
-    } else if (next == At::row && distance(low.keys[1], high.keys[0]) < apart) {
-        drop_alone(low); // the next row is nearer
-    } else {
-        pair(job);
-    }
-    return nullptr;
+    return pairing_->interpolates ? match_between() : match_nearest();
 }
 
-void PairReader::match_between(Job& job, At next) {
-    if (next == At::end) {
-        error_ = reference_error(); // the next row may exist, and was not read
-        if (!error_) {
-            drop_alone(rows_);
-        }
-    } else if (references_.keys[1] <= rows_.keys[0]) {
-        references_.drop_row(true);
-    } else if (const auto apart = distance(references_.keys[1], references_.keys[0]); apart <= pairing_->within) {
-        pair(job, true);
-    } else {
-        compare_distance(apart);
-        drop_alone(rows_);
+PairReader::At PairReader::look_ahead(Stream& stream) {
+    const At next = stream.look(1);
+    if (next == At::too_far) {
+        error_ = StreamError{.what = StreamError::What::far_key, .place = {stream.waiting.front().number, stream.side}};
     }
+    return next;
+}
+
+PairReader::Match PairReader::match_nearest() {
+    const bool is_before = rows_.pairable.front().key < references_.pairable.front().key;
+    Stream& low = is_before ? rows_ : references_;
+    const Stream& high = is_before ? references_ : rows_;
+    const Match low_alone = is_before ? Match::row_alone : Match::reference_alone;
+    const KeyDistance apart = distance(low.pairable.front().key, high.pairable.front().key);
+    const bool has_other =
+        high.disposed && distance(low.pairable.front().key, *high.disposed) <= apart; // no farther away
+    if (apart > pairing_->within || has_other) {
+        return low_alone;
+    }
+    switch (look_ahead(low)) {
+    case At::dry: return is_before ? Match::row_unknown : Match::reference_unknown;
+    case At::too_far: return Match::ended;
+    case At::row: return distance(low.pairable[1].key, high.pairable.front().key) < apart ? low_alone : Match::pair;
+    case At::end: break;
+    }
+    return Match::pair;
+}
+
+PairReader::Match PairReader::match_between() {
+    const Key& key = rows_.pairable.front().key;
+    if (key < references_.pairable.front().key) {
+        return Match::row_alone;
+    }
+    switch (look_ahead(references_)) {
+    case At::dry: return Match::reference_unknown;
+    case At::too_far: return Match::ended;
+    case At::end: error_ = reference_error(); return error_ ? Match::ended : Match::row_alone; // it was not read
+    case At::row: break;
+    }
+    if (references_.pairable[1].key <= key) {
+        return Match::reference_alone;
+    }
+    const KeyDistance apart = distance(references_.pairable[1].key, references_.pairable.front().key);
+    if (apart > pairing_->within) {
+        compare_distance(apart);
+        return Match::row_alone;
+    }
+    return Match::pair_between;
+}
+
+PairReader::Stream* PairReader::act(Job& job, Match match) {
+    switch (match) {
+    case Match::pair: pair(job, false); break;
+    case Match::pair_between: pair(job, true); break;
+    case Match::row_alone: drop_alone(); break;
+    case Match::reference_alone: references_.drop_row(pairing_->interpolates); break;
+    case Match::row_unknown: return &rows_;
+    case Match::reference_unknown: return &references_;
+    case Match::ended: break;
+    }
+    return nullptr;
 }
 
 KeysMet PairReader::keys() const {
@@ -298,7 +399,7 @@ std::optional<StreamError> PairReader::error() const {
     if (error_) {
         return error_;
     }
-    const bool is_done = rows_.ended && rows_.unread.empty() && rows_.rows_waiting == 0;
+    const bool is_done = rows_.ended && rows_.unread.empty() && rows_.pairable.empty();
     const auto own = is_done ? rows_.blocks.error() : std::nullopt; // otherwise it lies after the paired rows
     return own ? own : reference_error();
 }

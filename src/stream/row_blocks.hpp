@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const Layout* layout(Side side) const override {
         return side == Side::stream ? &preamble_.layout() : nullptr;
     }
-    [[nodiscard]] std::array<RowWidth, 2> widths() const override { return {preamble_.width()}; }
+    [[nodiscard]] RowWidth width() const override { return preamble_.width(); }
 
 private:
     IoBlockReader blocks_;

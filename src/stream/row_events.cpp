@@ -18,13 +18,13 @@ double figure_of(const RowReport& report, const Sensitivity& sensitivity, Diagno
     }
 }
 
-void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report,
+void add_diagnostics(std::vector<Event>& events, std::size_t line, const Pair& pair, const RowReport& report,
                      const RowOperation& operation) {
-    for_each_diagnostic(report, row.number, [&](Diagnostic diagnostic) {
+    for_each_diagnostic(report, line, [&](Diagnostic diagnostic) {
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
         const double own = report.unusual.figure_of(diagnostic.kind);
         const double reference = report.reference_unusual.figure_of(diagnostic.kind);
-        if (row.partner.number == 0 || (own == 0.0 && reference == 0.0)) {
+        if (pair.partner.number == 0 || (own == 0.0 && reference == 0.0)) {
             events.emplace_back(diagnostic);
             return;
         }
@@ -33,8 +33,8 @@ void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport
                 events.emplace_back(Diagnostic{.place = place, .kind = diagnostic.kind, .figure = figure});
             }
         };
-        add(reference, {row.partner.number, Side::reference});
-        add(own, {row.number});
+        add(reference, {pair.partner.number, Side::reference});
+        add(own, {line});
     });
 }
 

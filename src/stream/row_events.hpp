@@ -31,7 +31,7 @@ template <class Visit> void for_each_diagnostic(const RowReport& report, std::si
 
 /// Adds the diagnostics of the row's result, those of a row and of its partner separately.
 /// @param operation outlives the events
-void add_diagnostics(std::vector<Event>& events, const Row& row, const RowReport& report,
+void add_diagnostics(std::vector<Event>& events, std::size_t line, const Pair& pair, const RowReport& report,
                      const RowOperation& operation);
 
 } // namespace rotconv::stream

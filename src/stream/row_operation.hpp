@@ -26,6 +26,15 @@ struct RowNumbers {
     bool has_unit = false; ///< the kept ones are numbers in a unit, and ISO 8601 is an error
 };
 
+/// Where a key is between those of two rows of a reference, which may be one row, with that key.
+struct Between {
+    std::size_t earlier = 0; ///< their indices among NumberRows::neighbours
+    std::size_t later = 0;
+    double fraction = 0.0; ///< from 0 to 1
+
+    [[nodiscard]] bool is_at_row() const noexcept { return earlier == later; }
+};
+
 /// Rows that have their numbers, in the order of the stream.
 struct NumberRows {
     std::span<const double> numbers;                ///< row by row, without the kept ones
@@ -33,20 +42,21 @@ struct NumberRows {
     std::span<const double> kept{};                 ///< the kept numbers, row by row
     std::span<const std::string_view> keys{};       ///< their texts; empty if rows are doubles
     std::span<const std::size_t> reference_lines{}; ///< the partners' lines; empty without a reference
+    std::span<const double> neighbours{};           ///< the rows of a reference that is interpolated, each once
+    std::span<const Between> between{};             ///< where each row is among them
     bool are_last = true;                           ///< no row may wait for later rows
 };
 
 /// Where the numbers of two attitudes stand in a row for an operation. If the reference is interpolated, the second
-/// attitude is the earlier of the row's two neighbours; the later one follows, and then the row's place between them, a
-/// fraction. It is 0 if the reference has the row's key: both neighbours are then that row.
+/// attitude is not in the row, but see NumberRows::between.
 struct PairColumns {
     std::size_t first_size = 0;
     std::size_t second_size = 0;
     bool interpolates = false;
 
-    [[nodiscard]] constexpr std::size_t later() const noexcept { return first_size + second_size; }
-    [[nodiscard]] constexpr std::size_t fraction() const noexcept { return later() + second_size; }
-    [[nodiscard]] constexpr std::size_t width() const noexcept { return interpolates ? fraction() + 1 : later(); }
+    [[nodiscard]] constexpr std::size_t width() const noexcept {
+        return interpolates ? first_size : first_size + second_size;
+    }
 };
 
 /// Calls `what` once all blocks before have come to their call of it; each block does so once.

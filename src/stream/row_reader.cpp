@@ -11,8 +11,6 @@
 namespace rotconv::stream {
 namespace {
 
-static_assert(RowReader::room_behind >= NumberScan::reach);
-
 /// Flat, for fast_float is not inlined of itself where its callers stand in one source.
 /// @return the place after the last number; null if one is not finite, or something else stands in its field
 [[gnu::flatten]] const char* scan_numbers(const char* at, const char* end, char delimiter,
@@ -69,9 +67,23 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
             begin = stop + 1;
         }
     }
+    std::span<const std::size_t> order = layout_->number_of_field;
+    const char* first_number = begin;
+    if (by_key_) {
+        const std::string_view key = line.text.substr(static_cast<std::size_t>(begin - line.text.data()));
+        const std::size_t size = key.find(delimiter.text());
+        if (size >= key.size() || size == 0 || trimmed(key.substr(0, size)).size() < size ||
+            (delimiter.is_blanks() && key.substr(0, size).find('\t') != std::string_view::npos)) {
+            return std::nullopt;
+        }
+        first_number += size;
+        ++first_number;
+        order = order.subspan(1);
+    }
     to.numbers.resize(first + layout_->count);
+    to.numbers[first] = 0.0;
     const char* const at =
-        scan_numbers(begin, text_end, delimiter.text(), layout_->number_of_field, std::span(to.numbers).subspan(first));
+        scan_numbers(first_number, text_end, delimiter.text(), order, std::span(to.numbers).subspan(first));
     bool is_plain = at != nullptr;
     if (is_plain && has_other_fields) {
         const bool ends_here = at == end;
@@ -160,22 +172,16 @@ ReadKey RowReader::key_of(std::string_view text) const {
     return key;
 }
 
-std::optional<std::string> RowReader::key(std::string_view row, RowParts& to) const {
+std::optional<std::string_view> RowReader::key(std::string_view row, RowParts& to) const {
     const std::size_t first = layout_->position(0);
-    if (options_->width > 0) {
-        double number = 0.0;
-        std::memcpy(&number, row.data() + first * sizeof(double), sizeof(double));
-        return number_text(number);
-    }
-    const Delimiter delimiter = layout_->delimiter;
-    if (first == 0 && !delimiter.is_blanks() && row.find('"') == std::string_view::npos) {
-        return std::string(delimiter.text_of(row.substr(0, row.find(delimiter.text()))));
-    }
     const std::size_t first_field = to.fields.size();
+    if (first == 0 && !layout_->delimiter.is_blanks() && row.find('"') == std::string_view::npos) {
+        return layout_->delimiter.text_of(row.substr(0, row.find(layout_->delimiter.text())));
+    }
     if (!split(row, {&first, 1}, to)) {
         return std::nullopt;
     }
-    return std::string(layout_->delimiter.text_of(to.fields[first_field + first]));
+    return layout_->delimiter.text_of(to.fields[first_field + first]);
 }
 
 bool RowReader::split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const {

@@ -46,10 +46,9 @@ struct ScannedRow {
 /// Reads the numbers of a row.
 class RowReader {
 public:
-    /// Bytes that a text should have behind a row: other rows, or zeros at its end. Then scan() is quick.
-    static constexpr std::size_t room_behind = 96;
-
-    RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
+    /// @param by_key of rows that are scanned the kept number is a key, and only its text is read
+    RowReader(const InputOptions& options, const Layout& layout, bool by_key = false)
+        : options_(&options), layout_(&layout), by_key_(by_key) {}
 
     /// From here on rows of another width are errors, unless the options take them.
     void expect(const RowWidth& width) noexcept { width_ = options_->ragged ? RowWidth() : width; }
@@ -61,8 +60,8 @@ public:
     /// Adds what is read of a row of text, and its fields.
     /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
-    /// The text of the first number, which is a key; nothing where `to.error` says why.
-    [[nodiscard]] std::optional<std::string> key(std::string_view row, RowParts& to) const;
+    /// The text of the first number of a row of text, which is a key; nothing where `to.error` says why.
+    [[nodiscard]] std::optional<std::string_view> key(std::string_view row, RowParts& to) const;
     /// A key as it is compared.
     [[nodiscard]] ReadKey key_of(std::string_view text) const;
     /// The fields that hold the numbers, with the delimiter between them.
@@ -75,6 +74,7 @@ private:
 
     const InputOptions* options_;
     const Layout* layout_;
+    bool by_key_;
     RowWidth width_{};
 };
 

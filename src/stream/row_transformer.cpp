@@ -16,15 +16,10 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
                          !options.fold && options.writes_rows),
       nans_(width_, std::numeric_limits<double>::quiet_NaN()) {}
 
-void RowTransformer::transform(const PairBlock& pairs, Output& output, const Ordered& ordered) {
-    for (auto next = pairs.rows.begin(); next != pairs.rows.end() && !output.stopped;) {
-        gathered_.clear();
-        for (; next != pairs.rows.end() && gathered_.rows().size() < rows_at_once(); ++next) {
-            gathered_.add(*next);
-        }
-        answer(true, output, ordered);
-        finish_batch({}, output);
-    }
+void RowTransformer::transform(ReadRows& pairs, Output& output, const Ordered& ordered) {
+    gathered_.take(pairs);
+    answer(true, output, ordered);
+    finish_batch({}, output);
 }
 
 void RowTransformer::finish(Output& output) { transform({}, waiting_line_, output, {}, true); }
@@ -135,17 +130,16 @@ void RowTransformer::write_row(Row& row, Output& output) {
         gathered_.split(row);
     }
     if (options_->writes_partners()) {
-        find_partner(row, given);
+        write_partner(gathered_.pair_of(row));
     }
     const RowReport& report = report_of(row);
     const bool failed = !row.has_numbers() || report.error != Error::none;
-    const bool has_no_partner = row.fraction > 0.0 && report.error == Error::past_half_turn; // of neighbours
-    if (has_no_partner && !options_->pairing->needs_partner) {
-        output.unpaired.add({1, row.number});
-        return;
-    }
     if (failed) {
         const RowError error = gathered_.error_of(row, report, given);
+        if (error.what == RowError::What::no_partner && !options_->pairing->needs_partner) {
+            output.unpaired.add({1, row.number});
+            return;
+        }
         output.events.emplace_back(error);
         output.stopped = options_->on_error == OnError::stop || error.key == KeyError::has_unit;
         if (output.stopped || options_->on_error != OnError::nan || !is_ours) {
@@ -164,24 +158,18 @@ void RowTransformer::write_row(Row& row, Output& output) {
     }
     if (!failed) {
         ++output.answered;
-        add_diagnostics(output.events, row, report, *options_->operation);
+        add_diagnostics(output.events, row.number, gathered_.pair_of(row), report, *options_->operation);
     }
 }
 
-void RowTransformer::find_partner(const Row& row, std::string_view given) {
-    key_parts_.clear();
+void RowTransformer::write_partner(const Pair& pair) {
     const char delimiter = layout_->delimiter.text();
-    if (row.partner.number == 0) { // a row without a key
+    if (pair.partner.number == 0) { // a row without a key
         partner_ = fmt::format("{0}nan{0}nan{0}nan", delimiter);
         return;
     }
-    const RowReader& reader = gathered_.reader(Side::stream);
-    const RowReader& reference = gathered_.reader(Side::reference);
-    const std::string other = *reference.key(row.partner.text, key_parts_);
-    const Key own = reader.key_of(*reader.key(given, key_parts_)).value;
-    const Key others = reference.key_of(other).value;
-    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}{4}", delimiter, row.partner.number, trimmed(other),
-                           own < others ? "-" : "", distance(own, others).text());
+    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}{4}", delimiter, pair.partner.number, pair.partner_text,
+                           pair.key < pair.partner_key ? "-" : "", distance(pair.key, pair.partner_key).text());
 }
 
 const RowReport& RowTransformer::report_of(const Row& row) noexcept {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -24,14 +23,14 @@ class RowTransformer {
 public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
-    /// Sets the widths of the rows that follow, in the stream and the reference.
-    void expect(const std::array<RowWidth, 2>& widths) noexcept { gathered_.expect(widths); }
+    /// Sets the width of the rows that follow.
+    void expect(const RowWidth& width) noexcept { gathered_.expect(width); }
     /// Adds the output of the rows of `text`, whole lines from line `line` on. The results of a continuous operation
     /// are made continuous once, for all rows of the text, by `ordered` if it is given. `is_end`: no row may wait.
     void transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered = {},
                    bool is_end = false);
-    /// The same of pairs of rows.
-    void transform(const PairBlock& pairs, Output& output, const Ordered& ordered);
+    /// The same of pairs of rows, which are taken over.
+    void transform(ReadRows& pairs, Output& output, const Ordered& ordered);
     /// To be called at the end: adds the output of rows that still wait.
     void finish(Output& output);
 
@@ -56,8 +55,8 @@ private:
     }
     /// The report on the row's result, empty if there is none; to be called for each row in order.
     [[nodiscard]] const RowReport& report_of(const Row& row) noexcept;
-    /// Sets `partner_` for a row; `given`: the row as it was read.
-    void find_partner(const Row& row, std::string_view given);
+    /// Sets `partner_` for a row.
+    void write_partner(const Pair& pair);
 
     const Options* options_;
     const Layout* layout_;
@@ -73,7 +72,6 @@ private:
     std::vector<RowReport> reports_; ///< one for each remarkable row
     std::size_t next_report_ = 0;    ///< index of the first report that is not yet written
     std::string partner_;            ///< the fields partner_names of the row
-    RowParts key_parts_;             ///< the keys of a row and its partner
     std::vector<double> nans_;       ///< the result of a failed row
 };
 

@@ -297,28 +297,26 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
             append(to, std::isnan(value) ? "null" : value > 0 ? "\"inf\"" : "\"-inf\"");
         }
     };
+    for (std::size_t i = 0; i < row.result.size() && !options_->block; ++i) {
+        key();
+        number(row.result[i], i);
+    }
     std::size_t column = 0;
-    for (const ResultPart& part : options_->operation->parts) {
-        if (options_->block) { // the numbers of a SPEC have one key
-            begin_member();
-            append_json_string(to, part.attitude->text());
-            append(to, ": [");
-        }
+    for (const ResultPart& part : options_->block ? options_->operation->parts : std::vector<ResultPart>()) {
+        begin_member(); // the numbers of a SPEC have one key
+        append_json_string(to, part.attitude->text());
+        append(to, ": [");
         for (std::size_t i = 0; i < part.names.size(); ++i) {
-            if (!options_->block) {
-                key();
-            } else {
-                append(to, i > 0 ? ", " : "");
-            }
+            append(to, i > 0 ? ", " : "");
             number(row.result[column], column);
             ++column;
         }
-        append(to, options_->block ? "]" : "");
+        append(to, "]");
     }
     if (options_->diagnostic_columns) {
         for (const double figure : figures_of(row)) {
             key();
-            number(figure, column);
+            number(figure, row.result.size());
         }
         key();
         append_json_string(to, notes_of(row));

@@ -141,7 +141,7 @@ private:
         Job& job = *made;
         lock.unlock();
         const bool goes_on = reader_->read(job);
-        job.widths = reader_->widths();
+        job.width = reader_->width();
         tell_notes(job.output, false);
         lock.lock();
         all_read_ = !goes_on;
@@ -171,12 +171,12 @@ private:
         if (!transformer) {
             transformer.emplace(*options_, *reader_->layout(Side::stream), reader_->layout(Side::reference));
         }
-        transformer->expect(job.widths);
+        transformer->expect(job.width);
         const auto ordered = [this, &job](const std::function<void()>& what) { return run_in_order(job, what); };
-        if (job.pairs.rows.empty()) {
+        if (job.pairs.read.rows.empty()) {
             transformer->transform(job.block.text, job.block.first_line, job.output, ordered);
         } else {
-            transformer->transform(job.pairs, job.output, ordered);
+            transformer->transform(job.pairs.read, job.output, ordered);
         }
     }
 

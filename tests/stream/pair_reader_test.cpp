@@ -43,10 +43,16 @@ std::string pairs_of(const std::string& rows, const std::string& references, std
     for (bool more = true; more;) {
         Job job;
         more = reader.read(job);
-        for (const Row& row : job.pairs.rows) {
+        const ReadRows& read = job.pairs.read;
+        for (std::size_t i = 0; i < read.rows.size(); ++i) {
+            const Row& row = read.rows[i];
+            const bool is_between =
+                row.has_numbers() && options.pairing->interpolates && !read.between[row.index].is_at_row();
             if (!row.passes) {
-                pairs += fmt::format("{}{}-{}{} ", row.has_numbers() ? "" : "!", row.number, row.partner.number,
-                                     row.fraction > 0.0 ? fmt::format("+{}@{}", row.later.number, row.fraction) : "");
+                pairs += fmt::format(
+                    "{}{}-{}{} ", row.has_numbers() ? "" : "!", row.number, read.pairs[i].partner.number,
+                    is_between ? fmt::format("+{}@{}", read.pairs[i].later.number, read.between[row.index].fraction)
+                               : "");
             }
         }
     }
@@ -233,26 +239,4 @@ TEST_CASE("keys are the nearest to each other by all their digits") {
     CHECK(pairs_of(rows, reference('6'), 1U << 16U, "4e-18") == "1-1 2-2 0 0");
     CHECK(pairs_of(rows, reference('6'), 1U << 16U, "3e-18") == "1-1 1 1");
     CHECK(pairs_of("1e20,1,0,0,0\n", rows) == "!1-0 0 2");
-}
-
-// Catches a row of a pair with no room behind it, where the scan of its numbers looks; digits there that would
-// count as its own.
-TEST_CASE("behind each row of a pair stand the next ones of its block, then zeros") {
-    const Options options = keyed_pairs("0.5");
-    const std::string room(RowReader::room_behind, '\0');
-    for (const std::string rows : {"1,1,0,0,0\n2,1,0,0,0\r\n3,1,0,0,0\n", "1,1,0,0,0"}) {
-        Pieces source(rows, {rows.size()});
-        Pieces reference(rows, {rows.size()});
-        PairReader reader(source, reference, options, IoBlockReader::largest_block);
-        Job job;
-        while (reader.read(job)) {
-        }
-        REQUIRE(!job.pairs.rows.empty());
-        for (const Row& row : job.pairs.rows) {
-            for (const std::string_view text : {row.line.text, row.partner.text}) {
-                const std::string behind = rows.substr(rows.find(text) + text.size()) + room;
-                CHECK(std::string(text.data() + text.size(), room.size()) == behind.substr(0, room.size()));
-            }
-        }
-    }
 }
