@@ -40,8 +40,8 @@ public:
     /// Numbers of a row of output: the angle, then those of both attitudes if the settings want them.
     [[nodiscard]] std::size_t outputs() const noexcept { return settings_.attitudes ? 9 : 1; }
 
-    /// Like Conversion::run(). An error of the second attitude has RowReport::of_reference, and RowReport::deviation is
-    /// the angle.
+    /// Like Conversion::run(). An error of the second attitude has 1 as RowReport::at_fault, and RowReport::deviation
+    /// is the angle.
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const;
 
 private:

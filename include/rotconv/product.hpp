@@ -24,8 +24,8 @@ public:
     [[nodiscard]] const Spec& to() const noexcept { return to_; }
     [[nodiscard]] const ConversionSettings& settings() const noexcept { return settings_; }
 
-    /// Like Conversion::run(), of rows of first().size() + second().size() numbers. An error of B has
-    /// RowReport::of_reference.
+    /// Like Conversion::run(), of rows of first().size() + second().size() numbers. An error of B has 1 as
+    /// RowReport::at_fault.
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
              std::span<double> rest = {}) const;
 

@@ -172,21 +172,25 @@ struct PartReport {
     Sensitivity sensitivity{};
 };
 
+/// What a report says about the second attitude of a row.
+struct ReferenceReport {
+    double defect = 0.0;
+    UnusualNumbers unusual{};
+};
+
 /// The report on one row.
 struct RowReport {
     std::size_t row = 0; ///< its index among the rows of the run
     Error error = Error::none;
-    bool of_reference = false; ///< for rows that hold two attitudes: error and defect are those of the second
-    bool of_later = false;     ///< if the second lies between two others: error and defect are those of the later
+    std::size_t at_fault = 0; ///< what has the error: 0 the first attitude, above it one of `references`
     DiagnosticSet diagnostics{};
-    double defect = 0.0; ///< below `reported_defect` and without ConversionSettings::sensitivity only an upper bound
-    Sensitivity sensitivity{};     ///< set if the result has diagnostics, or with ConversionSettings::sensitivity
-    double reference_defect = 0.0; ///< for rows that hold two attitudes: the defect of the second
-    double deviation =
-        0.0; ///< radians, or a comparison's unit: the angle that method_error, coarse_step and beyond are about
-    UnusualNumbers unusual{};           ///< in the first attitude
-    UnusualNumbers reference_unusual{}; ///< in the second attitude
-    std::vector<PartReport> parts{};    ///< one for each representation of the result, if there are several
+    double defect = 0.0; ///< of the attitude with the error, otherwise of the first; below `reported_defect` and
+                         ///< without ConversionSettings::sensitivity only an upper bound
+    Sensitivity sensitivity{}; ///< set if the result has diagnostics, or with ConversionSettings::sensitivity
+    double deviation = 0.0;    ///< radians, or a comparison's unit: the angle of method_error, coarse_step and beyond
+    UnusualNumbers unusual{};  ///< in the first attitude
+    std::array<ReferenceReport, 2> references{}; ///< the second attitude, or both between which it is interpolated
+    std::vector<PartReport> parts{};             ///< one for each representation of the result, if there are several
 
     /// Adds the diagnostics of the unusual numbers of the first attitude.
     void report_numbers() noexcept {

@@ -220,10 +220,11 @@ private:
         if (count.rows == 0) {
             count.first = diagnostic;
         }
-        if (count.rows == 0 || count.last_line != diagnostic.place.line) { // a reference's row may be in several pairs
-            ++count.rows;
-            count.last_line = diagnostic.place.line;
+        if (count.rows > 0 && count.last_line >= diagnostic.place.line) { // a reference's row may be in several pairs
+            return;
         }
+        ++count.rows;
+        count.last_line = diagnostic.place.line;
         if (command_->diagnostics == ShowDiagnostics::rows) {
             tell(diagnostic.place, messages::describe(diagnostic));
         }

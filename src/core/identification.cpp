@@ -225,8 +225,8 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
     known_.resize(4 * rows.size());
     known_conversion_.run(known_numbers_, known_, reports);
     std::ranges::for_each(reports, [](RowReport& report) {
-        report.of_reference = true;
-        report.reference_defect = report.error == Error::none ? std::exchange(report.defect, 0.0) : 0.0;
+        report.at_fault = 1;
+        report.references[0].defect = report.error == Error::none ? std::exchange(report.defect, 0.0) : 0.0;
     });
     // Few of the first rows at a time, because most candidates are dropped there.
     for (std::size_t first = 0; first < rows.size();) {

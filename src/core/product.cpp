@@ -25,12 +25,11 @@ RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std:
     }
     RowReport other = second.report(row, settings);
     if (other.error != Error::none) {
-        other.of_reference = true;
+        other.at_fault = 1;
         return other;
     }
     report.diagnostics |= other.diagnostics;
-    report.reference_defect = other.defect;
-    report.reference_unusual = other.unusual;
+    report.references[0] = {other.defect, other.unusual};
     return report;
 }
 

@@ -94,29 +94,23 @@ std::array<double, 4> BetweenRows::attitude_at(std::size_t row, const stream::Be
     }
     const auto found = interpolate(earlier, later, place.fraction);
     if (!found) {
-        reports.push_back({.row = row, .error = Error::past_half_turn, .of_reference = true});
+        reports.push_back({.row = row, .error = Error::past_half_turn, .at_fault = 1});
     }
     return found.value_or(Rotation()).components();
 }
 
 void BetweenRows::add_neighbours(std::size_t row, const stream::Between& place, std::vector<RowReport>& reports) const {
-    for (const std::size_t neighbour : {place.earlier, place.later}) {
-        const auto report = std::ranges::lower_bound(neighbour_reports_, neighbour, {}, &RowReport::row);
-        const bool is_later = neighbour == place.later;
-        if (report == neighbour_reports_.end() || report->row != neighbour ||
-            (is_later && report->error == Error::none)) {
-            continue; // the next row reports the later one
+    const std::array neighbours{place.earlier, place.later};
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+        const auto report = std::ranges::lower_bound(neighbour_reports_, neighbours.at(k), {}, &RowReport::row);
+        if (report == neighbour_reports_.end() || report->row != neighbours.at(k)) {
+            continue;
         }
         RowReport& found = stream::report_of(row, reports);
         if (found.error == Error::none && report->error != Error::none) {
-            found = {.row = row,
-                     .error = report->error,
-                     .of_reference = true,
-                     .of_later = is_later,
-                     .defect = report->defect};
+            found = {.row = row, .error = report->error, .at_fault = k + 1, .defect = report->defect};
         } else if (found.error == Error::none) {
-            found.reference_defect = report->defect;
-            found.reference_unusual = report->unusual;
+            found.references.at(k) = {report->defect, report->unusual};
             found.diagnostics |= report->diagnostics;
         }
     }

@@ -111,7 +111,7 @@ private:
     void refuse(const NumberRows& rows, Clock& clock) {
         refused_.assign(rows.lines.size(), {});
         for (const RowReport& report : found_) {
-            if (report.error != Error::none && !report.of_reference) {
+            if (report.error != Error::none && report.at_fault == 0) {
                 refused_[report.row] = report;
             }
         }

@@ -101,8 +101,8 @@ RowError GatheredRows::error_of(const Row& row, const RowReport& report, std::st
                 .error = report.error};
     }
     const Pair& pair = pair_of(row);
-    const bool is_partner = report.of_reference && pair.partner.number > 0;
-    const Partner& at = report.of_later ? pair.later : pair.partner;
+    const bool is_partner = report.at_fault > 0 && pair.partner.number > 0;
+    const Partner& at = report.at_fault == 2 ? pair.later : pair.partner;
     return {.place = {row.number},
             .cause = {is_partner ? at.number : 0, Side::reference},
             .what = RowError::What::attitude,
@@ -113,19 +113,20 @@ RowError GatheredRows::error_of(const Row& row, const RowReport& report, std::st
 }
 
 double GatheredRows::norm_of(const Row& row, const RowReport& report) const {
-    if (report.of_reference && !options_->pairing) {
+    if (report.at_fault > 0 && !options_->pairing) {
         return 0.0; // the second attitude of a row
     }
-    const RowNumbers& read = report.of_reference ? options_->pairing->reference.numbers : options_->input.numbers;
+    const RowNumbers& read = report.at_fault > 0 ? options_->pairing->reference.numbers : options_->input.numbers;
     if (!read.attitude || read.attitude->name != RepresentationId::quat) {
         return 0.0;
     }
     std::span<const double> q = read_.parts.numbers;
     q = q.subspan(row.index * (q.size() / read_.lines.size())); // with the partner's
-    if (report.of_reference && options_->pairing->interpolates) {
+    if (report.at_fault > 0 && options_->pairing->interpolates) {
         const Between& between = read_.between[row.index];
-        q = std::span<const double>(read_.neighbours).subspan(4 * (report.of_later ? between.later : between.earlier));
-    } else if (report.of_reference) {
+        q = std::span<const double>(read_.neighbours)
+                .subspan(4 * (report.at_fault == 2 ? between.later : between.earlier));
+    } else if (report.at_fault > 0) {
         q = q.subspan(layout_->count - read.kept);
     }
     q = q.first(4);

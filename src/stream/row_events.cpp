@@ -1,6 +1,8 @@
 #include "row_events.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace rotconv::stream {
 
@@ -9,7 +11,8 @@ double figure_of(const RowReport& report, const Sensitivity& sensitivity, Diagno
     case DiagnosticKind::normalized:
     case DiagnosticKind::axis_length:
     case DiagnosticKind::large_angle:
-        return std::max(report.unusual.figure_of(kind), report.reference_unusual.figure_of(kind));
+        return std::max({report.unusual.figure_of(kind), report.references[0].unusual.figure_of(kind),
+                         report.references[1].unusual.figure_of(kind)});
     case DiagnosticKind::near_gimbal_lock: return sensitivity.condition;
     case DiagnosticKind::method_error:
     case DiagnosticKind::coarse_step:
@@ -22,19 +25,20 @@ void add_diagnostics(std::vector<Event>& events, std::size_t line, const Pair& p
                      const RowOperation& operation) {
     for_each_diagnostic(report, line, [&](Diagnostic diagnostic) {
         diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
-        const double own = report.unusual.figure_of(diagnostic.kind);
-        const double reference = report.reference_unusual.figure_of(diagnostic.kind);
-        if (pair.partner.number == 0 || (own == 0.0 && reference == 0.0)) {
-            events.emplace_back(diagnostic);
-            return;
-        }
-        const auto add = [&](double figure, Place place) {
-            if (figure > 0.0) {
+        const std::array<std::pair<const UnusualNumbers*, Place>, 3> attitudes{
+            {{&report.references[0].unusual, {pair.partner.number, Side::reference}},
+             {&report.references[1].unusual, {pair.later.number, Side::reference}},
+             {&report.unusual, {line}}}};
+        bool is_told = false;
+        for (const auto& [unusual, place] : attitudes) {
+            if (const double figure = unusual->figure_of(diagnostic.kind); pair.partner.number > 0 && figure > 0.0) {
                 events.emplace_back(Diagnostic{.place = place, .kind = diagnostic.kind, .figure = figure});
+                is_told = true;
             }
-        };
-        add(reference, {pair.partner.number, Side::reference});
-        add(own, {line});
+        }
+        if (!is_told) {
+            events.emplace_back(diagnostic);
+        }
     });
 }
 

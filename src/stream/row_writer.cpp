@@ -38,7 +38,7 @@ std::array<double, 3> figures_of(const ConvertedRow& row) noexcept {
         return {nan, nan, nan};
     }
     return {row.report->sensitivity.margin, row.report->sensitivity.condition,
-            std::max(row.report->defect, row.report->reference_defect)};
+            std::max({row.report->defect, row.report->references[0].defect, row.report->references[1].defect})};
 }
 
 std::string_view without_trailing_blanks(std::string_view row, char delimiter) noexcept {

@@ -178,10 +178,10 @@ TEST_CASE("what there is to tell of a comparison") {
     CHECK(within(0.2499)[0].deviation == 0.25);
     const auto first = compare("quat", "dcm", {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     REQUIRE(first.reports.size() == 1);
-    CHECK((first.reports[0].error == Error::zero_quaternion && !first.reports[0].of_reference));
+    CHECK((first.reports[0].error == Error::zero_quaternion && first.reports[0].at_fault == 0));
     const auto second = compare("quat", "dcm", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1});
     REQUIRE(second.reports.size() == 1);
-    CHECK((second.reports[0].error == Error::not_proper && second.reports[0].of_reference));
+    CHECK((second.reports[0].error == Error::not_proper && second.reports[0].at_fault == 1));
     CHECK(std::isnan(second.numbers[0]));
     const Comparison strict(accuracy::spec("quat"), accuracy::spec("quat"));
     std::vector<RowReport> reports;
@@ -189,7 +189,7 @@ TEST_CASE("what there is to tell of a comparison") {
     strict.run(std::vector<double>{1, 0, 0, 0, 1.0005, 0, 0, 0}, out, reports);
     REQUIRE(reports.size() == 1);
     CHECK(reports[0].diagnostics.has(DiagnosticKind::normalized));
-    CHECK(reports[0].reference_defect == Approx(0.0005));
+    CHECK(reports[0].references[0].defect == Approx(0.0005));
 }
 
 // Catches readings in plain double, which are 3 eps off at worst. Found by a search against 100 digits.

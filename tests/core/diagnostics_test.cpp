@@ -259,7 +259,7 @@ TEST_CASE("a defect is reported above 2e-4") {
     pair.run(numbers, angle, reports);
     REQUIRE(reports.size() == 1);
     CHECK(reports[0].unusual.defect == 0.0);
-    CHECK(reports[0].reference_unusual.defect == reports[0].reference_defect);
+    CHECK(reports[0].references[0].unusual.defect == reports[0].references[0].defect);
 }
 
 // Catches a bound on the defect that is below it, so that a decision depends on whether figures are asked for.

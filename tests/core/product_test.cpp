@@ -145,10 +145,10 @@ TEST_CASE("products of extremely small turns and extremely scaled quaternions ke
 TEST_CASE("what there is to tell of a product") {
     const auto first = composed("quat", "quat", "dcm", {0, 0, 0, 0, 1, 0, 0, 0});
     REQUIRE(first.reports.size() == 1);
-    CHECK((first.reports[0].error == Error::zero_quaternion && !first.reports[0].of_reference));
+    CHECK((first.reports[0].error == Error::zero_quaternion && first.reports[0].at_fault == 0));
     const auto second = composed("quat", "dcm", "quat", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1});
     REQUIRE(second.reports.size() == 1);
-    CHECK((second.reports[0].error == Error::not_proper && second.reports[0].of_reference));
+    CHECK((second.reports[0].error == Error::not_proper && second.reports[0].at_fault == 1));
     CHECK(std::isnan(second.numbers[0]));
     const auto locked = composed("rpy:deg", "rpy:deg", "rpy:deg", {0, 40, 0, 0, 50, 0});
     REQUIRE(locked.reports.size() == 1);

@@ -558,10 +558,10 @@ fuzz::Calculate calculate_of(const Program& program, bool diagnostic_columns) {
         operation->run({others, {&line, 1}, kept_numbers, kept_texts}, answer.numbers, reports);
         const RowReport report = reports.empty() ? RowReport{} : reports.front();
         answer.failed = report.error != Error::none;
-        answer.of_reference = report.of_reference;
+        answer.of_reference = report.at_fault > 0;
         if (columns) {
             answer.numbers.insert(answer.numbers.end(), {report.sensitivity.margin, report.sensitivity.condition,
-                                                         std::max(report.defect, report.reference_defect)});
+                                                         std::max(report.defect, report.references[0].defect)});
         }
         for (std::size_t i = 0; i < diagnostic_kind_count; ++i) {
             const auto kind = static_cast<DiagnosticKind>(i);
