@@ -73,7 +73,8 @@ public:
 
     /// Converts rows of from().size() numbers each into rows of to().size() numbers. The numbers of a row with an error
     /// become nan. Except with ConversionSettings::fast, each number is the double nearest to the exact function of the
-    /// numbers read; examples/accuracy.md has the limits. No number becomes -0.
+    /// numbers read. No number becomes -0. A program that is linked with -ffast-math sets the processor to replace
+    /// numbers below 2.3e-308 by 0 when it starts: such numbers are then lost here too.
     /// @param reports is replaced by the reports of the rows that have an error or a diagnostic (with
     /// ConversionSettings::sensitivity, of all rows), in row order. Most rows have none. A vector that is reused is not
     /// allocated again

@@ -1,9 +1,10 @@
 #!/bin/sh
-# subproject_test.sh CMAKE SOURCE: the library alone needs Eigen alone, as a part of another project, which builds it into a
-# shared library, and by itself.
+# subproject_test.sh CMAKE SOURCE PROGRAM: the library alone needs Eigen alone, by itself and as a part of another project, which
+# builds it into a shared library with -ffast-math. Its numbers are still those of PROGRAM.
 set -eu
 cmake=$1
 source=$2
+program=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() {
@@ -51,6 +52,14 @@ cat > "$work/project/turns.cpp" <<'END'
 
 static_assert(ROTCONV_VERSION_MAJOR >= 0 && ROTCONV_VERSION_MINOR >= 0 && ROTCONV_VERSION_PATCH >= 0);
 const char* version() { return ROTCONV_VERSION; }
+void rows() {
+    std::vector<double> in(4 * 2000);
+    in.resize(std::fread(in.data(), sizeof(double), in.size(), stdin));
+    std::vector<double> out(in.size() / 4 * 3);
+    std::vector<rotconv::RowReport> reports;
+    rotconv::Conversion({}, {.name = rotconv::RepresentationId::rotvec}).run(in, out, reports);
+    std::fwrite(out.data(), sizeof(double), out.size(), stdout);
+}
 END
 # The example's program is a function of the shared library here.
 sed 's/int main()/void turn()/' "$source/examples/cpp/attitude.cpp" >> "$work/project/turns.cpp"
@@ -59,17 +68,25 @@ cat > "$work/project/main.cpp" <<'END'
 
 const char* version();
 void turn();
+void rows();
 
-int main() {
+int main(int argc, char**) {
+    if (argc > 1) {
+        rows();
+        return 0;
+    }
     std::puts(version());
     turn();
 }
 END
-configure -S "$work/project" -B "$work/build" || fail "another project does not take the library in"
+configure -S "$work/project" -B "$work/build" -DCMAKE_CXX_FLAGS=-ffast-math || fail "another project does not take the library in"
 "$cmake" --build "$work/build" --parallel 2 > "$work/log" 2>&1 || fail "a shared library does not take the library in"
 "$work/build/outside" > "$work/log"
 version=$(sed -n 's/^#define ROTCONV_VERSION_[A-Z]* //p' "$source/include/rotconv/version.hpp" | paste -sd .)
 [ "$(head -n 1 "$work/log")" = "$version" ] || fail "not version $version"
 grep -q '^roll -10 pitch 90 yaw 0$' "$work/log" || fail "the shared library does not turn"
+"$program" sample -t quat --rows 2000 --format f64 > "$work/quaternions"
+"$program" -f quat -t rotvec --input-format f64 --format f64 "$work/quaternions" > "$work/expected" 2> /dev/null
+"$work/build/outside" rows < "$work/quaternions" | cmp - "$work/expected" || fail "with -ffast-math rows have other numbers"
 "$cmake" --install "$work/build" --prefix "$work/usr" > "$work/log"
 [ ! -e "$work/usr" ] || fail "rotconv is installed with the project that it is a part of"

@@ -3,6 +3,10 @@
 #include <cstdint>
 #include <type_traits>
 
+#ifdef __FAST_MATH__
+#error "rotconv's own sources need -fno-fast-math, which CMakeLists.txt gives after the flags of a parent project"
+#endif
+
 // The kernels (../representations/*_batch.cpp, ../kernels.cpp) and the elementary functions are compiled twice where
 // that pays: for every processor, and for those that have fused multiply-add as an instruction. Each time they have a
 // namespace of their own, so that no function of one takes the place of one of the other. Both give the same numbers.
