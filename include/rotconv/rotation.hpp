@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -32,6 +33,23 @@ namespace rotconv {
 #endif
 }
 
+/// A matrix of Eigen whose size is known only at run time.
+template <class Matrix>
+concept DynamicMatrix = std::derived_from<Matrix, Eigen::MatrixBase<Matrix>> &&
+                        int(Matrix::SizeAtCompileTime) == int(Eigen::Dynamic);
+
+/// @throw std::invalid_argument with both sizes
+[[noreturn]] void throw_size(Eigen::Index rows, Eigen::Index columns, int needed_rows, int needed_columns);
+
+/// The matrix as one of a fixed size. A wrong size does not compile, or throws where it is known only at run time.
+/// @throw std::invalid_argument if the matrix has another size
+template <class Fixed, class Derived> [[nodiscard]] Fixed sized(const Eigen::MatrixBase<Derived>& matrix) {
+    if (matrix.rows() != Fixed::RowsAtCompileTime || matrix.cols() != Fixed::ColsAtCompileTime) [[unlikely]] {
+        throw_size(matrix.rows(), matrix.cols(), Fixed::RowsAtCompileTime, Fixed::ColsAtCompileTime);
+    }
+    return matrix;
+}
+
 /// The one internal form of a rotation (eps in all bounds of these headers is 2^-52, in radians of attitude): a nonzero
 /// quaternion (w, x, y, z), Hamilton product, active, body to reference
 /// (`v_ref = R_ref_body * v_body`).
@@ -44,10 +62,15 @@ public:
     /// The identity.
     constexpr Rotation() noexcept = default;
 
+    /// The rotation nearest to a 3x3 matrix, as by dcm::to_rotation(), which returns an error instead of throwing it.
+    /// @throw std::logic_error if there is none
+    explicit Rotation(const Eigen::Matrix3d& matrix);
+    explicit Rotation(const DynamicMatrix auto& matrix) : Rotation(sized<Eigen::Matrix3d>(matrix)) {}
+
     /// The rotation of a finite nonzero quaternion of any norm and either sign. Exact, except that components more than
     /// 2^1074 times smaller than the largest become 0.
-    /// @pre all components are finite, and one of them is not 0; to_rotation() of a representation checks this
-    static Rotation from_components(double w, double x, double y, double z) noexcept {
+    /// @throw std::invalid_argument if all components are 0 or one is not finite
+    static Rotation from_components(double w, double x, double y, double z) {
         const double square = near_unit(w, x, y, z).squared_norm();
         if (!(square > 0x1p-900 && square < 0x1p900)) [[unlikely]] {
             return scaled(w, x, y, z);
@@ -96,7 +119,7 @@ public:
 
     /// The composition, R_ref_body = R_ref_a * R_a_body. Worst error found: 3.63 eps, limit 4.25.
     friend Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
-        // Not multiply() of src/core/numerics, which needs -ffp-contract=off: callers have flags of their own.
+        // Callers have flags of their own: a sum of products may be fused.
         const double w = (a.w() * b.w() - a.x() * b.x()) - (a.y() * b.y() + a.z() * b.z());
         const double x = (a.w() * b.x() + a.x() * b.w()) + (a.y() * b.z() - a.z() * b.y());
         const double y = (a.w() * b.y() + a.y() * b.w()) + (a.z() * b.x() - a.x() * b.z());
@@ -104,12 +127,30 @@ public:
         return with_square((w * w + x * x) + (y * y + z * z), w, x, y, z); // in [1/16, 16)
     }
 
-    /// Turns a vector: v_ref = R_ref_body * v_body = v + 2 (w u x v + u x (u x v))/|q|^2 with u = (x, y, z). Worst
-    /// error found: 9.24 eps of the vector's length, limit 10.75.
-    friend Eigen::Vector3d operator*(const Rotation& rotation, const Eigen::Vector3d& v) noexcept {
+    /// Whether both are the same attitude exactly, whatever the signs and norms of the quaternions. What was computed
+    /// in two ways is seldom the same to the last bit: see angle_between().
+    friend bool operator==(const Rotation& a, const Rotation& b) noexcept;
+
+    /// Turns a vector, or each column of a matrix with three rows: v_ref = R_ref_body * v_body = v + 2 (w u x v + u x
+    /// (u x v))/|q|^2 with u = (x, y, z). Worst error found: 9.24 eps of the vector's length, limit 10.75.
+    /// @throw std::invalid_argument if the matrix, with a size known only at run time, has not three rows
+    template <class Derived> friend Eigen::Matrix<double, 3, Derived::ColsAtCompileTime>
+    operator*(const Rotation& rotation, const Eigen::MatrixBase<Derived>& vectors) {
+        static_assert(int(Derived::RowsAtCompileTime) == 3 || int(Derived::RowsAtCompileTime) == int(Eigen::Dynamic),
+                      "a rotation turns vectors of three numbers: the columns of a matrix with three rows");
+        if (vectors.rows() != 3) [[unlikely]] {
+            throw_size(vectors.rows(), vectors.cols(), 3, static_cast<int>(vectors.cols()));
+        }
+        const auto& columns = vectors.eval();
         const Eigen::Vector3d u{rotation.x(), rotation.y(), rotation.z()};
-        const Eigen::Vector3d across = u.cross(v);
-        return v + (2.0 / rotation.squared_norm()) * (rotation.w() * across + u.cross(across));
+        const double factor = 2.0 / rotation.squared_norm();
+        Eigen::Matrix<double, 3, Derived::ColsAtCompileTime> turned(3, vectors.cols());
+        for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+            const Eigen::Vector3d v = columns.col(i).template head<3>();
+            const Eigen::Vector3d across = u.cross(v);
+            turned.col(i) = v + factor * (rotation.w() * across + u.cross(across));
+        }
+        return turned;
     }
 
 private:
@@ -121,7 +162,7 @@ private:
         const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - (exponent >> 1)) << 52U);
         return {w * factor, x * factor, y * factor, z * factor};
     }
-    static Rotation scaled(double w, double x, double y, double z) noexcept;
+    static Rotation scaled(double w, double x, double y, double z);
 
     std::array<double, 4> q_{1.0, 0.0, 0.0, 0.0};
 };
@@ -138,8 +179,8 @@ std::ostream& operator<<(std::ostream& out, const Rotation& rotation);
 /// of `a` if both are the same, and is otherwise a unit quaternion to rounding. Max error: 4 eps. The same bits on
 /// every machine. Nothing if the two are half a turn apart to rounding, |p.q| <= 4 eps: no rotation between them is
 /// then the shortest.
-/// @pre fraction is in [0, 1]
-[[nodiscard]] std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept;
+/// @throw std::invalid_argument if the fraction is not in [0, 1]
+[[nodiscard]] std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction);
 
 /// The axes in which an angular velocity is given: w_ref = R w_body. The angular velocity is always that of the body
 /// relative to the reference, in radians a second: Rdot = R [w_body]_x = [w_ref]_x R (Stuelpnagel 1964, section 1: Xdot

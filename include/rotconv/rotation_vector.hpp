@@ -7,10 +7,18 @@
 
 namespace rotconv {
 
-/// The vector theta n.
+/// The vector theta n. A vector of Eigen is one in radians.
 struct RotationVector {
-    Eigen::Vector3d vector = Eigen::Vector3d::Zero();
-    AngleUnit unit = AngleUnit::radians;
+    // NOLINTBEGIN(google-explicit-constructor): so that to_rotation() takes a vector
+    RotationVector(const Eigen::Vector3d& values, AngleUnit angle_unit = AngleUnit::radians) noexcept
+        : vector(values), unit(angle_unit) {}
+    template <class Derived>
+    RotationVector(const Eigen::MatrixBase<Derived>& values, AngleUnit angle_unit = AngleUnit::radians)
+        : vector(sized<Eigen::Vector3d>(values)), unit(angle_unit) {}
+    // NOLINTEND(google-explicit-constructor)
+
+    Eigen::Vector3d vector;
+    AngleUnit unit;
 };
 
 /// The exponential set, R = exp [theta n]_x (Stuelpnagel 1964, section 6; his s is this vector). A ball of radius pi

@@ -27,7 +27,6 @@
 #include <rotconv/conversion.hpp>
 #include <rotconv/dcm.hpp>
 #include <rotconv/euler.hpp>
-#include <rotconv/identification.hpp>
 #include <rotconv/integration.hpp>
 #include <rotconv/mrp.hpp>
 #include <rotconv/product.hpp>
@@ -36,6 +35,5 @@
 #include <rotconv/rates.hpp>
 #include <rotconv/rotation_vector.hpp>
 #include <rotconv/sampling.hpp>
-#include <rotconv/survey.hpp>
 #include <rotconv/two_column.hpp>
 #include <rotconv/version.hpp>

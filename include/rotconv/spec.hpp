@@ -13,9 +13,33 @@
 #include <rotconv/angle.hpp>
 #include <rotconv/euler.hpp>
 #include <rotconv/reading.hpp>
-#include <rotconv/representation_id.hpp>
+
+/// The table of representations, in the order in which they are listed, one row `line(identifier)` for each. Everything
+/// else about a representation is in its codec and its kernel.
+// clang-format off
+#define ROTCONV_REPRESENTATIONS(line) \
+    line(dcm) \
+    line(two_column) \
+    line(five_d) \
+    line(quat) \
+    line(axis_angle) \
+    line(rotvec) \
+    line(euler) \
+    line(rpy) \
+    line(cayley) \
+    line(mrp)
+// clang-format on
 
 namespace rotconv {
+
+#define ROTCONV_LINE(id) id,
+/// Names a representation in code; representation() has the rest.
+enum class RepresentationId : std::uint8_t { ROTCONV_REPRESENTATIONS(ROTCONV_LINE) };
+#undef ROTCONV_LINE
+
+#define ROTCONV_LINE(id) RepresentationId::id,
+inline constexpr std::array all_representations{ROTCONV_REPRESENTATIONS(ROTCONV_LINE)};
+#undef ROTCONV_LINE
 
 /// What changes how a representation's numbers are written down.
 enum class Modifier : std::uint8_t { passive, deg, col, xyzw, wxyz, positive };
@@ -24,25 +48,7 @@ inline constexpr std::array all_modifiers{Modifier::passive, Modifier::deg,  Mod
 
 using ModifierSet = EnumSet<Modifier>;
 
-/// A program, file format, robot or book, and what its numbers are. Those called presets are modifiers, too: each
-/// representation lists what they mean for it.
-struct Project {
-    std::string_view text;    ///< its name
-    std::string_view others;  ///< its other names, with blanks between
-    std::string_view specs;   ///< the SPEC of its numbers; a few words after it, or several with "; " between, are for
-                              ///< people; empty: there is none
-    std::string_view columns; ///< the names of its numbers, with blanks between, in the representation's own order;
-                              ///< empty: those of the representation
-    std::string_view reference; ///< its reference axes, as in parse_axes(); empty: none in particular
-    std::string_view body;      ///< its body axes
-    std::string_view source;    ///< the file, page or book that says so
-    std::string_view remark;
-
-    /// Whether its numbers are one SPEC, for which the name stands.
-    [[nodiscard]] constexpr bool is_spec() const noexcept {
-        return !specs.empty() && specs.find(' ') == std::string_view::npos;
-    }
-};
+struct Project;
 
 /// Where the numbers stand in rows of a project's files, as a list of columns from 1; empty if that is not known.
 /// @param size of the SPEC @param fields of a row
@@ -69,10 +75,6 @@ struct Representation {
     bool has_gimbal_lock = false;              ///< Euler angles; the outer ones have the range (-pi, pi]
     bool has_half_turns = true;                ///< otherwise their numbers are infinite
     std::size_t first_angle = 0;               ///< the first of the numbers that is an angle, if there are angles
-    std::string_view range;                    ///< range of the numbers on output, for people
-    std::string_view singular = "none";        ///< where it is singular, for people
-    std::string_view singular_attitude{};      ///< where its kinematic equation is, such as "a half-turn"
-    std::string_view formula;                  ///< for people
 
     [[nodiscard]] bool has_angles() const noexcept { return modifiers.has(Modifier::deg); }
 };
@@ -80,11 +82,6 @@ struct Representation {
 [[nodiscard]] const Representation& representation(RepresentationId name) noexcept;
 /// The representation with this text or alias, or null.
 [[nodiscard]] const Representation* find_representation(std::string_view text) noexcept;
-[[nodiscard]] std::span<const Project> projects() noexcept;
-/// The projects that are modifiers.
-[[nodiscard]] std::span<const Project> presets() noexcept;
-/// The project with this name or other name, or null.
-[[nodiscard]] const Project* find_project(std::string_view name) noexcept;
 /// Empty if the preset leaves the representation unchanged.
 [[nodiscard]] PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept;
 [[nodiscard]] std::string_view name_of(Modifier modifier) noexcept;

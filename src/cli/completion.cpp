@@ -4,8 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include <rotconv/spec.hpp>
-
+#include "../core/projects.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "program.hpp"

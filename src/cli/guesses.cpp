@@ -8,6 +8,7 @@
 #include <system_error>
 #include <variant>
 
+#include "../core/projects.hpp"
 #include "../methods/method.hpp"
 #include "command.hpp"
 #include "meanings.hpp"

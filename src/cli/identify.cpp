@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <rotconv/axes.hpp>
-#include <rotconv/identification.hpp>
 #include <rotconv/quaternion.hpp>
 
+#include "../core/identification.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {

@@ -7,6 +7,8 @@
 
 #include <rotconv/spec.hpp>
 
+#include "../core/projects.hpp"
+#include "../core/representations/codec.hpp"
 #include "../methods/method.hpp"
 #include "../operations/operations.hpp"
 #include "command.hpp"
@@ -51,8 +53,8 @@ std::string list_all() {
     };
     line("NAME", "also", "n", "numbers", "range on output", "singular at");
     for (const Representation& entry : mapped(all_representations, representation)) {
-        line(name_of(entry), aliases_of(entry), entry.size, columns_of({.name = entry.name}), entry.range,
-             entry.singular);
+        line(name_of(entry), aliases_of(entry), entry.size, columns_of({.name = entry.name}),
+             codec_of(entry.name).range, codec_of(entry.name).singular);
     }
     return text + "\nrotconv list NAME explains one: its formula, modifiers and presets.\n";
 }
@@ -63,10 +65,10 @@ std::string list_one(const Representation& entry) {
     const auto line = [&text](std::string_view label, std::string_view what) {
         text += fmt::format("  {:<10} {}\n", label, what);
     };
-    line("formula", entry.formula);
+    line("formula", codec_of(entry.name).formula);
     line("numbers", columns_of({.name = entry.name}));
-    line("range", entry.range);
-    line("singular", entry.singular);
+    line("range", codec_of(entry.name).range);
+    line("singular", codec_of(entry.name).singular);
     if (entry.takes_sequence) {
         line("sequences", "three letters, neighbours different: upper case XYZ turns about the body's own");
         line("", "moving axes (intrinsic), lower case xyz about the fixed axes (extrinsic);");

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <tuple>
 
+#include "../core/projects.hpp"
+#include "../core/representations/codec.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/key.hpp"
 
@@ -103,7 +105,7 @@ std::string why(const stream::RowError& error, const Subject& subject) {
         return subject.representation == RepresentationId::dcm ? "the matrix is nearly of rank one"
                                                                : "the two columns do not span a plane";
     case Error::singular:
-        return fmt::format("{} has no rates at {}{}", entry.text, entry.singular_attitude,
+        return fmt::format("{} has no rates at {}{}", entry.text, codec_of(entry.name).singular_attitude,
                            subject.has_steps ? ", and a step came too near to it (--substeps)" : "");
     case Error::coarse_step:
         return fmt::format("the body may turn by more in one step than {} can follow (--substeps; --time-unit)",

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "../core/projects.hpp"
 #include "column_names.hpp"
 #include "row_options.hpp"
 

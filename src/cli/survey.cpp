@@ -1,6 +1,4 @@
-
-#include <rotconv/survey.hpp>
-
+#include "../core/kinematics/survey.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rotconv/representation_id.hpp>
+#include <rotconv/spec.hpp>
 
 /// The grammar of attitudes as people type them and programs print them.
 ///

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "../core/projects.hpp"
 #include "../operations/operations.hpp"
 #include "../stream/fmt.hpp"
 #include "../stream/number_text.hpp"

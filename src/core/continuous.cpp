@@ -41,4 +41,14 @@ void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport
     }
 }
 
+void ContinuousNumbers::next(const Rotation& attitude, std::span<double> numbers) {
+    check_size(numbers.size(), spec_.size());
+    std::array<double, most_numbers> own{};
+    RowReport report;
+    report.diagnostics =
+        write_row(spec_, spec_.passive ? attitude.inverse() : attitude, own.data(), euler::default_lock_margin);
+    to_written_order(spec_, own.data(), 1, numbers.data());
+    run(numbers.first(spec_.size()), {&report, 1});
+}
+
 } // namespace rotconv

@@ -1,4 +1,4 @@
-#include <rotconv/identification.hpp>
+#include "identification.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <rotconv/identification.hpp>
+#include "identification.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,7 @@
 
 #include "numerics/eigensystem.hpp"
 #include "numerics/row_batch.hpp"
+#include "projects.hpp"
 #include "representations/rotation_angle.hpp"
 #include "text.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "numerics/elementary.hpp"
 #include "representations/rotation_angle.hpp"
@@ -17,7 +18,10 @@ double sine(double angle) noexcept { return sine_cosine<double>(DoubleDouble(ang
 
 double angle_between(const Rotation& a, const Rotation& b) noexcept { return angle_of(a * b.inverse()); }
 
-std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) noexcept {
+std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double fraction) {
+    if (!(fraction >= 0.0 && fraction <= 1.0)) {
+        throw std::invalid_argument("rotconv: a fraction is not in [0, 1]");
+    }
     const Vector4d p = unit(a);
     const Vector4d q = unit(b);
     const double cosine = p.dot(q); // of the angle h between them, half that of the rotation

@@ -1,4 +1,4 @@
-#include <rotconv/spec.hpp>
+#include "projects.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,48 @@
+#include <rotconv/dcm.hpp>
 #include <rotconv/quaternion.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <ostream>
+#include <stdexcept>
+#include <string>
 
+#include "numerics/double_double.hpp"
 #include "numerics/power_of_two.hpp"
 
 namespace rotconv {
 
-Rotation Rotation::scaled(double w, double x, double y, double z) noexcept {
+void throw_size(Eigen::Index rows, Eigen::Index columns, int needed_rows, int needed_columns) {
+    const auto size = [](Eigen::Index r, Eigen::Index c) { return std::to_string(r) + "x" + std::to_string(c); };
+    throw std::invalid_argument("rotconv: a matrix is " + size(rows, columns) + ", " +
+                                size(needed_rows, needed_columns) + " is needed");
+}
+
+Rotation::Rotation(const Eigen::Matrix3d& matrix) : Rotation(*dcm::to_rotation(matrix)) {}
+
+Rotation Rotation::scaled(double w, double x, double y, double z) {
+    const std::array q{w, x, y, z};
+    if (!all_finite(q.data(), 4) || q == std::array<double, 4>{}) {
+        throw std::invalid_argument("rotconv: a quaternion of zeros, or with a component that is not finite");
+    }
     const auto scale = PowerOfTwo::to_unit(largest_magnitude(w, x, y, z));
     return {scale(w), scale(x), scale(y), scale(z)};
+}
+
+bool operator==(const Rotation& a, const Rotation& b) noexcept {
+    const std::array<double, 4>& p = a.components();
+    const std::array<double, 4>& q = b.components();
+    const auto leader = static_cast<std::size_t>(
+        std::ranges::max_element(p, {}, [](double component) { return std::fabs(component); }) - p.begin());
+    for (std::size_t i = 0; i < 4; ++i) { // the quaternions are parallel
+        const DoubleDouble first = two_prod(p.at(leader), q.at(i));
+        const DoubleDouble second = two_prod(q.at(leader), p.at(i));
+        if (first.hi != second.hi || first.lo != second.lo) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::ostream& operator<<(std::ostream& out, const Rotation& rotation) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "projects.hpp"
 #include "representations/codec.hpp"
 #include "text.hpp"
 

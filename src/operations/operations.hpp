@@ -14,13 +14,13 @@
 #include <rotconv/alignment.hpp>
 #include <rotconv/comparison.hpp>
 #include <rotconv/conversion.hpp>
-#include <rotconv/identification.hpp>
 #include <rotconv/product.hpp>
 #include <rotconv/propagation.hpp>
 #include <rotconv/rates.hpp>
 #include <rotconv/sampling.hpp>
-#include <rotconv/survey.hpp>
 
+#include "../core/identification.hpp"
+#include "../core/kinematics/survey.hpp"
 #include "../methods/method_conversion.hpp"
 #include "../stream/row_operation.hpp"
 #include "angle_statistics.hpp"

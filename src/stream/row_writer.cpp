@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "../core/projects.hpp"
 #include "../core/representations/codec.hpp"
 #include "json.hpp"
 #include "row_events.hpp"

@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <rotconv/survey.hpp>
-
+#include "../../src/core/kinematics/survey.hpp"
 #include "figures.hpp"
 #include "motions.hpp"
 

@@ -142,7 +142,7 @@ TEST_CASE("Stuelpnagel's equation of the exponential set, mended and as misprint
         const double h = 1e-6;
         const Matrix3d x = dcm::from_rotation(c.x());
         const auto moved = [&](const Vector3d& rate) {
-            const RotationVector next{.vector = r.vector + h * rate};
+            const RotationVector next(r.vector + h * rate);
             return Matrix3d(dcm::from_rotation(rotation_vector::to_rotation(next)->inverse()));
         };
         const Matrix3d slope = omega(c) * x;

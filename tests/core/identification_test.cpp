@@ -10,8 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rotconv/identification.hpp>
-
+#include "../../src/core/identification.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 #include "oracle.hpp"

@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include "../../src/core/projects.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 

@@ -15,8 +15,8 @@
 
 #include <rotconv/axis_angle.hpp>
 #include <rotconv/conversion.hpp>
-#include <rotconv/survey.hpp>
 
+#include "../../src/core/kinematics/survey.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 

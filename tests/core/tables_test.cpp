@@ -12,6 +12,7 @@
 #include <rotconv/axes.hpp>
 #include <rotconv/spec.hpp>
 
+#include "../../src/core/projects.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rotconv/identification.hpp>
-
+#include "../../src/core/identification.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 #include "oracle.hpp"

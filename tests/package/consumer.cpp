@@ -21,11 +21,10 @@ template <class... Public> constexpr bool have_the_layout_of_doubles = ((alignof
 static_assert(
     have_the_layout_of_doubles<
         Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector, Modifier,
-        ModifierSet, Project, PresetMeaning, Representation, Spec, SpecError, FixedRotation, ConversionSettings,
-        UnusualNumbers, PartReport, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison,
-        Composition, VectorRotation, Candidate, Verdict, IdentificationSettings, Identification, IntegratorEntry,
-        Stepper, PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, RepresentationSurvey,
-        Survey, AxesChange, AxesError, ConstantRotations, MeanRotation, Alignment, SampleSettings, Sampler>);
+        ModifierSet, PresetMeaning, Representation, Spec, SpecError, FixedRotation, ConversionSettings, UnusualNumbers,
+        PartReport, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison, Composition,
+        VectorRotation, IntegratorEntry, Stepper, PropagationSettings, Propagated, PushResult, Propagator, RateSettings,
+        Rates, AxesChange, AxesError, ConstantRotations, MeanRotation, Alignment, SampleSettings, Sampler>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
@@ -89,6 +88,40 @@ void typed_calls() {
     check((quaternion::rate({1, 0, 0, 0}, {0, 0, 2}).coeffs() - Eigen::Vector4d(0, 0, 1, 0)).norm() == 0, "rate");
 }
 
+// What Eigen, Sophus and manif say in as few words.
+void few_words() {
+    const Eigen::Vector3d r(0, 0, pi / 2);
+    const Rotation quarter = *rotation_vector::to_rotation(r);
+    check(near(rotation_vector::to_rotation({r, AngleUnit::degrees})->z(), std::sin(pi * pi / 720)), "degrees");
+    check(near(rotation_vector::to_rotation(2 * r)->z(), 1), "an expression");
+    const Eigen::AngleAxisd turn = axis_angle::from_rotation(quarter, AngleUnit::degrees);
+    check(near(turn.angle(), pi / 2) && near(turn.axis().z(), 1) &&
+              near(angle_between(*axis_angle::to_rotation(turn), quarter), 0),
+          "Eigen::AngleAxisd");
+    check(Rotation(turn.toRotationMatrix()) == *dcm::to_rotation(turn.toRotationMatrix()), "of a matrix");
+    const Rotation one = Rotation::from_components(1, 2, 3, 4);
+    check(one == Rotation::from_components(-3, -6, -9, -12) && one != one.inverse() && one != Rotation(), "==");
+
+    const std::vector<Eigen::Quaterniond> quaternions{{0, 1, 0, 0}, {2, 0, 0, 2}};
+    std::vector<Eigen::Matrix3d> matrices(2);
+    std::vector<RowReport> reports;
+    Conversion(eigen_quaternion, eigen_matrix, {.tolerance = any_defect})
+        .run(numbers_of(quaternions), numbers_of(matrices), reports);
+    check(matrices[0].diagonal() == Eigen::Vector3d(1, -1, -1) && matrices[1](1, 0) == 1, "vectors of Eigen's types");
+
+    ContinuousNumbers following({.name = RepresentationId::euler, .sequence = "ZYX"});
+    std::array<double, 3> angles{};
+    for (int i = 0; i <= 100; ++i) { // the last is past a half-turn
+        following.next(*axis_angle::to_rotation({{0, 0, 1}, 0.04 * i}), angles);
+    }
+    check(near(angles[0] / 4, 1), "ContinuousNumbers::next()");
+
+    Eigen::Matrix3Xd points(3, 2);
+    points << 1, 0, 0, 2, 0, 0; // columns along x and y
+    const Eigen::Matrix3Xd turned = quarter * points;
+    check(turned.cols() == 2 && near(turned(1, 0), 1) && near(turned(0, 1), -2), "Rotation times columns");
+}
+
 void readings_have_a_tolerance() {
     const Reading wrong = quaternion::to_rotation({1, 2, 3, 4}); // |q| = sqrt 30
     check(!wrong && wrong.error() == Error::defect && near(wrong.defect(), std::sqrt(30.0) - 1), "tolerance of quat");
@@ -105,7 +138,7 @@ void rows() {
     std::vector<RowReport> reports;
     const std::array<double, 6> yaw_pitch_roll{90, 0, 0, 90, 90, 0};
     std::array<double, 8> quaternions{};
-    const FixedRotation left(*axis_angle::to_rotation({.angle = 0}));
+    const FixedRotation left(*axis_angle::to_rotation({{1, 0, 0}, 0}));
     const AxesChange enu = std::get<AxesChange>(parse_axes("ned:enu")); // a half-turn about x = y
     check(enu.matrix(0, 1) == 1 && !enu.changes_hand() && near((left * enu.rotation()).rotation.z(), 0), "AxesChange");
     const std::array<double, 4> angle_first{7, 0, 0, 8};
@@ -143,22 +176,6 @@ void rows() {
     rates.run(std::array<double, 6>{0, 0, 1, 0, 0, 2}, angle_rates, reports);
     check(angle_rates[2] == 2 && reports.empty(), "Rates");
 
-    Identification identification(4, spec_of("rpy:deg"), {}, IdentificationSettings{});
-    const std::array<std::size_t, 2> numbers{1, 2}; // a quarter turn about x, one about y; w last
-    const double half = std::sqrt(0.5);
-    identification.add(std::array<double, 14>{half, 0, 0, half, 90, 0, 0, 0, half, 0, half, 0, 90, 0}, numbers,
-                       reports);
-    const Candidate best = identification.best_first().front();
-    const Verdict verdict = identification.verdict();
-    check(identification.rows() == 2 && identification.fits(best) && verdict.fitting >= 1, "Identification");
-
-    Survey survey;
-    for (std::size_t row = 0; row < 100; ++row) {
-        survey.add(*axis_angle::to_rotation({{0, 0, 1}, 0.01 * static_cast<double>(row)}), row);
-    }
-    const RepresentationSurvey* const smallest = survey.smallest(1e3);
-    check(survey.rows() == 100 && smallest != nullptr && smallest->spec.size() == 3, "Survey");
-
     const SampleSettings sampling{.kinds = sample_kinds_of(RepresentationId::dcm)};
     std::array<double, 9> sample{};
     Sampler(spec_of("dcm"), sampling).run(std::array{7.0}, sample);
@@ -188,9 +205,7 @@ void motion() {
 }
 
 void tables() {
-    check(presets().size() > 5 && projects().size() > presets().size() && find_project("kuka") != nullptr &&
-              integrators().size() == 3 && entry_of(Integrator::magnus6).order == 6,
-          "tables");
+    check(integrators().size() == 3 && entry_of(Integrator::magnus6).order == 6, "tables");
     const Representation& entry = representation(RepresentationId::dcm);
     check(entry.size == 9 && entry.modifiers.has(Modifier::col) && !entry.presets.empty(), "Representation");
     check(std::get<SpecError>(parse_spec("quat:deg")).what == SpecError::What::meaningless_modifier, "SpecError");
@@ -202,6 +217,7 @@ void tables() {
 
 int main() {
     typed_calls();
+    few_words();
     readings_have_a_tolerance();
     rows();
     motion();

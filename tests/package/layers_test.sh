@@ -17,7 +17,7 @@ violations() {
             if (path ~ /^src\/stream\//) return 4
             if (path ~ /^src\/methods\//) return 3
             if (path ~ /^src\/core\/kinematics\//) return 2
-            if (path ~ /^include\/rotconv\/(rotconv|rates|integration|propagation|survey)\.hpp$/) return 2
+            if (path ~ /^include\/rotconv\/(rotconv|rates|integration|propagation)\.hpp$/) return 2
             if (path ~ /^src\/core\/numerics\/|^include\/rotconv\/(angle|version)\.hpp$/) return 0
             if (path ~ /^(src\/core|src\/core\/representations|include\/rotconv)\/[^\/]*$/) return 1
             return -1

@@ -1,4 +1,4 @@
-// Eight misuses of the library, each of which once gave a wrong attitude, a broken heap or a wall of errors in silence.
+// Misuses of the library, each of which once gave a wrong attitude, a broken heap or a wall of errors in silence.
 // The program is compiled with several flags and compilers, see misuse_test.sh.
 
 #include <cmath>
@@ -49,12 +49,22 @@ void refused_at_run_time() {
     quaternions.pop_back();
     check(throws<std::invalid_argument>([&] { conversion.run(quaternions, room, reports); }), "seven numbers");
     check(throws<std::invalid_argument>([&] { (void)read_attitude(eigen_matrix, quaternions); }), "seven of a matrix");
-    Identification identification(4, Spec{});
-    check(throws<std::invalid_argument>([&] { identification.add(quaternions, std::vector<std::size_t>{1}, reports); }),
-          "seven numbers of eight");
     Stepper stepper(Spec{}, Integrator::rk4);
     check(throws<std::invalid_argument>([&] { stepper.step(0.1, {}); }), "a step without rates");
     check(throws<std::logic_error>([] { (void)Reading(Error::none); }), "an error that is none");
+    const Rotation turned;
+    const Eigen::MatrixXd four = Eigen::MatrixXd::Identity(4, 4);
+    check(throws<std::invalid_argument>([&] { (void)(turned * Eigen::VectorXd(four.col(0))); }),
+          "R times four numbers");
+    check(throws<std::invalid_argument>([&] { (void)(turned * four); }), "R times four rows");
+    check(throws<std::invalid_argument>([&] { (void)dcm::to_rotation(four); }), "a matrix of 4x4");
+    check(throws<std::invalid_argument>([&] { (void)Rotation(four); }), "a Rotation of 4x4");
+    check(throws<std::invalid_argument>([&] { (void)mrp::to_rotation(Eigen::VectorXd(four.col(0))); }), "mrp of four");
+    check(throws<std::invalid_argument>([&] { (void)rotation_vector::to_rotation(Eigen::VectorXd(four.col(0))); }),
+          "a rotation vector of four");
+    check(throws<std::logic_error>([] { (void)Rotation(-Eigen::Matrix3d::Identity()); }), "a reflection");
+    check(throws<std::invalid_argument>([] { (void)Rotation::from_components(0, 0, 0, 0); }), "no quaternion");
+    check(throws<std::invalid_argument>([&] { (void)interpolate(turned, turned, NAN); }), "a fraction that is nan");
     const Spec matrix_with_scalar{.name = RepresentationId::dcm, .scalar_last = true};
     check(throws<std::invalid_argument>([&] { Conversion(matrix_with_scalar, Spec{}); }), "dcm:xyzw");
 }
@@ -87,6 +97,11 @@ int main() {
           std::pair(eigen_quaternion, std::vector<double>(q.coeffs().data(), q.coeffs().data() + 4))}) {
         check(angle_between(*read_attitude(spec, numbers), turned) < 1e-15, "the order of Eigen");
     }
+
+    // Points are the columns of a matrix, of a size known at compile time or not.
+    const Eigen::MatrixXd points = Eigen::MatrixXd::Ones(3, 5);
+    const Eigen::MatrixXd moved = turned * points;
+    check(moved.cols() == 5 && (moved.col(4) - matrix * points.col(4)).norm() < 1e-14, "R times points");
 
     // A stepper that has not started, and the words of errors.
     Stepper stepper(Spec{}, Integrator::rk4);

@@ -1,4 +1,4 @@
-#include <rotconv/survey.hpp>
+#include "survey.hpp"
 
 #include <algorithm>
 

@@ -20,7 +20,7 @@ Reading to_rotation(const AxisAngle& value) noexcept {
 AxisAngle from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
     std::array<double, 4> numbers{};
     write_row({.name = RepresentationId::axis_angle, .unit = unit}, rotation, numbers.data());
-    return {.axis = {numbers[0], numbers[1], numbers[2]}, .angle = numbers[3], .unit = unit};
+    return {{numbers[0], numbers[1], numbers[2]}, numbers[3], unit};
 }
 
 Sensitivity sensitivity(const Rotation& rotation) noexcept {
@@ -67,20 +67,19 @@ void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/
 } // namespace
 
 // Without a kinematic equation: the axis has no rate at the identity.
-constinit const Codec codecs::axis_angle{
-    .representation = {.name = RepresentationId::axis_angle,
-                       .text = "axis-angle",
-                       .aliases = {"axang"},
-                       .size = 4,
-                       .columns = {"ax", "ay", "az", "angle"},
-                       .modifiers = {Modifier::passive, Modifier::deg},
-                       .presets = presets_of_vectors,
-                       .first_angle = 3,
-                       .range = "unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity",
-                       .singular = "identity, half-turn",
-                       .singular_attitude = "a half-turn",
-                       .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2"},
-    .sensitivity = sensitivity_of<axis_angle::sensitivity>,
-    .nearest = nearest};
+constinit const Codec codecs::axis_angle{.representation = {.name = RepresentationId::axis_angle,
+                                                            .text = "axis-angle",
+                                                            .aliases = {"axang"},
+                                                            .size = 4,
+                                                            .columns = {"ax", "ay", "az", "angle"},
+                                                            .modifiers = {Modifier::passive, Modifier::deg},
+                                                            .presets = presets_of_vectors,
+                                                            .first_angle = 3},
+                                         .range = "unit axis, angle in [0, pi]; axis (1, 0, 0) for the identity",
+                                         .singular = "identity, half-turn",
+                                         .singular_attitude = "a half-turn",
+                                         .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2",
+                                         .sensitivity = sensitivity_of<axis_angle::sensitivity>,
+                                         .nearest = nearest};
 
 } // namespace rotconv

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -24,6 +25,12 @@ struct OpenEnds {
 /// yet inverted: of a Spec's conventions the sequence and the unit are left to them.
 struct Codec {
     Representation representation{};
+
+    // For people.
+    std::string_view range{};             ///< of the numbers on output
+    std::string_view singular = "none";   ///< where the representation is singular
+    std::string_view singular_attitude{}; ///< where its kinematic equation is, such as "a half-turn"
+    std::string_view formula{};
 
     /// The defect in full, where reading returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;

@@ -203,9 +203,14 @@ void wrap(double* v) noexcept {
 constexpr auto presets_of_sequences =
     std::to_array<PresetMeaning>({{"bunge", {}, EulerSequence("ZXZ")}, {"opk", {}, EulerSequence("XYZ")}});
 
-constexpr Codec codec_of_angles(const Representation& representation) noexcept {
+constexpr Codec codec_of_angles(const Representation& representation, std::string_view range, std::string_view lock,
+                                std::string_view formula) noexcept {
     return {
         .representation = representation,
+        .range = range,
+        .singular = lock,
+        .singular_attitude = "gimbal lock",
+        .formula = formula,
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
         .open_ends = open_ends,
@@ -227,11 +232,9 @@ constinit const Codec codecs::euler = codec_of_angles(
      .modifiers = {Modifier::passive, Modifier::deg, Modifier::positive},
      .presets = presets_of_sequences,
      .takes_sequence = true,
-     .has_gimbal_lock = true,
-     .range = "1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)",
-     .singular = "gimbal lock: 2nd at its limit",
-     .singular_attitude = "gimbal lock",
-     .formula = "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes"});
+     .has_gimbal_lock = true},
+    "1st, 3rd in (-pi, pi]; 2nd in [-pi/2, pi/2] (ABC) or [0, pi] (ABA)", "gimbal lock: 2nd at its limit",
+    "ABC: R = R_A(e1) R_B(e2) R_C(e3), own axes; abc: R = R_c(e3) R_b(e2) R_a(e1), fixed axes");
 
 constinit const Codec codecs::rpy =
     codec_of_angles({.name = RepresentationId::rpy,
@@ -239,10 +242,8 @@ constinit const Codec codecs::rpy =
                      .size = 3,
                      .columns = {"roll", "pitch", "yaw"},
                      .modifiers = {Modifier::passive, Modifier::deg, Modifier::positive},
-                     .has_gimbal_lock = true,
-                     .range = "roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]",
-                     .singular = "gimbal lock: pitch at its limit",
-                     .singular_attitude = "gimbal lock",
-                     .formula = "R = R_z(yaw) R_y(pitch) R_x(roll)"});
+                     .has_gimbal_lock = true},
+                    "roll, yaw in (-pi, pi]; pitch in [-pi/2, pi/2]", "gimbal lock: pitch at its limit",
+                    "R = R_z(yaw) R_y(pitch) R_x(roll)");
 
 } // namespace rotconv

@@ -50,7 +50,9 @@ Eigen::Vector3d stretched(const Eigen::Vector3d& r, double factor, const Eigen::
     return factor * v + (along * r.dot(v)) * r;
 }
 
-RotationVector value_of(const Spec& spec, const double* v) noexcept { return {{v[0], v[1], v[2]}, spec.unit}; }
+RotationVector value_of(const Spec& spec, const double* v) noexcept {
+    return {Eigen::Vector3d(v[0], v[1], v[2]), spec.unit};
+}
 
 /// Past a half-turn the numbers are singular at the full turns: there the margin is the distance to the nearest one, 0
 /// where a length in radians does not tell it from one.
@@ -72,7 +74,7 @@ Reading to_rotation(const RotationVector& value) noexcept {
 }
 
 RotationVector from_rotation(const Rotation& rotation, AngleUnit unit) noexcept {
-    RotationVector result{.unit = unit};
+    RotationVector result(Eigen::Vector3d::Zero(), unit);
     write_row({.name = RepresentationId::rotvec, .unit = unit}, rotation, result.vector.data());
     return result;
 }
@@ -158,11 +160,11 @@ constinit const Codec codecs::rotvec{
                        .size = 3,
                        .columns = {"rx", "ry", "rz"},
                        .modifiers = {Modifier::passive, Modifier::deg},
-                       .presets = presets_of_vectors,
-                       .range = "norm at most pi",
-                       .singular = "half-turn",
-                       .singular_attitude = "a full turn",
-                       .formula = "theta n; R = exp [theta n]"},
+                       .presets = presets_of_vectors},
+    .range = "norm at most pi",
+    .singular = "half-turn",
+    .singular_attitude = "a full turn",
+    .formula = "theta n; R = exp [theta n]",
     .sensitivity = sensitivity_of<rotation_vector::sensitivity>,
     .nearest = nearest,
     .rate = rate_of<Vector3d, rotation_vector::rate, rotation_vector::value_of>,

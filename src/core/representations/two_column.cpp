@@ -56,19 +56,19 @@ Eigen::Vector3d angular_velocity(const TwoColumns& m, const TwoColumns& rates, F
 
 } // namespace two_column
 
-constinit const Codec codecs::two_column{
-    .representation = {.name = RepresentationId::two_column,
-                       .text = "6d",
-                       .aliases = {"two-column"},
-                       .size = 6,
-                       .columns = {"r11", "r21", "r31", "r12", "r22", "r32"},
-                       .modifiers = {Modifier::passive},
-                       .presets = presets_of_matrices,
-                       .range = "two orthonormal columns",
-                       .formula = "columns 1 and 2 of R; the third is their cross product"},
-    .exact_defect = defect_of_columns,
-    .sensitivity = sensitivity_of<two_column::sensitivity>,
-    .rate = rate_of<TwoColumns, two_column::rate>,
-    .angular_velocity = angular_velocity_of<TwoColumns, two_column::angular_velocity>};
+constinit const Codec codecs::two_column{.representation = {.name = RepresentationId::two_column,
+                                                            .text = "6d",
+                                                            .aliases = {"two-column"},
+                                                            .size = 6,
+                                                            .columns = {"r11", "r21", "r31", "r12", "r22", "r32"},
+                                                            .modifiers = {Modifier::passive},
+                                                            .presets = presets_of_matrices},
+                                         .range = "two orthonormal columns",
+                                         .formula = "columns 1 and 2 of R; the third is their cross product",
+                                         .exact_defect = defect_of_columns,
+                                         .sensitivity = sensitivity_of<two_column::sensitivity>,
+                                         .rate = rate_of<TwoColumns, two_column::rate>,
+                                         .angular_velocity =
+                                             angular_velocity_of<TwoColumns, two_column::angular_velocity>};
 
 } // namespace rotconv

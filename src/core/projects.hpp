@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <rotconv/spec.hpp>
+
+namespace rotconv {
+
+/// A program, file format, robot or book, and what its numbers are. Those called presets are modifiers, too: each
+/// representation lists what they mean for it.
+struct Project {
+    std::string_view text;    ///< its name
+    std::string_view others;  ///< its other names, with blanks between
+    std::string_view specs;   ///< the SPEC of its numbers; a few words after it, or several with "; " between, are for
+                              ///< people; empty: there is none
+    std::string_view columns; ///< the names of its numbers, with blanks between, in the representation's own order;
+                              ///< empty: those of the representation
+    std::string_view reference; ///< its reference axes, as in parse_axes(); empty: none in particular
+    std::string_view body;      ///< its body axes
+    std::string_view source;    ///< the file, page or book that says so
+    std::string_view remark;
+
+    /// Whether its numbers are one SPEC, for which the name stands.
+    [[nodiscard]] constexpr bool is_spec() const noexcept {
+        return !specs.empty() && specs.find(' ') == std::string_view::npos;
+    }
+};
+
+[[nodiscard]] std::span<const Project> projects() noexcept;
+/// The projects that are modifiers.
+[[nodiscard]] std::span<const Project> presets() noexcept;
+/// The project with this name or other name, or null.
+[[nodiscard]] const Project* find_project(std::string_view name) noexcept;
+
+} // namespace rotconv
