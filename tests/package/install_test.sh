@@ -75,6 +75,11 @@ if command -v pkg-config > /dev/null && pkg-config --exists eigen3; then
     }
     # shellcheck disable=SC2046,SC2086 # lists of options
     "$compiler" -std=c++20 ${CXXFLAGS:-} -c "$work/project/attitude.cpp" -o "$work/attitude.o" $(pkg-config --cflags rotconv)
+    # The warnings of clang 14 in Eigen are no errors of a user's.
+    # shellcheck disable=SC2046 # likewise
+    ! command -v clang++ > /dev/null ||
+        clang++ -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only $(pkg-config --cflags rotconv) \
+            "$work/project/attitude.cpp"
     # shellcheck disable=SC2046,SC2086 # likewise
     "$compiler" ${CXXFLAGS:-} "$work/attitude.o" -o "$work/attitude" $(pkg-config --libs rotconv)
     # shellcheck disable=SC2046,SC2086 # likewise
