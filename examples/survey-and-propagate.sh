@@ -2,7 +2,7 @@
 # survey-and-propagate.sh [FILE]: which set serves the motion of an EuRoC table? Its attitudes become angular velocities by
 # differences, these are propagated in that set, and come back as attitudes: how far from those of the table?
 set -eu
-file=${1:-$(dirname "$0")/data/euroc_v102.csv}
+file=${1:-$(dirname "$0")/data/euroc.csv}
 columns=q_RS_w,q_RS_x,q_RS_y,q_RS_z
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

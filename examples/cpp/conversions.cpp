@@ -12,11 +12,11 @@ int main() {
     const Eigen::Vector3d r(0, 0, 1.5707963267948966);
 
     const Eigen::Matrix3d R = dcm::from_rotation(*quaternion::to_rotation(q));
-    const Eigen::Quaterniond p = quaternion::from_rotation(*dcm::to_rotation(R));
+    const Eigen::Quaterniond p = quaternion::from_rotation(Rotation(R)); // throws if no rotation is nearest to R
     const Eigen::Matrix3d A = dcm::from_rotation(*euler::to_rotation({{90, 0, 90}, "ZYX", AngleUnit::degrees}));
     const Eigen::Vector3d angles = euler::from_rotation(*quaternion::to_rotation(q), "ZXY", AngleUnit::degrees).angles;
-    const Eigen::Matrix3d B = dcm::from_rotation(*rotation_vector::to_rotation({r}));
-    const Rotation R_ref_body = *dcm::to_rotation(A) * rotation_vector::to_rotation({r})->inverse();
+    const Eigen::Matrix3d B = dcm::from_rotation(*rotation_vector::to_rotation(r));
+    const Rotation R_ref_body = Rotation(A) * rotation_vector::to_rotation(r)->inverse();
     const Eigen::Vector3d v_ref = R_ref_body * Eigen::Vector3d(1, 0, 0);
     const Reading none = dcm::to_rotation(-R);         // a reflection
     const Reading scaled = dcm::to_rotation(1.01 * R); // refused: scaled.defect() is 0.01

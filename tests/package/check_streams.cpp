@@ -26,8 +26,8 @@ struct Job {
 
 const std::vector<Job> jobs{
     {"tum_fr1_xyz.txt", "quat:tum", "rpy:deg", "5-8", {4, 5, 6, 7}, ' ', false},
-    {"euroc_v102.csv", "quat", "dcm", "q_RS_w,q_RS_x,q_RS_y,q_RS_z", {4, 5, 6, 7}, ',', false},
-    {"kitti_00.txt", "dcm", "quat", "1-3,5-7,9-11", {0, 1, 2, 4, 5, 6, 8, 9, 10}, ' ', true},
+    {"euroc.csv", "quat", "dcm", "q_RS_w,q_RS_x,q_RS_y,q_RS_z", {4, 5, 6, 7}, ',', false},
+    {"kitti.txt", "dcm", "quat", "1-3,5-7,9-11", {0, 1, 2, 4, 5, 6, 8, 9, 10}, ' ', true},
 };
 
 std::vector<std::string> lines_of(const std::string& text) {

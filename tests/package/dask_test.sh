@@ -78,7 +78,7 @@ run() {
 # rows TIMES: the table many times, with another time in each row, so that no piece is like another.
 rows() {
     awk -v times="$1" 'NR == 1 { print; next } { row[NR] = $0 }
-        END { for (i = 1; i <= times; ++i) for (j = 2; j <= NR; ++j) print i row[j] }' data/euroc_v102.csv
+        END { for (i = 1; i <= times; ++i) for (j = 2; j <= NR; ++j) print i row[j] }' data/euroc.csv
 }
 rows 13 > "$work/table"
 pieces=$((($(wc -c < "$work/table") + 1999) / 2000))

@@ -80,12 +80,12 @@ def polar(matrices):  # SciPy takes matrices for exact
 
 data, work = sys.argv[1:]
 tum = np.loadtxt(f"{data}/tum_fr1_xyz.txt", dtype=str)
-euroc = np.loadtxt(f"{data}/euroc_v102.csv", dtype=str, delimiter=",")
-kitti = np.loadtxt(f"{data}/kitti_00.txt").reshape(-1, 3, 4)[:, :, :3]
+euroc = np.loadtxt(f"{data}/euroc.csv", dtype=str, delimiter=",")
+kitti = np.loadtxt(f"{data}/kitti.txt").reshape(-1, 3, 4)[:, :, :3]
 samples = {  # attitudes, keys, the options that read them
     "tum": (Rotation.from_quat(tum[:, 4:8].astype(float)), tum[:, 0], ["quat:tum", "5-8", f"{data}/tum_fr1_xyz.txt"]),
-    "euroc": (Rotation.from_quat(euroc[:, [5, 6, 7, 4]].astype(float)), euroc[:, 0], ["quat", "5-8", f"{data}/euroc_v102.csv"]),
-    "kitti": (polar(kitti), None, ["dcm", "1-3,5-7,9-11", f"{data}/kitti_00.txt"]),
+    "euroc": (Rotation.from_quat(euroc[:, [5, 6, 7, 4]].astype(float)), euroc[:, 0], ["quat", "5-8", f"{data}/euroc.csv"]),
+    "kitti": (polar(kitti), None, ["dcm", "1-3,5-7,9-11", f"{data}/kitti.txt"]),
 }
 everything = Rotation.concatenate([ref for ref, _, _ in samples.values()] * 120)
 np.savetxt(f"{work}/all.txt", everything.as_quat(), fmt="%.17g")

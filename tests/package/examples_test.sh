@@ -33,9 +33,15 @@ for kind in gimbal-lock half-turn infinite; do
     }
 done
 
+made=$(mktemp -d)
+data/make "$made"
+for file in euroc.csv kitti.txt; do
+    cmp "data/$file" "$made/$file" || failed=1
+done
+rm -r "$made"
 [ "$(./tum-to-rpy.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/tum_fr1_xyz.txt)" ] || failed=1
-[ "$(./euroc-to-matrices.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/euroc_v102.csv)" ] || failed=1
-[ "$(./kitti-to-quaternions.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/kitti_00.txt)" ] || failed=1
+[ "$(./euroc-to-matrices.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/euroc.csv)" ] || failed=1
+[ "$(./kitti-to-quaternions.sh 2>/dev/null | wc -l)" -eq "$(wc -l < data/kitti.txt)" ] || failed=1
 
 conventions=$(./identify.sh)
 for answer in quat:xyzw:1-4 rpy:deg:1-3 dcm:col:1-9; do
@@ -82,12 +88,12 @@ table=$(sed -n '/^| situation /,/^$/p' README.md)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 command=$(sed -n 's/^COMMAND = "\(.*\)"$/\1/p' euroc-with-spark.py)
-grep -v '^#' data/euroc_v102.csv | split -l 5 - "$work/part-"
+grep -v '^#' data/euroc.csv | split -l 5 - "$work/part-"
 : > "$work/part-empty"
 for part in "$work"/part-*; do
     $command < "$part" || failed=1
 done > "$work/pieces"
-rotconv -f quat -t rpy:deg --columns q_RS_w,q_RS_x,q_RS_y,q_RS_z < data/euroc_v102.csv | sed 1d | cmp - "$work/pieces" || failed=1
+rotconv -f quat -t rpy:deg --columns q_RS_w,q_RS_x,q_RS_y,q_RS_z < data/euroc.csv | sed 1d | cmp - "$work/pieces" || failed=1
 ! echo "1,0,0,0,1,0,0,lost" | $command 2>/dev/null || {
     echo "FAILED: the example for Spark does not notice a bad row"
     failed=1

@@ -33,7 +33,7 @@ compare() {
     done
 }
 
-table=data/euroc_v102.csv
+table=data/euroc.csv
 {
     cat "$table"
     for _ in 1 2 3 4 5 6 7 8 9 10 11 12; do sed 1d "$table"; done

@@ -1,8 +1,8 @@
 #!/bin/sh
 # release_test.sh SOURCE BUILD: what src/package/archives makes of BUILD has the same bytes when it is made again, in another time
 # zone and with another mask; its tarball has those of build/release, which quickstart built of the same sources in another folder
-# and by other targets; lintian passes the packages. Catches times, owners, orders and paths that get into the files, and what
-# Debian's archive would refuse. That src/package/release builds in a clean clone what it hands to archives, it does not show.
+# and by other targets; lintian passes the packages. Catches times, owners, orders and paths that get into the files, what
+# Debian's archive would refuse, and a release that is begun and cannot be made.
 set -eu
 source=$1
 build=$2
@@ -37,6 +37,10 @@ if [ -x "$source/build/release/rotconv" ] && [ "$(compiler "$build")" = "$(compi
 else
     echo "there is no build/release by the same compiler, and it is left out"
 fi
+# A preset that cannot be configured is found before another is built, and no folder looks like a release.
+! timeout 300 "$source/src/package/release" "$work/none" release missing > "$work/log" 2>&1 || fail "a release without a preset"
+grep -q 'No such preset.*missing' "$work/log" || fail "the preset that is missing is not named: $(cat "$work/log")"
+! grep -q 'Building CXX' "$work/log" && [ ! -e "$work/none" ] || fail "a release is begun that cannot be made"
 command -v lintian > /dev/null || {
     echo "lintian is not installed, and is left out"
     exit 0

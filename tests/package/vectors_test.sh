@@ -1,6 +1,6 @@
 #!/bin/sh
-# vectors_test.sh FOLDER: two of the examples with vectors, by SciPy. Catches the inverse, and columns that are taken
-# for each other.
+# vectors_test.sh FOLDER: two of the examples with vectors, by SciPy, and the lines of Python in the README. Catches the inverse,
+# columns that are taken for each other, and lines that do not run.
 set -eu
 cd "$1"
 for python in python3 /usr/bin/python3 ""; do
@@ -10,7 +10,7 @@ for python in python3 /usr/bin/python3 ""; do
     }
     ! "$python" -c 'import scipy.spatial' 2> /dev/null || break
 done
-bias=$(rotconv rotate -f quat --columns q_RS_w,q_RS_x,q_RS_y,q_RS_z,b_a_RS_S_x,b_a_RS_S_y,b_a_RS_S_z euroc_v102.csv |
+bias=$(rotconv rotate -f quat --columns q_RS_w,q_RS_x,q_RS_y,q_RS_z,b_a_RS_S_x,b_a_RS_S_y,b_a_RS_S_z euroc.csv |
     sed '/^#/d' | tr -d '\r' | awk -F , 'NF > 9 { print $5, $6, $7; next } { exit 1 }' | tr '\n' ';')
 sight=$(grep -v '^#' tum_fr1_xyz.txt | sed 's/$/ 0 0 1/' |
     rotconv rotate -f quat:tum --columns 5-11 --diagnostics off | cut -d ' ' -f 5-7 | tr '\n' ';')
@@ -22,7 +22,7 @@ from scipy.spatial.transform import Rotation
 def rows_of(name):
     return np.array([[float(x) for x in row.split()] for row in os.environ[name].strip(";").split(";")])
 
-euroc = np.loadtxt("euroc_v102.csv", delimiter=",")
+euroc = np.loadtxt("euroc.csv", delimiter=",")
 tum = np.loadtxt("tum_fr1_xyz.txt")
 bias = Rotation.from_quat(np.roll(euroc[:, 4:8], -1, axis=1)).apply(euroc[:, 14:17])
 sight = Rotation.from_quat(tum[:, 4:8]).apply([0, 0, 1])
@@ -30,3 +30,8 @@ assert rows_of("BIAS").shape == bias.shape and rows_of("SIGHT").shape == sight.s
 worst = max(np.abs(rows_of("BIAS") - bias).max(), np.abs(rows_of("SIGHT") - sight).max())
 assert worst < 1e-15, worst
 END
+{
+    sed -n '/^```python$/,/^```$/{/^```/!p;}' ../../README.md
+    echo 'turn = np.degrees(2 * np.arctan2(0.6, 0.8))'
+    echo 'assert np.allclose(angles, [[0, 0, turn], [0, turn, 0]], rtol=0, atol=1e-12), angles'
+} | "$python" -

@@ -145,7 +145,7 @@ TEST_CASE("the unit of the times") {
 
 // Catches nanoseconds that are taken for seconds in silence. The biases are slow rates, each row 5 ms on.
 TEST_CASE("nanoseconds of EuRoC") {
-    std::ifstream file(std::string(ROTCONV_DATA) + "/euroc_v102.csv");
+    std::ifstream file(std::string(ROTCONV_DATA) + "/euroc.csv");
     std::ostringstream table;
     table << file.rdbuf();
     REQUIRE(table.str().size() > 1000);
