@@ -50,10 +50,6 @@ using ModifierSet = EnumSet<Modifier>;
 
 struct Project;
 
-/// Where the numbers stand in rows of a project's files, as a list of columns from 1; empty if that is not known.
-/// @param size of the SPEC @param fields of a row
-[[nodiscard]] std::string columns_in_rows(const Project& project, std::size_t size, std::size_t fields);
-
 /// What a preset stands for on one representation.
 struct PresetMeaning {
     std::string_view preset{};

@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "../core/projects.hpp"
 #include "../methods/method_conversion.hpp"
 #include "../stream/row_writer.hpp"
 #include "row_options.hpp"

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <rotconv/spec.hpp>
@@ -32,5 +34,9 @@ struct Project {
 [[nodiscard]] std::span<const Project> presets() noexcept;
 /// The project with this name or other name, or null.
 [[nodiscard]] const Project* find_project(std::string_view name) noexcept;
+
+/// Where the numbers stand in rows of a project's files, as a list of columns from 1; empty if that is not known.
+/// @param size of the SPEC @param fields of a row
+[[nodiscard]] std::string columns_in_rows(const Project& project, std::size_t size, std::size_t fields);
 
 } // namespace rotconv

@@ -114,6 +114,19 @@ std::vector<std::string> result_columns(const Options& options, const Layout& la
     return columns;
 }
 
+/// Writes a line with the columns of the result in their place.
+void write_columns(Buffer& to, const Layout& layout, const HeaderLine& line, const std::vector<std::string>& columns) {
+    const auto write = [&columns, &to](const auto& begin_field) {
+        for (const std::string& column : columns) {
+            begin_field();
+            append(to, column);
+        }
+    };
+    append(to, layout.appends ? "" : line.prefix);
+    write_fields(to, layout, line.line.text, line.fields, line.delimiter.text(), write);
+    append(to, line.line.end.empty() ? std::string_view("\n") : line.line.end);
+}
+
 } // namespace
 
 std::vector<std::string> result_keys(const Options& options, const Layout& layout, Delimiter delimiter) {
@@ -125,39 +138,24 @@ std::vector<std::string> result_keys(const Options& options, const Layout& layou
 }
 
 void write_header(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& header) {
-    const char delimiter = header.delimiter.text();
-    const auto write_names = [&](const auto& begin_field) {
-        for (const std::string& name : result_columns(options, layout)) {
-            begin_field();
-            append(to, name);
-        }
-    };
-    append(to, layout.appends ? "" : header.prefix);
-    write_fields(to, layout, header.line.text, header.fields, delimiter, write_names);
-    append(to, header.line.end.empty() ? std::string_view("\n") : header.line.end);
+    write_columns(to, layout, header, result_columns(options, layout));
 }
 
 void write_units(Buffer& to, const Options& options, const Layout& layout, const HeaderLine& units) {
-    const char delimiter = units.delimiter.text();
     const bool has_brackets = units.line.text.find('[') != std::string_view::npos;
-    std::vector<std::string_view> own;
-    for (const Spec& spec : options.operation->attitudes) {
-        const Representation& entry = representation(spec.name);
-        for (std::size_t i = 0; i < spec.size(); ++i) {
-            const bool is_angle = entry.has_angles() && i >= entry.first_angle;
-            own.push_back(!is_angle ? "-" : spec.unit == AngleUnit::degrees ? "deg" : "rad");
+    std::vector<std::string> own;
+    for (const ResultPart& part : options.operation->parts) {
+        for (std::size_t i = 0; i < part.names.size(); ++i) {
+            const Representation* const entry = part.attitude ? &representation(part.attitude->name) : nullptr;
+            const bool is_angle = entry != nullptr && entry->has_angles() && i >= entry->first_angle;
+            own.emplace_back(!is_angle ? "-" : part.attitude->unit == AngleUnit::degrees ? "deg" : "rad");
         }
     }
     own.resize(result_columns(options, layout).size(), "-");
-    const auto write_own = [&](const auto& begin_field) {
-        for (const std::string_view unit : own) {
-            begin_field();
-            append(to, has_brackets ? fmt::format("[{}]", unit) : std::string(unit));
-        }
-    };
-    append(to, layout.appends ? "" : units.prefix);
-    write_fields(to, layout, units.line.text, units.fields, delimiter, write_own);
-    append(to, units.line.end.empty() ? std::string_view("\n") : units.line.end);
+    for (std::string& unit : own) {
+        unit = has_brackets ? fmt::format("[{}]", unit) : unit;
+    }
+    write_columns(to, layout, units, own);
 }
 
 void write_added_header(Buffer& to, const Options& options, const Layout& layout) {
