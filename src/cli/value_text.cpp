@@ -127,8 +127,11 @@ private:
         } else if (rest.starts_with("</") || rest.starts_with("/>") || is_any("])}>")) {
             add(TokenKind::close, is_any("])}>") ? 1 : std::min(rest.find('>'), rest.size() - 1) + 1);
         } else if (is_any("[({<")) {
-            const bool is_element = c == '<' && is_name(rest.substr(1, 1));
-            add(TokenKind::open, is_element ? std::min(rest.find_first_of(" \t\r\n/>(<", 1), rest.size()) : 1);
+            const auto is_outside = [](char each) { // of the name of an element
+                return !is_alphanumeric(each) && std::string_view("_.:-").find(each) == npos;
+            };
+            const auto end = std::find_if(rest.begin() + 1, rest.end(), is_outside) - rest.begin();
+            add(TokenKind::open, c == '<' && is_name(rest.substr(1, 1)) ? static_cast<std::size_t>(end) : 1);
         } else if (is_any("=:")) {
             add(TokenKind::is, rest.starts_with(":=") ? 2 : 1);
         } else if (is_any("\"'")) {
@@ -214,7 +217,7 @@ public:
 
     ValueText read() {
         for (items(0); peek().kind != TokenKind::end; items(0)) {
-            if (peek().text.ends_with('>')) {
+            if (is_angle(peek().text)) {
                 refuse(peek());
             }
             take(); // a bracket that closes nothing
@@ -234,7 +237,7 @@ private:
     const Token& take() {
         const Token& taken = peek();
         brackets_ += taken.kind == TokenKind::open || taken.kind == TokenKind::close ? 1 : 0;
-        ++at_;
+        at_ += taken.kind == TokenKind::end ? 0 : 1;
         return taken;
     }
     /// The token before the next; none at the beginning.
@@ -247,6 +250,9 @@ private:
     }
     [[nodiscard]] static bool is_convention(const Token& token) {
         return token.kind == TokenKind::word && !convention_in(last_part(token.text)).empty();
+    }
+    [[nodiscard]] static bool is_angle(std::string_view bracket) { // < > /> </name>
+        return bracket.find_first_of("</>") == 0;
     }
     [[nodiscard]] std::size_t size() const { return read_.numbers.size(); }
 
@@ -382,9 +388,11 @@ private:
             items(own);
             closing = take().text;
         } while (has_content && closing == ">");
+        const bool is_other = is_angle(open.text) != is_angle(closing) ||
+                              (closing.starts_with("</") && closing != fmt::format("</{}>", element));
         limit_ = limit;
         in_xml_ = was_xml;
-        if (size() == first || is_factor || (open.text[0] == '<' && !closing.ends_with('>'))) {
+        if (size() == first || is_factor || is_other) {
             refuse(open);
         }
         if (is_label) {
@@ -479,6 +487,9 @@ private:
             label(group, token);
             return;
         }
+        if (is_operation(text)) {
+            refuse(token);
+        }
         const auto named = named_representation(last_part(text));
         const bool is_container = named || is(WordKind::container, without_type(last_part(text)));
         const Token& next = peek(remark_size());
@@ -494,8 +505,10 @@ private:
             refuse(token);
         } else if (is_convention(token)) {
             add_word(last_part(text), group);
-        } else if (!named && !is(WordKind::heading, text) &&
-                   !(peek().kind == TokenKind::word && !is_unit(peek()) &&
+        } else if (const TokenKind kind = peek().kind;
+                   !(named && (kind == TokenKind::number || kind == TokenKind::line)) && // R and its rows
+                   !is(WordKind::heading, text) &&
+                   !(kind == TokenKind::word && !is_unit(peek()) &&
                      (is_container || is(WordKind::declaration, text)))) {
             refuse(token);
         }
@@ -619,14 +632,17 @@ private:
         only.label = label;
         only.group = read_.groups[own].parent;
         only.is_joined = false;
-        for (ValueWord& each : read_.words) {
-            if (each.group == own) {
-                only.unit = unit_of_word(each.text).empty() ? only.unit : each.text;
-                each.group = only.group;
-            }
+        const auto is_unit = [own](const ValueWord& each) {
+            return each.group == own && !unit_of_word(each.text).empty();
+        };
+        if (const auto unit = std::ranges::find_if(read_.words, is_unit);
+            only.unit.empty() && unit != read_.words.end()) {
+            only.unit = unit->text;
+            read_.words.erase(unit);
         }
-        std::erase_if(read_.words,
-                      [&](const ValueWord& each) { return each.text == only.unit && each.group == only.group; });
+        for (ValueWord& each : read_.words) {
+            each.group = each.group == own ? only.group : each.group;
+        }
     }
 
     std::string_view text_;
@@ -698,6 +714,11 @@ std::vector<std::string> parts_of_label(std::string_view label) {
         }
     }
     return parts;
+}
+
+bool is_operation(std::string_view label) {
+    return label.ends_with(".T") || label.ends_with("_T") ||
+           std::ranges::any_of(parts_of_label(label), [](const auto& part) { return is(WordKind::operation, part); });
 }
 
 ValueText parse_values(std::string_view text) { return Parser(text).read(); }

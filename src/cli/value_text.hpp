@@ -67,6 +67,9 @@ enum class WordKind : std::uint8_t {
 /// The words of a label: they end at _ . : blanks and where upper case begins.
 [[nodiscard]] std::vector<std::string> parts_of_label(std::string_view label);
 
+/// Whether a name says that something is done to the numbers: q_inv, R.T.
+[[nodiscard]] bool is_operation(std::string_view label);
+
 /// Numbers that belong together, because they stand in a bracket, a block or a list after a label.
 struct ValueGroup {
     std::string label;      ///< empty: that of the text as a whole

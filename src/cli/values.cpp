@@ -52,21 +52,19 @@ std::string name_in(const std::string& label) {
     return *name;
 }
 
-/// Whether the numbers under a label are never those of the attitude.
-bool is_aside(const std::string& label) {
-    return is(WordKind::aside, name_in(label)) ||
-           std::ranges::any_of(parts_of_label(lower(label)), [](const std::string& part) {
-               const auto beginnings = words_in(words_of(WordKind::aside_beginning));
-               return is(WordKind::aside_anywhere, part) ||
-                      std::ranges::any_of(beginnings, [&part](const auto& each) { return part.starts_with(each); });
-           });
+/// Whether a label is that of rates, deviations, commands and the like.
+bool is_derived(const std::string& label) {
+    return std::ranges::any_of(parts_of_label(lower(label)), [](const std::string& part) {
+        const auto words = words_in(words_of(WordKind::aside_beginning));
+        return is(WordKind::aside_anywhere, part) || std::ranges::any_of(words, [&part](const auto& each) {
+                   return part.starts_with(each) || part.ends_with(each); // rollspeed
+               });
+    });
 }
 
-/// Whether a label says that something is done to the numbers.
-bool is_operation(const std::string& label) {
-    return label.ends_with(".T") || label.ends_with("_T") ||
-           std::ranges::any_of(parts_of_label(label), [](const auto& part) { return is(WordKind::operation, part); });
-}
+/// Whether the numbers under a label are never those of the attitude.
+bool is_aside(const std::string& label) { return is(WordKind::aside, name_in(label)) || is_derived(label); }
+
 void refuse_operation(const std::string& label) {
     if (is_operation(label)) {
         refuse("{} says that something is done to the numbers, which is not", quoted(label));
@@ -170,7 +168,7 @@ private:
     [[nodiscard]] std::size_t choose() {
         Indices groups = mapped(text_.numbers, &ValueNumber::group);
         std::ranges::sort(groups);
-        groups.erase(std::ranges::unique(groups).begin(), groups.end());
+        groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
         const std::size_t first = groups.front();
         std::erase_if(groups, [this](std::size_t group) { return is_left_out(group); });
         if (groups.empty()) {
@@ -193,10 +191,7 @@ private:
                 found = in_unit.size() == 1 ? in_unit : found;
             }
             if (found.size() == 1) {
-                std::erase(groups, found[0]);
-                if (!groups.empty()) {
-                    add_note(fmt::format("the numbers after {} are left out", quoted_list(labels_of_groups(groups))));
-                }
+                leave_out(groups, found[0]);
                 return found[0];
             }
         }
@@ -214,13 +209,26 @@ private:
         return groups[0];
     }
 
+    /// Numbers beside those that are read must have a label.
+    void leave_out(Indices groups, std::size_t chosen) {
+        std::erase(groups, chosen);
+        const auto is_unknown = [](const ValueNumber& each) { return each.group == 0 && each.label.empty(); };
+        const auto unknown = std::ranges::find_if(text_.numbers, is_unknown);
+        if (chosen != 0 && unknown != text_.numbers.end()) {
+            refuse("{} has no label, beside the numbers after {}", quoted(unknown->text),
+                   quoted(text_.groups[chosen].label));
+        }
+        if (!groups.empty()) {
+            add_note(fmt::format("the numbers after {} are left out", quoted_list(labels_of_groups(groups))));
+        }
+    }
     [[nodiscard]] std::vector<std::string> labels_of_groups(const Indices& groups) const {
         return without_empty(mapped(groups, [this](std::size_t group) {
             return group == 0 ? joined(without_empty(labels_in(group))) : text_.groups[group].label;
         }));
     }
     [[noreturn]] void refuse_groups(Indices groups) const {
-        groups.erase(std::ranges::unique(groups).begin(), groups.end());
+        groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
         refuse("more than one set of numbers, with the labels {}: none of them alone is that of {}",
                quoted_list(labels_of_groups(groups)), text_of_part());
     }
@@ -243,6 +251,10 @@ private:
     [[nodiscard]] Numbers by_labels(Numbers numbers) {
         for (ValueNumber& number : numbers) {
             number.unit = number.unit.empty() ? unit_in(number.label) : number.unit;
+        }
+        const auto is_other = [](const ValueNumber& each) { return is_derived(each.label); };
+        if (part_.attitude && !std::ranges::all_of(numbers, is_other)) {
+            std::erase_if(numbers, is_other);
         }
         auto labels = labels_of(numbers);
         const auto given = without_empty(labels);
@@ -377,19 +389,17 @@ private:
         add_note(fmt::format("{} is applied, as quat:xyzw does", quoted(word)));
     }
 
-    /// Holds the units of numbers against those of the SPEC.
+    /// Holds the units of numbers against those of the SPEC; those of an axis are the angle's.
     void hold_units(const Numbers& numbers) const {
         const bool has_angles = part_.attitude && representation(spec().name).has_angles();
-        const bool is_degrees = has_angles && spec().unit == AngleUnit::degrees;
-        const std::size_t first = has_angles ? representation(spec().name).first_angle : 0;
-        for (std::size_t i = first; i < numbers.size(); ++i) {
-            const std::string& unit = numbers[i].unit;
-            if (!unit.empty() && !(has_angles && unit == (is_degrees ? "deg" : "rad"))) {
+        const std::string_view own = has_angles && spec().unit == AngleUnit::degrees ? "deg" : "rad";
+        for (const ValueNumber& number : numbers) {
+            const bool is_angle = has_angles && (&number >= &numbers[representation(spec().name).first_angle]);
+            if (!number.unit.empty() && !(has_angles && number.unit == (is_angle ? own : numbers.back().unit))) {
                 Spec meant = part_.attitude.value_or(Spec());
-                meant.unit = is_degrees ? AngleUnit::radians : AngleUnit::degrees;
-                refuse("{} is in {}, but {} {}", quoted(numbers[i].text), unit, text_of_part(),
-                       has_angles ? fmt::format("is in {}: {}", is_degrees ? "deg" : "rad", meant.text())
-                                  : "has no angles");
+                meant.unit = own == "deg" ? AngleUnit::radians : AngleUnit::degrees;
+                refuse("{} is in {}, but {} {}", quoted(number.text), number.unit, text_of_part(),
+                       has_angles ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles");
             }
         }
     }
