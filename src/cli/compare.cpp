@@ -79,6 +79,10 @@ struct CompareOptions final : RowOptions {
         made.options.writes_rows = as_rows;
         made.options.fold = pairs;
         made.allow_failed = allow_failed.given();
+        check.digits = made.options.digits;
+        if (written == Format::pretty && check.digits.shortest()) {
+            check.digits.significant = 6;
+        }
         check.aligned = align.given() ? align_first(made, comparison, rows, side) : nullptr;
         made.is_check = true;
         made.conclude = [check](const RowsCommand& command, const RowsResult& result) {

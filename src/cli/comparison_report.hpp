@@ -40,6 +40,7 @@ struct LeastPairs {
 /// What is to be told of the pairs, and what they must hold to.
 struct Check {
     stream::Format format = stream::Format::pretty;
+    stream::Digits digits{};              ///< of the numbers that are told
     AngleUnitName unit{};                 ///< of the angles that are told
     std::array<bool, 2> allow_unpaired{}; ///< rows of FILE, of REFERENCE
     LeastPairs least_pairs{};

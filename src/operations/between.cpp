@@ -20,9 +20,9 @@ void scatter(std::span<const double> from, std::size_t size, std::span<const std
 class BetweenRows {
 public:
     /// See of_pairs().
-    BetweenRows(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& reference,
+    BetweenRows(RowFunction at, RowFunction between, std::size_t first_size, const Spec& reference,
                 const ConversionSettings& settings)
-        : at_(std::move(at)), between_(std::move(between)), columns_(columns),
+        : at_(std::move(at)), between_(std::move(between)), first_size_(first_size),
           reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
 
     std::size_t operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
@@ -37,7 +37,7 @@ private:
 
     SomeRows at_;
     SomeRows between_; ///< rows with the quaternion between the neighbours
-    stream::PairColumns columns_;
+    std::size_t first_size_;
     Conversion reading_;            ///< reads the neighbours
     std::vector<double> attitudes_; ///< the neighbours as quaternions
     std::vector<RowReport> neighbour_reports_;
@@ -45,8 +45,7 @@ private:
 
 std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<double> out,
                                     std::vector<RowReport>& reports, std::span<double> rest) {
-    const std::size_t first_size = columns_.first_size;
-    const std::size_t second_size = columns_.second_size;
+    const std::size_t second_size = reading_.from().size();
     const std::size_t count = pairs.between.size();
     attitudes_.resize(4 * (pairs.neighbours.size() / second_size));
     reading_.run(pairs.neighbours, attitudes_, neighbour_reports_);
@@ -57,7 +56,7 @@ std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<d
         const stream::Between& row = pairs.between[i];
         SomeRows& some = row.is_at_row() ? at_ : between_;
         some.rows.push_back(i);
-        append(some.numbers, pairs.numbers.subspan(i * first_size, first_size));
+        append(some.numbers, pairs.numbers.subspan(i * first_size_, first_size_));
         if (row.is_at_row()) {
             append(some.numbers, pairs.neighbours.subspan(row.earlier * second_size, second_size));
         } else {
@@ -118,12 +117,10 @@ void BetweenRows::add_neighbours(std::size_t row, const stream::Between& place, 
 
 } // namespace
 
-RowFunction of_pairs(RowFunction at, RowFunction between, const stream::PairColumns& columns, const Spec& second,
-                     const ConversionSettings& settings) {
-    if (columns.interpolates) {
-        return BetweenRows(std::move(at), std::move(between), columns, second, settings);
-    }
-    return at;
+RowFunction of_pairs(RowFunction at, RowFunction between, const PairedRows& rows, std::size_t first_size,
+                     const Spec& second, const ConversionSettings& settings) {
+    return rows.interpolates ? RowFunction(BetweenRows(std::move(at), std::move(between), first_size, second, settings))
+                             : at;
 }
 
 void SomeRows::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {

@@ -21,11 +21,12 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
     return Rotation::near_unit(q[0], q[1], q[2], q[3]);
 }
 
-/// The function of rows of two attitudes as they are read: with both neighbours, if the reference is interpolated. A
-/// row between neighbours that are a half-turn apart has the error past_half_turn.
+/// The function of rows of two attitudes as they are read. A row between neighbours that are half a turn apart has the
+/// error past_half_turn.
 /// @param at takes the second attitude as it is read, and `between` as a quaternion
+/// @param first_size numbers of the first attitude
 /// @param settings how neighbours are read
-[[nodiscard]] RowFunction of_pairs(RowFunction at, RowFunction between, const stream::PairColumns& columns,
+[[nodiscard]] RowFunction of_pairs(RowFunction at, RowFunction between, const PairedRows& rows, std::size_t first_size,
                                    const Spec& second, const ConversionSettings& settings);
 
 /// A function of some of the rows at hand.

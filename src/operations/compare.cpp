@@ -76,7 +76,7 @@ Operation compare(const Comparison& comparison, const ComparisonRows& rows) {
     settings.attitudes = rows.with_attitudes || rows.delta > 0;
     const Comparison compares(comparison.from(), reference, settings);
     RowFunction function = of_pairs(function_of(compares), function_of(Comparison(comparison.from(), Spec{}, settings)),
-                                    rows.columns(comparison.from(), reference), reference, settings.reading);
+                                    rows, comparison.from().size(), reference, settings.reading);
     const std::size_t width = rows.with_attitudes ? numbers_of_pair : 1;
     if (rows.delta > 0) {
         function = [pairs = std::move(function), room = std::vector<double>(),

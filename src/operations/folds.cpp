@@ -45,9 +45,9 @@ void PairFold::keep(const stream::AnsweredRows& rows, std::size_t row) {
     WorstPair pair{.angle = result[0],
                    .line = rows.lines[row],
                    .reference_line = rows.reference_lines.empty() ? 0 : rows.reference_lines[row]};
-    const bool is_between = columns_.interpolates && result.size() > 1;
-    append(pair.attitudes[0], numbers.first(columns_.first_size));
-    append(pair.attitudes[1], is_between ? result.last(4) : numbers.subspan(columns_.first_size));
+    const bool is_between = interpolates_ && result.size() > 1;
+    append(pair.attitudes[0], numbers.first(first_size_));
+    append(pair.attitudes[1], is_between ? result.last(4) : numbers.subspan(first_size_));
     for (const std::size_t side : {0U, 1U}) {
         if (const std::size_t at = 2 * row + side; rows.kept.size() > 0) {
             pair.keys.at(side) = rows.keys.empty() ? fmt::format("{}", rows.kept[at]) : rows.keys[at];

@@ -73,9 +73,9 @@ Operation compose(const Composition& composition, const PairedRows& rows, bool c
     const Spec& first = composition.first();
     const Spec& to = composition.to();
     const RowFunction between = function_of(Composition(first, Spec{}, to, composition.settings()));
-    return operation_of(of_pairs(function_of(composition), between, rows.columns(first, composition.second()),
-                                 composition.second(), composition.settings()),
-                        pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
+    return operation_of(
+        of_pairs(function_of(composition), between, rows, first.size(), composition.second(), composition.settings()),
+        pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
 } // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the functions free what they hold
 
 Operation rotate(const VectorRotation& rotation) {

@@ -115,10 +115,6 @@ struct PairedRows {
     bool paired = false;       ///< it comes from a reference; otherwise it follows the first in the row
     bool by_key = false;       ///< each attitude has its key before it
     bool interpolates = false; ///< it is interpolated in the reference, see stream::Pairing
-
-    [[nodiscard]] stream::PairColumns columns(const Spec& first, const Spec& second) const noexcept {
-        return {first.size(), second.size(), interpolates};
-    }
 };
 
 /// The numbers of a row: its own, after the key if there is one, and those of the second attitude if it is in the row.
@@ -173,7 +169,7 @@ class PairFold final : public stream::Fold {
 public:
     /// @param most how many of the worst pairs are kept
     PairFold(const Comparison& comparison, const ComparisonRows& rows, std::size_t most, std::vector<PairLimit> limits)
-        : columns_(rows.columns(comparison.from(), comparison.reference())),
+        : first_size_(comparison.from().size()), interpolates_(rows.interpolates),
           finds_means_(rows.with_attitudes && rows.delta == 0), most_(most), limits_(std::move(limits)) {}
 
     void add(const stream::AnsweredRows& rows) override;
@@ -190,7 +186,8 @@ public:
 private:
     void keep(const stream::AnsweredRows& rows, std::size_t row);
 
-    stream::PairColumns columns_;
+    std::size_t first_size_; ///< numbers of the first attitude
+    bool interpolates_;
     bool finds_means_;
     std::size_t most_;
     std::vector<PairLimit> limits_;

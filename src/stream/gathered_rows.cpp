@@ -25,8 +25,8 @@ void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t
         if (scanned) {
             Row& row = read_.rows.emplace_back(scanned->line, line++);
             row.numbers = scanned->numbers;
-            row.index = read_.lines.size();
-            read_.lines.push_back(row.number);
+            row.index = read_.parts.lines.size();
+            read_.parts.lines.push_back(row.number);
             text.remove_prefix(row.line.text.size() + row.line.end.size());
             continue;
         }
@@ -43,17 +43,17 @@ void GatheredRows::gather(std::string_view& text, std::size_t& line, std::size_t
 
 void GatheredRows::gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows) {
     read_.clear();
-    read_.lines.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
-    std::iota(read_.lines.begin(), read_.lines.end(), line);
-    line += read_.lines.size();
-    read_.parts.numbers.resize(read_.lines.size() * layout_->count);
+    read_.parts.lines.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
+    std::iota(read_.parts.lines.begin(), read_.parts.lines.end(), line);
+    line += read_.parts.lines.size();
+    read_.parts.numbers.resize(read_.parts.lines.size() * layout_->count);
     const std::size_t size = read_.parts.numbers.size() * sizeof(double);
     std::memcpy(read_.parts.numbers.data(), doubles.data(), size);
     doubles.remove_prefix(size);
 }
 
 void GatheredRows::add_rows(std::string_view doubles) {
-    for (const std::size_t number : read_.lines) {
+    for (const std::size_t number : read_.parts.lines) {
         Row& row = read_.rows.emplace_back(next_row(doubles, options_->input.width), number);
         row.numbers = row.line.text;
         row.index = read_.rows.size() - 1;
@@ -72,12 +72,12 @@ void GatheredRows::read_last() {
     Row& row = read_.rows.back();
     RowParts& parts = read_.parts;
     const std::size_t first_number = parts.numbers.size();
-    row.index = read_.lines.size();
+    row.index = read_.parts.lines.size();
     row.first_field = parts.fields.size();
     const bool is_read = readers_[0].read(row.line.text, parts);
     row.field_count = parts.fields.size() - row.first_field;
     if (is_read) {
-        read_.lines.push_back(row.number);
+        read_.parts.lines.push_back(row.number);
     } else {
         parts.numbers.resize(first_number);
         parts.error.place = {row.number};
@@ -121,10 +121,10 @@ double GatheredRows::norm_of(const Row& row, const RowReport& report) const {
         return 0.0;
     }
     std::span<const double> q = read_.parts.numbers;
-    q = q.subspan(row.index * (q.size() / read_.lines.size())); // with the partner's
+    q = q.subspan(row.index * (q.size() / read_.parts.lines.size())); // with the partner's
     if (report.at_fault > 0 && options_->pairing->interpolates) {
-        const Between& between = read_.between[row.index];
-        q = std::span<const double>(read_.neighbours)
+        const Between& between = read_.parts.between[row.index];
+        q = std::span<const double>(read_.parts.neighbours)
                 .subspan(4 * (report.at_fault == 2 ? between.later : between.earlier));
     } else if (report.at_fault > 0) {
         q = q.subspan(layout_->count - read.kept);
@@ -175,14 +175,6 @@ void GatheredRows::split_doubles(Row& row) {
     if (options_->format != Format::f64) {
         row.line.text = {made_.data(), made_.size()};
     }
-}
-
-void GatheredRows::move_to(AnsweredRows& batch) {
-    batch.numbers = std::move(read_.parts.numbers);
-    batch.lines = std::move(read_.lines);
-    batch.reference_lines = std::move(read_.reference_lines);
-    batch.kept = std::move(read_.parts.kept);
-    batch.keys = std::move(read_.parts.keys);
 }
 
 } // namespace rotconv::stream

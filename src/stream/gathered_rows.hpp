@@ -44,17 +44,17 @@ public:
     /// The error of a row without a result. `given`: the row as it was read.
     [[nodiscard]] RowError error_of(const Row& row, const RowReport& report, std::string_view given) const;
     /// The numbers of the rows that have them.
-    [[nodiscard]] NumberRows numbers() const noexcept { return read_.numbers(); }
+    [[nodiscard]] NumberRows numbers() const noexcept { return read_.parts.view(); }
     /// How many rows have numbers.
-    [[nodiscard]] std::size_t count() const noexcept { return read_.lines.size(); }
+    [[nodiscard]] std::size_t count() const noexcept { return read_.parts.lines.size(); }
     /// Looks for the fields of a row, unless they are known. A binary row's fields are its numbers' bytes, or their
     /// text if the output is text: the row becomes that text.
     void split(Row& row);
     [[nodiscard]] std::span<const std::string_view> fields_of(const Row& row) const noexcept {
         return std::span(read_.parts.fields).subspan(row.first_field, row.field_count);
     }
-    /// Hands over the numbers, lines and texts of the rows with numbers.
-    void move_to(AnsweredRows& batch);
+    /// The rows that have numbers, to be taken over.
+    [[nodiscard]] HeldRows& held() noexcept { return read_.parts; }
 
 private:
     /// Adds the numbers of the last row, or the error.

@@ -55,29 +55,16 @@ struct Pair {
 struct ReadRows {
     std::vector<Row> rows;
     RowParts parts;
-    std::deque<RowError> errors;    ///< what Row::error points to: they stay in their place
-    std::vector<std::size_t> lines; ///< those of the rows with numbers
-    // If rows are paired:
-    std::vector<Pair> pairs; ///< of each row
-    std::vector<std::size_t> reference_lines;
-    Numbers neighbours; ///< see NumberRows
+    std::deque<RowError> errors; ///< what Row::error points to: they stay in their place
+    std::vector<Pair> pairs;     ///< of each row, if they are paired
     std::vector<std::size_t> neighbour_lines;
-    std::vector<Between> between;
 
-    /// The numbers of the rows that have them.
-    [[nodiscard]] NumberRows numbers() const noexcept {
-        return {parts.numbers, lines, parts.kept, parts.keys, reference_lines, neighbours, between};
-    }
     void clear() noexcept {
         rows.clear();
         parts.clear();
         errors.clear();
-        lines.clear();
         pairs.clear();
-        reference_lines.clear();
-        neighbours.clear();
         neighbour_lines.clear();
-        between.clear();
     }
     /// Why the last row has no numbers.
     void fail(RowError error) { rows.back().error = &errors.emplace_back(std::move(error)); }

@@ -1,13 +1,13 @@
 #include "key.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <optional>
 
 #include "fmt.hpp"
 #include "number_text.hpp"
+#include "scan_number.hpp"
 
 namespace rotconv::stream {
 namespace {
@@ -15,13 +15,6 @@ namespace {
 constexpr int key_decimals = 18;
 constexpr std::int64_t most_whole_digits = 20; // with the key_decimals 38, and all such numbers are below 2^127
 constexpr Uint128 largest_exact = Uint128{1} << 53U;
-constexpr auto wide_powers_of_ten = [] {
-    std::array<Int128, key_decimals + most_whole_digits + 1> powers{1};
-    for (std::size_t i = 1; i < powers.size(); ++i) {
-        powers.at(i) = 10 * powers.at(i - 1);
-    }
-    return powers;
-}();
 
 bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
@@ -59,16 +52,10 @@ ReadKey rounded_units(std::string_view digits, std::int64_t point, int power) {
         return {};
     }
     const auto kept = static_cast<std::size_t>(places);
-    const std::string_view counted = digits.substr(0, kept);
-    std::uint64_t first = 0; // 18 digits fit, and are quicker than 128 bits
-    for (const char digit : counted.substr(0, 18)) {
-        first = 10 * first + static_cast<std::uint64_t>(digit - '0');
+    Int128 units = 0;
+    for (std::size_t i = 0; i < kept; ++i) {
+        units = 10 * units + (i < digits.size() ? digits[i] - '0' : 0);
     }
-    Int128 units = first;
-    for (const char digit : counted.substr(std::min<std::size_t>(counted.size(), 18))) {
-        units = 10 * units + (digit - '0');
-    }
-    units *= wide_powers_of_ten.at(kept - counted.size());
     if (kept < digits.size()) {
         const bool is_half = digits.find_first_not_of('0', kept + 1) == std::string_view::npos;
         units += digits[kept] > '5' || (digits[kept] == '5' && (!is_half || units % 2 != 0)) ? 1 : 0;
@@ -92,7 +79,7 @@ std::optional<Int128> units_of(std::string_view text, int power) noexcept {
         }
     }
     const bool is_short = digits > 0 && digits <= 19 && places >= 0;
-    return is_short ? std::optional(units * wide_powers_of_ten.at(static_cast<std::size_t>(places))) : std::nullopt;
+    return is_short ? std::optional(Int128{units} * powers_of_ten.at(static_cast<std::size_t>(places))) : std::nullopt;
 }
 
 ReadKey decimal_key(std::string_view text, int power) {
@@ -110,10 +97,7 @@ ReadKey decimal_key(std::string_view text, int power) {
         return {.error = KeyError::not_a_number};
     }
     const auto point = static_cast<std::int64_t>(whole.size()) + *exponent;
-    Buffer digits;
-    append(digits, whole);
-    append(digits, fraction);
-    ReadKey key = rounded_units({digits.data(), digits.size()}, point, power);
+    ReadKey key = rounded_units(fraction.empty() ? whole : std::string(whole).append(fraction), point, power);
     key.value.units = is_negative ? -key.value.units : key.value.units;
     return key;
 }

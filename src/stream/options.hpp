@@ -92,7 +92,7 @@ struct Pairing {
     bool by_key = false;      ///< by the first selected column, which increases; otherwise by the rows' number
     KeyDistance within{};     ///< the largest difference of two keys
     /// The partner is interpolated at the row's key between two rows of the reference, whose keys differ by at most
-    /// `within`. See PairColumns.
+    /// `within`. See NumberRows::between.
     bool interpolates = false;
     bool needs_partner = false; ///< a row of the stream without a partner is a row error
     bool looks_for_key = false; ///< among the columns of rows that are paired by their number: see LikelyKey

@@ -268,21 +268,22 @@ void PairReader::add_numbers(ReadRows& read, const Pairable& later) {
         const auto place = static_cast<std::size_t>(last - lines.begin());
         if (last == lines.end()) {
             lines.push_back(row.number);
-            add(read.neighbours, row, references_);
+            add(read.parts.neighbours, row, references_);
         }
         return place;
     };
-    read.rows.back().index = read.lines.size();
-    read.lines.push_back(own.number);
-    read.reference_lines.push_back(other.number);
+    read.rows.back().index = read.parts.lines.size();
+    read.parts.lines.push_back(own.number);
+    read.parts.reference_lines.push_back(other.number);
     add(read.parts.numbers, own, rows_);
     if (!pairing_->interpolates) {
         add(read.parts.numbers, other, references_);
     } else {
         const std::size_t earlier = place_of(other);
         const bool is_at_row = &later == &other;
-        read.between.push_back({earlier, place_of(later),
-                                is_at_row ? 0.0 : ratio(distance(own.key, other.key), distance(later.key, other.key))});
+        read.parts.between.push_back(
+            {earlier, place_of(later),
+             is_at_row ? 0.0 : ratio(distance(own.key, other.key), distance(later.key, other.key))});
     }
     for (const Pairable* row : {&own, &other}) {
         if (pairing_->by_key) {

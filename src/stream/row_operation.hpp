@@ -47,15 +47,21 @@ struct NumberRows {
     bool are_last = true;                           ///< no row may wait for later rows
 };
 
-/// Where the numbers of two attitudes stand in a row for an operation. If the reference is interpolated, the second
-/// attitude is not in the row, but see NumberRows::between.
-struct PairColumns {
-    std::size_t first_size = 0;
-    std::size_t second_size = 0;
-    bool interpolates = false;
+/// Grows without setting its new elements, which are then read into.
+using Numbers = fmt::basic_memory_buffer<double, 64>;
 
-    [[nodiscard]] constexpr std::size_t width() const noexcept {
-        return interpolates ? first_size : first_size + second_size;
+/// Memory for rows that have their numbers, see NumberRows.
+struct HeldRows {
+    Numbers numbers;
+    std::vector<std::size_t> lines;
+    Numbers kept;
+    std::vector<std::string_view> keys; ///< views into the block's text
+    std::vector<std::size_t> reference_lines;
+    Numbers neighbours;
+    std::vector<Between> between;
+
+    [[nodiscard]] NumberRows view() const noexcept {
+        return {numbers, lines, kept, keys, reference_lines, neighbours, between};
     }
 };
 
@@ -107,17 +113,9 @@ struct RowOperation {
 /// The report on the row among reports in the order of the rows; an empty one is added if there is none.
 [[nodiscard]] RowReport& report_of(std::size_t row, std::vector<RowReport>& reports);
 
-/// Grows without setting its new elements, which are then read into.
-using Numbers = fmt::basic_memory_buffer<double, 64>;
-
-/// Rows that were answered together, see NumberRows, and their results, of the operation's width() numbers each,
-/// nan if the row's report has an error.
-struct AnsweredRows {
-    Numbers numbers;
-    std::vector<std::size_t> lines;
-    std::vector<std::size_t> reference_lines;
-    Numbers kept;
-    std::vector<std::string_view> keys; ///< views into the block's text
+/// Rows that were answered together, and their results, of the operation's width() numbers each, nan if the row's
+/// report has an error.
+struct AnsweredRows : HeldRows {
     std::vector<double> results;
     std::vector<RowReport> reports;
 };

@@ -14,18 +14,19 @@
 namespace rotconv::stream {
 
 /// What was read of the rows of a batch, one after the other.
-struct RowParts {
+struct RowParts : HeldRows {
     std::vector<std::string_view> fields; ///< of the rows whose fields were looked for
-    Numbers numbers;
-    Numbers kept;                       ///< the numbers that are kept
-    std::vector<std::string_view> keys; ///< their texts
-    RowError error;                     ///< of the row that failed last, without its line
+    RowError error;                       ///< of the row that failed last, without its line
 
     void clear() noexcept {
         fields.clear();
         numbers.clear();
+        lines.clear();
         kept.clear();
         keys.clear();
+        reference_lines.clear();
+        neighbours.clear();
+        between.clear();
     }
     /// Moves the number of that index to the kept ones.
     void keep(std::size_t index) {

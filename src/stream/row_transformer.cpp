@@ -85,10 +85,8 @@ void RowTransformer::finish_batch(std::string_view text, Output& output) {
     }
     write(output);
     if (options_->fold && gathered_.count() > 0) { // operations with a fold answer all rows at once
-        AnsweredRows& batch = output.batches.emplace_back();
-        gathered_.move_to(batch);
-        batch.results = std::exchange(results_, {});
-        batch.reports = std::exchange(reports_, {});
+        output.batches.push_back(
+            {std::move(gathered_.held()), std::exchange(results_, {}), std::exchange(reports_, {})});
     }
 }
 
