@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,10 +12,17 @@
 
 namespace rotconv {
 
-/// A rotation of 106 bits by which all attitudes are multiplied.
+/// A row of numbers, or the inverse of what it means, as a rotation that is read again where more digits count.
+struct FixedFactor {
+    Spec spec{};
+    double numbers[9] = {}; // NOLINT(*-avoid-c-arrays): kernels read it; in the representation's own order
+    double rest[4] = {};    // NOLINT(*-avoid-c-arrays): added to the quaternion that they mean
+    bool is_inverse = false;
+};
+
+/// A rotation by which all attitudes are multiplied.
 struct FixedRotation {
-    FixedRotation(const Rotation& rounded = {}, const std::array<double, 4>& more = {}) noexcept
-        : rotation(rounded), rest(more) {}
+    FixedRotation(const Rotation& rounded = {}, const std::array<double, 4>& more = {});
     /// The attitude of one row of numbers.
     /// @pre read_attitude() finds a rotation in the row
     [[nodiscard]] static FixedRotation of_numbers(const Spec& spec, std::span<const double> numbers);
@@ -22,14 +30,14 @@ struct FixedRotation {
     [[nodiscard]] bool is_identity() const noexcept {
         return rotation.is_identity() && rest[1] == 0.0 && rest[2] == 0.0 && rest[3] == 0.0;
     }
-    [[nodiscard]] FixedRotation inverse() const noexcept {
-        return {rotation.inverse(), {rest[0], -rest[1], -rest[2], -rest[3]}};
-    }
-    /// The composition, like that of Rotation, to 2^-100.
-    friend FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept;
+    [[nodiscard]] FixedRotation inverse() const;
+    /// The composition, like that of Rotation.
+    friend FixedRotation operator*(const FixedRotation& a, const FixedRotation& b);
 
     Rotation rotation;
-    std::array<double, 4> rest; ///< the exact w, x, y, z less those of `rotation`
+    std::array<double, 4> rest;       ///< w, x, y, z to 106 bits, less those of `rotation`
+    double off = 0.0;                 ///< a bound on the error of these sums
+    std::vector<FixedFactor> factors; ///< whose product it is
 };
 
 /// What a conversion accepts and reports, and the rotations by which it multiplies.
@@ -77,6 +85,8 @@ requires(std::same_as<Element, Eigen::Quaterniond> || Element::SizeAtCompileTime
 
 struct Codec;
 
+struct ZeroTable;
+
 /// The conversion from one representation to another, resolved once and then run over batches of rows.
 /// Thread-safe: run() changes nothing in it.
 class Conversion {
@@ -109,6 +119,7 @@ private:
     Spec to_;
     ConversionSettings settings_;
     const Codec* out_codec_;
+    std::shared_ptr<ZeroTable> zeros_;
 };
 
 } // namespace rotconv

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace rotconv {
 /// The product A B of the two attitudes of a row, in any representations: B is applied first. A `passive` Spec inverts,
 /// so the relative attitude R_REF' R is a composition from `quat:passive` and `quat`.
 ///
-/// Attitudes are read and multiplied in 106 bits, and each number of the result is rounded once, like those of a
+/// Each number of the result is the double nearest to the exact function of the numbers read, like those of a
 /// Conversion. Thread-safe: run() changes nothing in it.
 class Composition {
 public:
@@ -34,14 +35,14 @@ private:
     Spec second_;
     Spec to_;
     ConversionSettings settings_;
+    std::shared_ptr<ZeroTable> zeros_;
 };
 
 /// The vectors v_ref = R v_body of rows of an attitude R, in any representation, and a vector. With a `passive` Spec
 /// the result is v_body of v_ref.
 ///
-/// Attitudes are read to 106 bits, and each number of the result is rounded once, to the double nearest to the exact
-/// function of the numbers read where it is not tiny beside the vector's largest number (below 1e-12 of it).
-/// Thread-safe: run() changes nothing in it.
+/// Each number of the result is the double nearest to the exact function of the numbers read. Thread-safe: run()
+/// changes nothing in it.
 class VectorRotation {
 public:
     /// @throw std::invalid_argument if a modifier of the spec has no meaning for its representation
@@ -57,6 +58,7 @@ public:
 private:
     Spec from_;
     ConversionSettings settings_;
+    std::shared_ptr<ZeroTable> zeros_;
 };
 
 } // namespace rotconv

@@ -33,7 +33,7 @@ bool any_remarkable(const InputBatch& input, const DiagnosticSet* diagnostics, s
 
 ExactQuaternion exact(const FixedRotation& fixed) noexcept {
     const Rotation& q = fixed.rotation;
-    return {{q.w(), q.x(), q.y(), q.z()}, {fixed.rest[0], fixed.rest[1], fixed.rest[2], fixed.rest[3]}};
+    return {{q.w(), q.x(), q.y(), q.z()}, {fixed.rest[0], fixed.rest[1], fixed.rest[2], fixed.rest[3]}, fixed.off};
 }
 
 } // namespace
@@ -72,16 +72,41 @@ UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers
     return found;
 }
 
+FixedRotation::FixedRotation(const Rotation& rounded, const std::array<double, 4>& more)
+    : rotation(rounded), rest(more) {
+    if (!is_identity()) {
+        FixedFactor factor;
+        std::ranges::copy(rounded.components(), std::begin(factor.numbers));
+        std::ranges::copy(more, std::begin(factor.rest));
+        factors.push_back(factor);
+    }
+}
+
+FixedRotation FixedRotation::inverse() const {
+    FixedRotation inverse(rotation.inverse(), {rest[0], -rest[1], -rest[2], -rest[3]});
+    inverse.off = off;
+    inverse.factors.assign(factors.rbegin(), factors.rend());
+    for (FixedFactor& factor : inverse.factors) {
+        factor.is_inverse = !factor.is_inverse;
+    }
+    return inverse;
+}
+
 FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double> numbers) {
     check_size(numbers.size(), checked(spec).size());
     std::array<double, most_numbers> own{};
     to_own_order(spec, numbers.data(), 1, own.data());
     ExactQuaternion q{};
     kernel_table().read_exactly(spec, own.data(), q);
-    return {Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]}};
+    FixedRotation fixed(Rotation::near_unit(q.hi[0], q.hi[1], q.hi[2], q.hi[3]), {q.lo[0], q.lo[1], q.lo[2], q.lo[3]});
+    FixedFactor factor{.spec = spec};
+    std::copy_n(own.begin(), spec.size(), std::begin(factor.numbers));
+    fixed.off = q.off;
+    fixed.factors = {factor};
+    return fixed;
 }
 
-FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept {
+FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) {
     const ExactQuaternion factors[] = {exact(a), exact(b)};
     DoubleDouble q[3][4];
     for (std::size_t k = 0; k < 4; ++k) {
@@ -89,24 +114,31 @@ FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) noexcept
         q[1][k] = {factors[1].hi[k], factors[1].lo[k]};
     }
     multiply(q[0], q[1], q[2]);
-    return {Rotation::near_unit(q[2][0].hi, q[2][1].hi, q[2][2].hi, q[2][3].hi),
-            {q[2][0].lo, q[2][1].lo, q[2][2].lo, q[2][3].lo}};
+    FixedRotation product(Rotation::near_unit(q[2][0].hi, q[2][1].hi, q[2][2].hi, q[2][3].hi),
+                          {q[2][0].lo, q[2][1].lo, q[2][2].lo, q[2][3].lo});
+    product.off = off_of_product(a.off, b.off);
+    product.factors = a.factors;
+    product.factors.insert(product.factors.end(), b.factors.begin(), b.factors.end());
+    return product;
 }
 
 FixedRotations fixed_rotations(const FixedRotation& left, const FixedRotation& right) noexcept {
-    return {!left.is_identity(), !right.is_identity(), exact(left), exact(right)};
+    return {!left.factors.empty(), !right.factors.empty(), exact(left),          exact(right),
+            left.factors.data(),   left.factors.size(),    right.factors.data(), right.factors.size()};
 }
 
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
-    : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)) {}
+    : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)),
+      zeros_(std::make_shared<ZeroTable>()) {}
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
     reports.clear();
     // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
-    const FixedRotations fixed = to_.passive ? fixed_rotations(settings_.right.inverse(), settings_.left.inverse())
-                                             : fixed_rotations(settings_.left, settings_.right);
-    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &fixed};
+    const FixedRotation left = to_.passive ? settings_.right.inverse() : settings_.left;
+    const FixedRotation right = to_.passive ? settings_.left.inverse() : settings_.right;
+    const FixedRotations fixed = fixed_rotations(left, right);
+    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &fixed, zeros_.get()};
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     const std::size_t width = to_.size();
     check_size(rest.empty() ? out.size() : rest.size(), in.size() / from_.size() * width);

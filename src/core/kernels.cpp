@@ -17,6 +17,8 @@ template <class T> void multiply_by(const FixedRotations& by, AttitudeBatch<T>& 
         attitudes.get(i, q);
         multiply_by(by, q);
         attitudes.set(i, q);
+        const double off = by.has_left ? off_of_product(by.left.off, attitudes.off[i]) : attitudes.off[i];
+        attitudes.off[i] = by.has_right ? off_of_product(by.right.off, off) : off;
     }
 }
 
@@ -51,61 +53,38 @@ template <class T> void read_plainly(const Spec& spec, bool inverse, const Fixed
 
 template <class T> void convert_plainly(const ConversionBatch& batch, const double* in, std::size_t rows,
                                         AttitudeBatch<T>& attitudes, double* out, double* rest,
-                                        DiagnosticSet* diagnostics) noexcept {
+                                        DiagnosticSet* diagnostics, std::uint64_t* doubts) noexcept {
     const Spec& from = *batch.from;
     const Spec& to = *batch.to;
     read_plainly(from, from.passive != to.passive, *batch.fixed, in, rows, attitudes);
-    batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics);
+    batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics, doubts);
 }
 
-/// One row.
-void convert_carefully(const ConversionBatch& batch, const double* in, std::size_t i, AttitudeBatch<double>& rounded,
-                       double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
-    const Spec& from = *batch.from;
-    const Spec& to = *batch.to;
-    Careful q[4];
-    read_carefully(from, in + i * from.size(), from.passive != to.passive, *batch.fixed, q);
-    diagnostics[i] = write_carefully(to, batch.lock_margin, q, out, rest, i);
-    set_rounded(q, i, rounded);
+CarefulTask task_of(const ConversionBatch& batch) noexcept {
+    return {
+        batch.from, batch.from->passive != batch.to->passive, batch.fixed, nullptr, false, batch.to, batch.lock_margin,
+        batch.zeros};
 }
 
-/// Converts to 106 bits the rows that are open and have no error, the plain ones together.
-void convert_open(const ConversionBatch& batch, const double* in, std::size_t rows, const bool* open,
-                  AttitudeBatch<double>& rounded, double* out, DiagnosticSet* diagnostics) noexcept {
-    const Spec& from = *batch.from;
-    const std::size_t from_size = from.size();
-    const std::size_t to_size = batch.to->size();
-    std::size_t count = 0;
-    std::size_t places[batch_rows];
-    double numbers[most_numbers * batch_rows];
+/// Leaves open what is in doubt, and not settled.
+void settle_all(const CarefulTask& task, const double* in, std::size_t rows, const std::uint64_t* doubts,
+                AttitudeBatch<double>& rounded, double* out, double* rest, bool* open) noexcept {
+    std::uint64_t all = 0;
     for (std::size_t i = 0; i < rows; ++i) {
-        if (!open[i] || rounded.error[i] != Error::none) {
+        all |= doubts[i];
+        open[i] = false;
+    }
+    const std::size_t from_size = task.first->size();
+    const std::size_t to_size = task.to->size();
+    for (std::size_t i = 0; i < rows && all != 0; ++i) {
+        if (doubts[i] == 0 || rounded.error[i] != Error::none) {
             continue;
         }
-        const double* const own = in + i * from_size;
-        if (!(all_plain(rounded, i, 1) && all_plain_numbers(from, own, 1, true))) {
-            convert_carefully(batch, in, i, rounded, out, nullptr, diagnostics);
-            continue;
+        open[i] = !settle(task, {in + i * from_size, nullptr}, doubts[i], out + i * to_size,
+                          rest == nullptr ? nullptr : rest + i * to_size);
+        for (std::size_t k = 0; k < 4 && task.to->name == RepresentationId::quat; ++k) {
+            rounded[k].set(i, (doubts[i] >> k & 1U) != 0 ? 0.0 : rounded[k][i]);
         }
-        for (std::size_t k = 0; k < from_size; ++k) {
-            numbers[count * from_size + k] = own[k];
-        }
-        places[count++] = i;
-    }
-    if (count == 0) {
-        return;
-    }
-    double results[most_numbers * batch_rows];
-    AttitudeBatch<DoubleDouble> attitudes;
-    DiagnosticSet found[batch_rows];
-    convert_plainly(batch, numbers, count, attitudes, results, nullptr, found);
-    for (std::size_t n = 0; n < count; ++n) {
-        const std::size_t i = places[n];
-        for (std::size_t k = 0; k < to_size; ++k) {
-            out[i * to_size + k] = results[n * to_size + k];
-        }
-        rounded.set(i, {attitudes[0].hi[n], attitudes[1].hi[n], attitudes[2].hi[n], attitudes[3].hi[n]});
-        diagnostics[i] = found[n];
     }
 }
 
@@ -113,27 +92,72 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
                                 AttitudeBatch<double>& rounded, double* out, double* rest,
                                 DiagnosticSet* diagnostics) noexcept {
     AttitudeBatch<T> attitudes;
-    convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics);
+    const CarefulTask task = task_of(batch);
+    std::uint64_t doubts[batch_rows] = {};
+    bool open[batch_rows] = {};
+    convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics, doubts);
     round(attitudes, rows, rounded);
-    const auto careful = [&](std::size_t i) {
-        if (batch.to->name != RepresentationId::quat || !keeps_bits(attitudes, i)) {
-            convert_carefully(batch, in, i, rounded, out, rest, diagnostics);
+    if constexpr (!std::is_same_v<T, double>) {
+        settle_all(task, in, rows, doubts, rounded, out, rest, open);
+    }
+    for_each_careful_row(
+        *batch.from, in, attitudes, rows,
+        [&](std::size_t i) { open[i] = batch.to->name != RepresentationId::quat || !keeps_bits(attitudes, i); },
+        !std::is_same_v<T, double>);
+    const std::size_t size = batch.to->size();
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (open[i]) [[unlikely]] {
+            diagnostics[i] = answer_carefully(task, {in + i * batch.from->size(), nullptr}, out + i * size,
+                                              rest == nullptr ? nullptr : rest + i * size, i, rounded);
         }
-    };
-    for_each_careful_row(*batch.from, in, attitudes, rows, careful, !std::is_same_v<T, double>);
+    }
+}
+
+/// Converts to 106 bits, together, the rows that are open and have no error.
+void convert_open(const ConversionBatch& batch, const double* in, std::size_t rows, const bool* open,
+                  AttitudeBatch<double>& rounded, double* out, DiagnosticSet* diagnostics) noexcept {
+    const std::size_t from_size = batch.from->size();
+    const std::size_t to_size = batch.to->size();
+    std::size_t count = 0;
+    std::size_t places[batch_rows];
+    double numbers[most_numbers * batch_rows];
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (open[i] && rounded.error[i] == Error::none) {
+            for (std::size_t k = 0; k < from_size; ++k) {
+                numbers[count * from_size + k] = in[i * from_size + k];
+            }
+            places[count++] = i;
+        }
+    }
+    if (count == 0) {
+        return;
+    }
+    double results[most_numbers * batch_rows];
+    AttitudeBatch<double> attitudes;
+    DiagnosticSet found[batch_rows];
+    convert<DoubleDouble>(batch, numbers, count, attitudes, results, nullptr, found);
+    for (std::size_t n = 0; n < count; ++n) {
+        const std::size_t i = places[n];
+        for (std::size_t k = 0; k < to_size; ++k) {
+            out[i * to_size + k] = results[n * to_size + k];
+        }
+        rounded.set(i, {attitudes[0][n], attitudes[1][n], attitudes[2][n], attitudes[3][n]});
+        diagnostics[i] = found[n];
+    }
 }
 
 bool convert_first(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
                    double* out, bool* open) noexcept {
     const Spec& from = *batch.from;
     const Spec& to = *batch.to;
-    const bool inverse = from.passive != to.passive;
+    const CarefulTask task = task_of(batch);
+    std::uint64_t doubts[batch_rows] = {};
     const auto set_open = [open](std::size_t i) { open[i] = true; };
     const auto read_first = kernel_of(from.name).read_first;
     if (to.name == RepresentationId::quat && read_first != nullptr && !batch.fixed->has_left &&
         !batch.fixed->has_right) {
-        read_first(from, in, rows, rounded, open);
-        invert_if(inverse, rounded, rows);
+        read_first(from, in, rows, rounded, doubts);
+        invert_if(task.inverts_first, rounded, rows);
         for (std::size_t i = 0; i < rows; ++i) {
             double q[4];
             rounded.get(i, q);
@@ -142,6 +166,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
                 out[4 * i + k] = sign * q[k];
             }
         }
+        settle_all(task, in, rows, doubts, rounded, out, nullptr, open);
         for_each_careful_row(from, in, rounded, rows, set_open);
         return true;
     }
@@ -150,9 +175,10 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
         return false;
     }
     AttitudeBatch<DoubleDouble> attitudes;
-    read_plainly(from, inverse, *batch.fixed, in, rows, attitudes);
-    write_first(to, batch.lock_margin, attitudes, rows, out, open);
+    read_plainly(from, task.inverts_first, *batch.fixed, in, rows, attitudes);
+    write_first(to, batch.lock_margin, attitudes, rows, out, doubts);
     round(attitudes, rows, rounded);
+    settle_all(task, in, rows, doubts, rounded, out, nullptr, open);
     for_each_careful_row(from, in, attitudes, rows, set_open);
     return true;
 }
@@ -175,7 +201,8 @@ void read_upright(const Spec& spec, const FixedRotations& fixed, const double* n
     for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
         Careful q[4];
         read_carefully(spec, numbers + i * spec.size(), spec.passive, fixed, q);
-        attitudes.set(i, {q[0].rounded_parts(), q[1].rounded_parts(), q[2].rounded_parts(), q[3].rounded_parts()});
+        attitudes.set(i, {rounded_parts(q[0]), rounded_parts(q[1]), rounded_parts(q[2]), rounded_parts(q[3])});
+        attitudes.off[i] = 0x1p-98; // of the smallest numbers, too, which have no other place
     });
 }
 
@@ -193,6 +220,7 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
         attitude.hi[k] = attitudes[k].hi[0];
         attitude.lo[k] = attitudes[k].lo[0];
     }
+    attitude.off = attitudes.off[0] + 0x1p-98;
 }
 
 void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
@@ -235,6 +263,8 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
               AttitudeBatch<double>* const (&rounded)[3], double* out, double* rest,
               DiagnosticSet* diagnostics) noexcept {
     const Spec& to = *batch.to;
+    const CarefulTask task{batch.first, batch.first->passive, batch.fixed, batch.second, to.passive,
+                           &to,         batch.lock_margin,    batch.zeros};
     AttitudeBatch<DoubleDouble> attitudes[3];
     auto& [left, right, product] = attitudes;
     read_upright(*batch.first, *batch.fixed, first, rows, left);
@@ -247,32 +277,36 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
         multiply_from_side(other, false, q);
         product.set(i, q);
         product.defect[i] = 0.0;
+        product.off[i] = off_of_product(left.off[i], right.off[i]);
         product.error[i] = left.error[i] != Error::none ? left.error[i] : right.error[i];
     }
     for (std::size_t k = 0; k < 3; ++k) {
         round(attitudes[k], rows, *rounded[k]);
     }
     invert_if(to.passive, product, rows);
-    kernel_of(to.name).exact.write(to, batch.lock_margin, product, rows, out, rest, diagnostics);
-    const auto careful = [&](std::size_t i) {
-        Careful q[4];
-        Careful other[4];
-        read_carefully(*batch.first, first + i * batch.first->size(), batch.first->passive, *batch.fixed, q);
-        read_carefully(*batch.second, second + i * batch.second->size(), batch.second->passive, no_rotations, other);
-        multiply_from_side(other, false, q);
-        set_rounded(q, i, *rounded[2]);
-        q[0] = to.passive ? -q[0] : q[0];
-        diagnostics[i] = write_carefully(to, batch.lock_margin, q, out, rest, i);
-    };
-    for_each_careful_row(*batch.first, first, product, rows, careful);
-    for_each_careful_row(*batch.second, second, product, rows, careful);
+    std::uint64_t doubts[batch_rows] = {};
+    kernel_of(to.name).exact.write(to, batch.lock_margin, product, rows, out, rest, diagnostics, doubts);
+    const auto set_open = [&](std::size_t i) { doubts[i] = other_doubt; };
+    for_each_careful_row(*batch.first, first, product, rows, set_open);
+    for_each_careful_row(*batch.second, second, product, rows, set_open);
+    for (std::size_t i = 0; i < rows; ++i) {
+        const CarefulRow row{first + i * batch.first->size(), second + i * batch.second->size()};
+        double* const own_rest = rest == nullptr ? nullptr : rest + i * to.size();
+        if (doubts[i] != 0 && product.error[i] == Error::none &&
+            !settle(task, row, doubts[i], out + i * to.size(), own_rest)) {
+            diagnostics[i] = answer_carefully(task, row, out + i * to.size(), own_rest, i, *rounded[2]);
+        }
+    }
 }
 
-void rotate(const Spec& spec, const double* numbers, const double* vectors, std::size_t rows,
+/// A sum of three products of an entry of a matrix, off by 16 times what the attitude is and by 2^-96, and a number.
+void rotate(const Spec& spec, ZeroTable* zeros, const double* numbers, const double* vectors, std::size_t rows,
             AttitudeBatch<double>& rounded, double* out) noexcept {
+    const CarefulTask task{&spec, spec.passive, &no_rotations, nullptr, false, nullptr, 0.0, zeros};
     AttitudeBatch<DoubleDouble> attitudes;
     read_upright(spec, no_rotations, numbers, rows, attitudes);
     round(attitudes, rows, rounded);
+    std::uint64_t doubts[batch_rows] = {};
     for (std::size_t i = 0; i < rows; ++i) {
         DoubleDouble q[4];
         DoubleDouble rotated[3];
@@ -281,21 +315,20 @@ void rotate(const Spec& spec, const double* numbers, const double* vectors, std:
         take(vectors + 3 * i, vector);
         rotate_vector(q, vector, rotated);
         put(rotated, out + 3 * i);
+        const double size = (__builtin_fabs(vector[0]) + __builtin_fabs(vector[1])) + __builtin_fabs(vector[2]);
+        for (unsigned k = 0; k < 3; ++k) {
+            doubts[i] |= doubt_of(rotated[k], (16.0 * attitudes.off[i] + 0x1p-95) * size, k);
+        }
     }
-    const auto careful = [&](std::size_t i) {
-        Careful q[4];
-        Careful rotated[3];
-        Careful vector[3];
-        read_carefully(spec, numbers + i * spec.size(), spec.passive, no_rotations, q);
-        take(vectors + 3 * i, vector);
-        rotate_vector(q, vector, rotated);
-        put(rotated, out + 3 * i);
-    };
-    for_each_careful_row(spec, numbers, attitudes, rows, careful);
+    for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) { doubts[i] = other_doubt; });
     for (std::size_t i = 0; i < rows; ++i) {
-        if (!all(vectors + 3 * i, 3, [](double number) { return is_plain_number(number); }) &&
-            all_finite(vectors + 3 * i, 3) && attitudes.error[i] == Error::none) {
-            careful(i);
+        const CarefulRow row{numbers + i * spec.size(), vectors + 3 * i};
+        if (!all(row.second, 3, [](double number) { return is_plain_number(number); })) {
+            doubts[i] = other_doubt;
+        }
+        if (doubts[i] != 0 && attitudes.error[i] == Error::none && all_finite(row.second, 3) &&
+            !settle(task, row, doubts[i], out + 3 * i, nullptr)) {
+            answer_carefully(task, row, out + 3 * i, nullptr, i, rounded);
         }
     }
 }
@@ -322,7 +355,13 @@ Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& 
 
 ROTCONV_NOINLINE DiagnosticSet write_one_carefully(const Spec& spec, double lock_margin, const double (&q)[4],
                                                    double* numbers) noexcept {
-    return write_carefully(spec, lock_margin, {q[0], q[1], q[2], q[3]}, numbers, nullptr, 0);
+    Careful results[most_numbers];
+    const DiagnosticSet found =
+        kernel_of(spec.name).careful.write(spec, lock_margin, {q[0], q[1], q[2], q[3]}, results);
+    for (std::size_t k = 0; k < spec.size(); ++k) {
+        numbers[k] = results[k].rounded();
+    }
+    return found;
 }
 
 DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
+#include <rotconv/conversion.hpp>
 #include <rotconv/spec.hpp>
 
 #include "representations/attitude_batch.hpp"
@@ -13,20 +15,37 @@ namespace rotconv {
 /// No representation has more.
 inline constexpr std::size_t most_numbers = 9;
 
-/// A quaternion of 106 bits: w, x, y, z in two parts each, as those of Rotation.
+/// A quaternion of 106 bits: w, x, y, z in two parts each, as those of Rotation, and a bound on their error.
 struct ExactQuaternion {
     double hi[4];
     double lo[4];
+    double off;
 };
 
-/// Constant rotations by which attitudes are multiplied, from the left and from the right, where there are such.
+/// The bound on the errors of a product of two quaternions, below 2 in length, whose components are off by at most that
+/// much and 2^-99 of themselves: each of its components is a sum of four products, 4 (a + b + a b) and 2^-96 of them.
+[[nodiscard]] constexpr double off_of_product(double a, double b) noexcept { return 4.0 * (a + b + a * b) + 0x1p-95; }
+
+/// Constant rotations by which attitudes are multiplied, from the left and from the right, where there are such, and
+/// the rows of numbers from which they are read again.
 struct FixedRotations {
     bool has_left;
     bool has_right;
     ExactQuaternion left;
     ExactQuaternion right;
+    const FixedFactor* left_factors;
+    std::size_t left_count;
+    const FixedFactor* right_factors;
+    std::size_t right_count;
 };
 inline constexpr FixedRotations no_rotations{};
+
+/// What is known of the zeros of a conversion, see careful_rows.hpp: entries that are read and written as a whole.
+struct ZeroTable {
+    static constexpr std::size_t size = 1024;
+    std::uint64_t entries[size]{};
+    std::uint64_t sums[size]{};
+};
 
 /// What the conversion of a batch needs beside its rows.
 struct ConversionBatch {
@@ -34,6 +53,7 @@ struct ConversionBatch {
     const Spec* to;
     double lock_margin;
     const FixedRotations* fixed; ///< of the attitudes as they are written
+    ZeroTable* zeros;            ///< may be null
 };
 
 /// What a batch of products of two attitudes needs beside its rows.
@@ -43,6 +63,7 @@ struct ProductBatch {
     const Spec* second;
     const Spec* to;
     double lock_margin;
+    ZeroTable* zeros;
 };
 
 /// The functions that are compiled for one kind of processor. Batches have at most `batch_rows` rows. Numbers are in
@@ -74,7 +95,7 @@ struct KernelTable {
                      DiagnosticSet* diagnostics) noexcept;
     /// R v of each row's attitude R and vector v, each number rounded once; infinite where it is too large. `attitudes`
     /// become R, rounded.
-    void (*rotate)(const Spec& spec, const double* numbers, const double* vectors, std::size_t rows,
+    void (*rotate)(const Spec& spec, ZeroTable* zeros, const double* numbers, const double* vectors, std::size_t rows,
                    AttitudeBatch<double>& attitudes, double* out) noexcept;
     /// One row to the last bit.
     void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;

@@ -34,7 +34,8 @@ RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std:
 }
 
 Composition::Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings)
-    : first_(checked(first)), second_(checked(second)), to_(checked(to)), settings_(settings) {}
+    : first_(checked(first)), second_(checked(second)), to_(checked(to)), settings_(settings),
+      zeros_(std::make_shared<ZeroTable>()) {}
 
 void Composition::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                       std::span<double> rest) const {
@@ -42,7 +43,7 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
     const std::size_t width = first_.size() + second_.size();
     check_size(rest.empty() ? out.size() : rest.size(), in.size() / width * to_.size());
     const FixedRotations fixed = fixed_rotations(settings_.left, settings_.right);
-    const ProductBatch batch{&first_, &fixed, &second_, &to_, settings_.lock_margin};
+    const ProductBatch batch{&first_, &fixed, &second_, &to_, settings_.lock_margin, zeros_.get()};
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t begin) {
         InputBatch first(first_, numbers, rows, width);
         InputBatch second(second_, numbers + first_.size(), rows, width);
@@ -69,7 +70,7 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
 }
 
 VectorRotation::VectorRotation(const Spec& from, const ConversionSettings& settings)
-    : from_(checked(from)), settings_(settings) {}
+    : from_(checked(from)), settings_(settings), zeros_(std::make_shared<ZeroTable>()) {}
 
 void VectorRotation::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
@@ -80,7 +81,7 @@ void VectorRotation::run(std::span<const double> in, std::span<double> out, std:
         for (std::size_t i = 0; i < rows; ++i) {
             std::copy_n(numbers + i * width + from_.size(), 3, vectors.data() + 3 * i);
         }
-        kernel_table().rotate(from_, input.own(), vectors.data(), rows, input.attitudes, written);
+        kernel_table().rotate(from_, zeros_.get(), input.own(), vectors.data(), rows, input.attitudes, written);
         std::for_each_n(written, 3 * rows, [](double& number) { number += 0.0; }); // -0 becomes 0
         const auto is_finite = [written](std::size_t i) { return all_finite(written + 3 * i, 3); };
         report_rows(

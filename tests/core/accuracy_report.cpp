@@ -12,8 +12,8 @@ int main(int argc, char** argv) {
             all += accuracy::rounding_of(from, to, size / 100); // each digit of the oracle's takes its time
         }
     }
-    std::printf("correctly rounded: %zu of %zu numbers of %zu rows; %zu more within the promise, %zu undecided\n",
-                all.correct(), all.numbers, all.rows, all.beyond, all.uncertain);
+    std::printf("correctly rounded: %zu of %zu numbers of %zu rows; %zu undecided\n", all.correct(), all.numbers,
+                all.rows, all.uncertain);
     std::puts("--method fast, worst attitude error in eps = 2^-52 rad:\n"
               "| from | to | limit | radians | degrees |");
     for (const auto& way : accuracy::ways()) {

@@ -25,7 +25,6 @@ void check(const std::string& from, const std::string& to, int size) {
     INFO(from << " to " << to << ": " << count.wrong << " of " << count.numbers);
     CHECK(count.wrong == 0);
     CHECK(count.rows > 0);
-    CHECK(count.beyond <= count.numbers / 5);
     CHECK(count.uncertain <= count.numbers / 100);
 }
 
@@ -45,6 +44,46 @@ TEST_CASE("every number of every pair is the double nearest to the exact functio
     for (const auto& from : accuracy::compared_specs()) {
         for (const auto& to : accuracy::compared_specs()) {
             check(from, to, tried(40));
+        }
+    }
+}
+
+// Catches a number that is 0 and printed as what its terms leave, and one that is not and taken for it; an angle that
+// only nearly is one of those whose sine is known.
+TEST_CASE("rows with zeros, with few digits and with multiples of 15 degrees are rounded once") {
+    strata::Source source(96);
+    const auto number = [&](const Spec& spec) {
+        const double size = spec.unit == rotconv::AngleUnit::degrees ? 100.0 : 1.5;
+        switch (source.integer(0, 6)) {
+        case 0:
+        case 1: return 0.0;
+        case 2: return 15.0 * source.integer(-24, 24);
+        case 3: return 90.0 * source.integer(-4, 4);
+        case 4: return std::round(source.uniform(-size, size));
+        case 5: return std::round(100.0 * source.uniform(-size, size)) / 100.0;
+        default: return source.uniform(-size, size);
+        }
+    };
+    for (const auto& from_text : accuracy::compared_specs()) {
+        const Spec from = accuracy::spec(from_text);
+        for (const auto& to : accuracy::compared_specs()) {
+            std::vector<std::vector<double>> rows;
+            while (rows.size() < static_cast<std::size_t>(tried(25))) {
+                const bool is_matrix = from.name == rotconv::RepresentationId::dcm;
+                const Spec own = is_matrix ? Spec{} : from;
+                std::vector<double> row;
+                for (std::size_t k = 0; k < own.size(); ++k) {
+                    row.push_back(number(own));
+                }
+                const bool is_valid = static_cast<bool>(rotconv::read_attitude(own, row));
+                if (is_valid) {
+                    rows.push_back(is_matrix ? accuracy::converted(own, from, row, {.tolerance = 1e9}).numbers : row);
+                }
+            }
+            const auto count = accuracy::rounding_of(from, accuracy::spec(to), rows);
+            INFO(from_text << " to " << to << ": " << count.wrong << " of " << count.numbers);
+            CHECK(count.wrong == 0);
+            CHECK(count.rows > 0);
         }
     }
 }
@@ -122,8 +161,8 @@ TEST_CASE("matrices in other axes are rounded once, however small a number becom
     }
 }
 
-// Catches digits lost where a sum or a whole turn cancels, beyond what the promise says.
-TEST_CASE("rows in which nearly everything cancels keep the promise") {
+// Catches digits lost where a sum or a whole turn cancels.
+TEST_CASE("rows in which nearly everything cancels are rounded once") {
     strata::Source source(78);
     std::vector<std::vector<double>> near_turns{{0, -2.6386326881465196, -18.663959279216765}};
     std::vector<std::vector<double>> nearly_symmetric;

@@ -13,11 +13,10 @@ struct Rounding {
     std::size_t rows = 0;
     std::size_t numbers = 0;
     std::size_t wrong = 0;
-    std::size_t beyond = 0;    ///< off, but within the promise: where errors are enlarged, and next to ties
     std::size_t uncertain = 0; ///< where the oracle itself cannot tell
 
     Rounding& operator+=(const Rounding& other) noexcept;
-    [[nodiscard]] std::size_t correct() const noexcept { return numbers - wrong - beyond - uncertain; }
+    [[nodiscard]] std::size_t correct() const noexcept { return numbers - wrong - uncertain; }
 };
 
 /// Converts the rows and compares bits with the oracle; the first three wrong numbers are printed. Rows in error, and

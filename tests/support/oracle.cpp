@@ -345,10 +345,11 @@ template <class Rough, class Fine> bool round_all(const Spec& to, const std::vec
     for (std::size_t i = 0; i < fine.size(); ++i) {
         out[i].value = rounded(to, i, fine[i]);
         out[i].rest = static_cast<double>(Fine(fine[i] - Fine(out[i].value)));
-        if (!isfinite(fine[i])) {
-            out[i].certain = false; // more digits may tell the attitude from a half-turn
-        } else if (fine[i] != Fine(rough[i])) {
-            Fine difference = abs(Fine(fine[i] - Fine(rough[i])));
+        if (!isfinite(fine[i]) || fine[i] == 0) {
+            out[i].certain = false; // more digits may tell the attitude from a half-turn, or the number from 0
+        } else {
+            Fine difference =
+                abs(Fine(fine[i] - Fine(rough[i]))) + Fine(1e-300) * abs(fine[i]); // equal ones may be ties
             const Fine half_turn = to.unit == AngleUnit::degrees ? Fine(180) : boost::math::constants::pi<Fine>();
             if (is_outer_angle(to, i) && difference > half_turn) { // from the other side of the half-turn
                 difference = abs(Fine(difference - 2 * half_turn));
@@ -393,7 +394,9 @@ std::vector<Rounded> converted(const Spec& from, const Spec& to, std::span<const
     std::vector<Rounded> result;
     const auto first = exactly<36>(from, to, row);
     const auto second = exactly<72>(from, to, row);
-    if (!round_all(to, first, second, result)) {
+    const auto components = Own::attitude(from, row).coeffs();
+    const bool is_near_border = (components.array().abs() < Real(1e-20)).any(); // signs need more digits
+    if (is_near_border || !round_all(to, first, second, result)) {
         const auto third = exactly<350>(from, to, row);
         if (!round_all(to, second, third, result)) {
             round_all(to, third, exactly<750>(from, to, row), result);

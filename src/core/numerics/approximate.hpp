@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "double_double.hpp"
 
 namespace rotconv {
@@ -62,6 +64,21 @@ ROTCONV_INLINE Approximate normalized(Approximate a) noexcept {
 ROTCONV_INLINE bool rounds_alike(DoubleDouble a, double error) noexcept {
     return a.hi + (a.lo + error) == a.hi + (a.lo - error);
 }
+/// The doubt that is not about a number.
+inline constexpr std::uint64_t other_doubt = std::uint64_t{1} << 31U;
+/// What of a number, with a bound on its error, is in doubt: nothing where all numbers within it round to the same
+/// double; bit k where the number k may be 0, and is below 2^-66; otherwise bit 32 + k. Bit 16 + k: whether the
+/// component k of the attitude is exactly 0.
+ROTCONV_INLINE std::uint64_t doubt_of(DoubleDouble number, double error, unsigned k) noexcept {
+    const bool is_near_0 = __builtin_fabs(number.hi) <= error && error < 0x1p-66;
+    return rounds_alike(number, error) ? 0U : std::uint64_t{1} << (is_near_0 ? k : 32U + k);
+}
+
+/// A bound on the error of numbers: so much, and so much of a number itself.
+struct ErrorBound {
+    double absolute, relative;
+};
+
 template <class T> ROTCONV_INLINE T normalized(const T& a) noexcept { return a; } // DoubleDouble and double are
 
 /// The size of a number: a formula over it gives the sums of the sizes of its products.

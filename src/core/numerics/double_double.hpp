@@ -28,12 +28,19 @@
 #define ROTCONV_INLINE inline
 #endif
 
+/// Marks functions that are called for a few rows alone, and would be long in line.
+#if defined(__GNUC__)
+#define ROTCONV_NOINLINE __attribute__((noinline))
+#else
+#define ROTCONV_NOINLINE
+#endif
+
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
 /// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: 106 bits (Dekker 1971). hi is the sum rounded to double. Needs
 /// -ffp-contract=off. The bounds below hold, and the numbers are the same with and without a fused multiply-add, where
-/// each product is 0 or between 2^-960 and 2^960; see is_plain_number(). ScaledDoubleDouble takes any others.
+/// each product is 0 or between 2^-960 and 2^960; see is_plain_number(). Wide takes any others.
 struct DoubleDouble {
     double hi = 0.0;
     double lo = 0.0;

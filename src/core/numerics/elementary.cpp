@@ -297,8 +297,8 @@ ROTCONV_INLINE bool is_nearly_0(DoubleDouble value) noexcept { return __builtin_
 
 template <class T> SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept {
     if (is_nearly_0(angle)) { // its products may underflow
-        const ScaledDoubleDouble sine = ScaledDoubleDouble(angle) * ScaledDoubleDouble(unit_in_radians(unit));
-        return {rounded_to<T>(sine.rounded_parts()), T(1.0)};
+        const DoubleDouble sine = scaled(angle, 0x1p300) * unit_in_radians(unit);
+        return {rounded_to<T>(scaled(sine, 0x1p-300)), T(1.0)};
     }
     const Steps steps = steps_of_any(angle, unit, T());
     return turned(sine_cosine_of_steps(steps.count), steps.rest, T());
@@ -311,15 +311,6 @@ SineCosine<double> half_sine_cosine(DoubleDouble angle) noexcept {
     const SineCosine<double> both =
         turned(sine_cosine_of_steps(count), {rest.hi, rest.lo + (second.lo + 0.5 * angle.lo)}, 0.0);
     return {alone(both.sine), alone(both.cosine)};
-}
-
-SineCosine<ScaledDoubleDouble> sine_cosine(const ScaledDoubleDouble& angle, AngleUnit unit) noexcept {
-    const DoubleDouble parts = angle.rounded_parts();
-    if (is_nearly_0(parts)) {
-        return {angle * ScaledDoubleDouble(unit_in_radians(unit)), 1.0};
-    }
-    const SineCosine<DoubleDouble> both = sine_cosine<DoubleDouble>(parts, unit);
-    return {both.sine, both.cosine};
 }
 
 template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::size_t rows, AngleUnit unit,
@@ -361,11 +352,10 @@ template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::siz
     }
 }
 
-// NOLINTBEGIN(misc-no-recursion): the one calls the other where a ratio is small, and is called where it is not
 template <class T> DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept {
     const Tangent<T> tangent = tangent_from_nearer_axis(x, y);
     if (to_double(tangent.near) != 0.0 && to_double(tangent.near) < linear * to_double(tangent.far)) {
-        return angle_of(ScaledDoubleDouble(x), ScaledDoubleDouble(y), unit).rounded_parts();
+        return rounded_parts(angle_of(Wide(x), Wide(y), unit));
     }
     const DoubleDouble acute = sloppy_sum_ordered(arc_tangent_of_steps(tangent.count), rest_of_arc_tangent(tangent));
     const DoubleDouble in_unit = unit == AngleUnit::degrees ? acute * exact_degrees_per_radian : acute;
@@ -390,34 +380,6 @@ DoubleDouble acute_angle(double x, double y) noexcept {
     const DoubleDouble sum = fast_two_sum(quarter.hi, -t);
     return {sum.hi, (sum.lo + (quarter.lo + (0.5 * exact_pi.lo - steps.lo))) - beyond};
 }
-
-ScaledDoubleDouble angle_of(const ScaledDoubleDouble& x, const ScaledDoubleDouble& y, AngleUnit unit) noexcept {
-    const bool flat = is_at_most(y.magnitude(), x.magnitude());
-    const ScaledDoubleDouble& near = flat ? y : x;
-    const ScaledDoubleDouble& far = flat ? x : y;
-    if (far.is_zero()) {
-        return 0.0;
-    }
-    const ScaledDoubleDouble ratio = near / far;
-    if (__builtin_fabs(to_double(ratio)) >= linear) { // then both are brought to a size near 1 by the same factor
-        const DoubleDouble slope = ratio.rounded_parts();
-        const double one = far.is_negative() ? -1.0 : 1.0;
-        const DoubleDouble signed_slope = scaled(slope, one);
-        return flat ? angle_of(DoubleDouble(one), signed_slope, unit) : angle_of(signed_slope, DoubleDouble(one), unit);
-    }
-    const ScaledDoubleDouble small =
-        unit == AngleUnit::degrees ? ratio * ScaledDoubleDouble(exact_degrees_per_radian) : ratio;
-    const DoubleDouble half_turn = half_turn_in(unit);
-    if (!flat) {
-        const ScaledDoubleDouble quarter = scaled(half_turn, y.is_negative() ? -0.5 : 0.5);
-        return quarter - small;
-    }
-    if (!x.is_negative()) {
-        return small;
-    }
-    return ScaledDoubleDouble(scaled(half_turn, y.is_negative() ? -1.0 : 1.0)) + small;
-}
-// NOLINTEND(misc-no-recursion)
 
 template <class T> void angles_of(const Column<T>& x, const Column<T>& y, std::size_t rows, AngleUnit unit,
                                   Column<DoubleDouble>& angles) noexcept {

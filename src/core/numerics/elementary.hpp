@@ -6,14 +6,24 @@
 
 #include "approximate.hpp"
 #include "row_batch.hpp"
-#include "scaled_double_double.hpp"
 #include "trigonometric_tables.hpp"
+#include "wide.hpp"
 
 // The project's own sine, cosine and arc tangent: plain sums and products of doubles, the same bits on every machine. T
 // is the scalar of their accuracy: double, DoubleDouble or, for batches, Approximate.
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
+
+template <> struct Scalars<Wide> {
+    using Precise = Wide;
+    using Given = Wide;
+};
+/// The nearest double, and the one nearest to what is beside it.
+[[nodiscard]] inline DoubleDouble rounded_parts(const Wide& a) noexcept {
+    const double high = a.rounded();
+    return {high, (a - Wide(high)).rounded()};
+}
 
 inline constexpr DoubleDouble exact_pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 inline constexpr DoubleDouble exact_radians_per_degree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
@@ -33,7 +43,11 @@ inline constexpr DoubleDouble exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x
 /// a double of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.5. Multiples of
 /// 90 degrees are exact.
 template <class T> [[nodiscard]] SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept;
-[[nodiscard]] SineCosine<ScaledDoubleDouble> sine_cosine(const ScaledDoubleDouble& angle, AngleUnit unit) noexcept;
+[[nodiscard]] inline SineCosine<Wide> sine_cosine(const Wide& angle, AngleUnit unit) noexcept {
+    SineCosine<Wide> both;
+    Wide::sine_cosine(angle, unit == AngleUnit::degrees, both.sine, both.cosine);
+    return both;
+}
 /// Those of half an angle below 2^13 radians, which need not be normalised, as doubles, by a short chain of operations.
 [[nodiscard]] SineCosine<double> half_sine_cosine(DoubleDouble angle) noexcept;
 /// Those of a batch of rows, each angle 0 or at least 2^-300. As Approximate, from angles that are doubles, each is
@@ -60,8 +74,9 @@ struct SmallAngle {
 template <class T> [[nodiscard]] DoubleDouble angle_of(T x, T y, AngleUnit unit) noexcept;
 /// The same in radians of x >= 0 and y >= 2^-100, neither below 2^-400 but 0: not normalised.
 [[nodiscard]] DoubleDouble acute_angle(double x, double y) noexcept;
-[[nodiscard]] ScaledDoubleDouble angle_of(const ScaledDoubleDouble& x, const ScaledDoubleDouble& y,
-                                          AngleUnit unit) noexcept;
+[[nodiscard]] inline Wide angle_of(const Wide& x, const Wide& y, AngleUnit unit) noexcept {
+    return Wide::angle_of(x, y, unit == AngleUnit::degrees);
+}
 /// Those of a batch of rows, of components that are 0 or between 2^-950 and 2^400. From Approximate, which must be
 /// normalized(), to 2^-65 of itself.
 template <class T> void angles_of(const Column<T>& x, const Column<T>& y, std::size_t rows, AngleUnit unit,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "davenport.hpp"
+#include "wide.hpp"
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
@@ -33,8 +34,11 @@ template <class T> ROTCONV_INLINE void gram_schmidt(const T (&first)[3], const T
     y[2] = sloppy_sum(z[0] * x[1], -(z[1] * x[0]));
     const T m[9] = {x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]};
     Davenport<T> k(m);
-    // What is left of two entries below their own error is 0: a half-turn stays one.
+    // What is left of two entries below their own error is 0: a half-turn stays one. Wide knows its own errors.
     const auto clean = [&](T& sum, int i, int j) {
+        if constexpr (std::is_same_v<T, Wide>) {
+            return;
+        }
         const double size = __builtin_fabs(to_double(m[i])) + __builtin_fabs(to_double(m[j]));
         sum = select(__builtin_fabs(to_double(sum)) <= 0x1p-100 * size, T(0.0), sum);
     };

@@ -5,7 +5,7 @@
 
 #include "double_double.hpp"
 
-// Quaternions are w, x, y, z, matrices nine numbers row by row. T is double, DoubleDouble or ScaledDoubleDouble.
+// Quaternions are w, x, y, z, matrices nine numbers row by row. T is double, DoubleDouble or Wide.
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {

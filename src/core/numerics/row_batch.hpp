@@ -60,8 +60,8 @@ ROTCONV_INLINE void to_columns(const double* numbers, std::size_t rows, Columns<
 }
 
 /// And puts them together.
-template <std::size_t N>
-ROTCONV_INLINE void to_rows(const Columns<double, N>& columns, std::size_t rows, double* numbers) noexcept {
+template <class T, std::size_t N>
+ROTCONV_INLINE void to_rows(const Columns<T, N>& columns, std::size_t rows, double* numbers) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t k = 0; k < N; ++k) {
             numbers[N * i + k] = columns[k].hi[i];

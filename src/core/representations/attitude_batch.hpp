@@ -16,7 +16,10 @@ namespace rotconv {
 /// DoubleDouble.
 template <class T> struct AttitudeBatch : Columns<T, 4> {
     double defect[batch_rows]; ///< up to `reported_defect` a bound on it
-    Error error[batch_rows];   ///< where there is one, the quaternion means nothing
+    /// Of DoubleDouble: each component is off by at most 2^-99 of itself and this; the quaternion may be of any length
+    /// near that which is here. 0 where no sum has cancelled, so that what is 0 is 0.
+    double off[batch_rows];
+    Error error[batch_rows]; ///< where there is one, the quaternion means nothing
     /// They were given as quaternions, and these rows were not scaled: they keep their bits where they are unit to 4
     /// eps.
     bool is_as_given[batch_rows];

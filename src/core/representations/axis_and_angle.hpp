@@ -65,12 +65,15 @@ template <class T> struct AxisHalfAngle {
     Precise<T> length;
 };
 
-/// Writes what result_of(row, DoubleDouble (&result)[size]) gives: numbers, and what they leave.
-template <std::size_t size, class ResultOf>
-ROTCONV_INLINE void write_results(std::size_t rows, const ResultOf& result_of, double* numbers, double* rest) noexcept {
+/// Writes what result_of(row, DoubleDouble (&result)[size]) gives: numbers, and what they leave. doubt_of(row, result)
+/// is called for each.
+template <std::size_t size, class ResultOf, class DoubtOf>
+ROTCONV_INLINE void write_results(std::size_t rows, const ResultOf& result_of, const DoubtOf& doubt_of, double* numbers,
+                                  double* rest) noexcept {
     for (std::size_t i = 0; i < rows; ++i) {
         DoubleDouble result[size];
         result_of(i, result);
+        doubt_of(i, result);
         for (std::size_t k = 0; k < size; ++k) {
             numbers[size * i + k] = result[k].hi;
         }
@@ -84,9 +87,26 @@ ROTCONV_INLINE void write_results(std::size_t rows, const ResultOf& result_of, d
     }
 }
 
+/// Whether the sign that is printed is in doubt: what stands before the component that decides it must be 0, and that
+/// must be more than its error.
+inline std::uint64_t doubt_of_sign(const double (&q)[4], double off) noexcept {
+    std::uint64_t doubts = 0;
+    for (unsigned k = 0; k < 4; ++k) {
+        if (__builtin_fabs(q[k]) > off) {
+            return doubts;
+        }
+        if (q[k] != 0.0 || off >= 0x1p-66) {
+            return other_doubt;
+        }
+        doubts |= off == 0.0 ? 0U : std::uint64_t{1} << (16U + k);
+    }
+    return doubts;
+}
+
 /// Kernels that read an axis and an angle, of a class Formula whose numbers begin with a vector along the axis, with
 ///     error_of(const double* numbers, AngleUnit unit)
 ///     half_angle(const AxisVector<T>& v, const double* numbers)
+///     is_exact          whether that is a double, of which sine and cosine are off by 2^-100 of themselves
 template <class Formula, std::size_t size> struct ReadByAxis {
     template <class T>
     static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
@@ -108,6 +128,12 @@ template <class Formula, std::size_t size> struct ReadByAxis {
             along.set(i, v.along);
             length.set(i, v.length);
             half.set(i, Formula::half_angle(v, own));
+        }
+        // An angle to 2^-103 of itself; up to 3/4 its sine and cosine are not off by more of themselves either.
+        const double unit_size = spec.unit == AngleUnit::degrees ? 0x1p-5 : 1.0;
+        for (std::size_t i = 0; i < rows; ++i) {
+            const double in_radians = unit_size * __builtin_fabs(half.hi[i]);
+            attitudes.off[i] = Formula::is_exact || in_radians < 0.75 ? 0.0 : 0x1p-101 * in_radians;
         }
         sine_cosine(half, rows, spec.unit, cosine, sine);
         for (std::size_t i = 0; i < rows; ++i) {
@@ -136,6 +162,7 @@ template <class Formula, std::size_t size> struct ReadByAxis {
 
 /// Those that write, of a class Formula with
 ///     numbers_of(const T (&q)[4], const Precise<T>& length, const Precise<T>& angle, Precise<T> (&numbers)[size])
+///     error_of(std::size_t k, double length, AngleUnit unit, double off)   ErrorBound, see AttitudeBatch::off
 /// where q and length are those of AxisHalfAngle.
 template <class Formula, std::size_t count> struct WrittenByAxis {
     static constexpr std::size_t size = count;
@@ -146,8 +173,8 @@ template <class Formula, std::size_t count> struct WrittenByAxis {
     }
 
     template <class T> static void write(const Spec& spec, double /*lock_margin*/, const AttitudeBatch<T>& attitudes,
-                                         std::size_t rows, double* numbers, double* rest,
-                                         DiagnosticSet* diagnostics) noexcept {
+                                         std::size_t rows, double* numbers, double* rest, DiagnosticSet* diagnostics,
+                                         std::uint64_t* doubts) noexcept {
         Columns<T, 4> parts;
         Column<T> sides;
         Column<DoubleDouble> length;
@@ -172,11 +199,21 @@ template <class Formula, std::size_t count> struct WrittenByAxis {
             }
             Formula::numbers_of(q, length[i], angle, result);
         };
-        write_results<size>(rows, result_of, numbers, rest);
+        const auto find_doubts = [&](std::size_t i, const DoubleDouble(&result)[size]) {
+            for (unsigned k = 0; k < size && !std::is_same_v<T, double>; ++k) {
+                const ErrorBound error = Formula::error_of(k, length.hi[i], spec.unit, attitudes.off[i]);
+                doubts[i] |= doubt_of(result[k], error.absolute + error.relative * __builtin_fabs(result[k].hi), k);
+            }
+        };
+        write_results<size>(rows, result_of, find_doubts, numbers, rest);
         for (std::size_t i = 0; i < rows; ++i) {
             T q[4];
             parts.get(i, q);
             diagnostics[i] = Formula::diagnostics_of(q);
+            if (!std::is_same_v<T, double> && !(to_double(q[0]) > attitudes.off[i])) [[unlikely]] {
+                doubts[i] |= doubt_of_sign({to_double(q[0]), to_double(q[1]), to_double(q[2]), to_double(q[3])},
+                                           attitudes.off[i]);
+            }
         }
     }
     template <class T>

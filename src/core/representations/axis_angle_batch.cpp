@@ -5,6 +5,8 @@ inline namespace ROTCONV_TARGET {
 namespace {
 
 struct AxisAngle : ReadByAxis<AxisAngle, 4>, WrittenByAxis<AxisAngle, 4> {
+    static constexpr bool is_exact = true;
+
     /// Whether the numbers are finite and have an axis, or need none: the turn is 0, or in degrees whole turns.
     ROTCONV_INLINE static Error error_of(const double* v, AngleUnit unit) noexcept {
         if (!all_finite(v, 4)) {
@@ -19,6 +21,14 @@ struct AxisAngle : ReadByAxis<AxisAngle, 4>, WrittenByAxis<AxisAngle, 4> {
     template <class T>
     ROTCONV_INLINE static Precise<T> half_angle(const AxisVector<T>& /*v*/, const double* numbers) noexcept {
         return scaled(Precise<T>(numbers[3]), 0.5);
+    }
+
+    /// The axis is off by 2 dv/|v|, the angle by 2 (dv + dw)/|q| in its unit, both by 2^-96 of themselves.
+    ROTCONV_INLINE static ErrorBound error_of(std::size_t k, double length, AngleUnit unit, double off) noexcept {
+        if (k == 3) {
+            return {(unit == AngleUnit::degrees ? 64.0 : 1.0) * 16.0 * off, 0x1p-95};
+        }
+        return {off == 0.0 ? 0.0 : 8.0 * off / length, 0x1p-95};
     }
 
     /// The axis is (1, 0, 0) where there is no vector part.

@@ -14,6 +14,13 @@ struct Cayley : ReadByFormula<Cayley>, WrittenByFormula<Cayley, 3> {
     }
     ROTCONV_INLINE static double size_of(const double* c) noexcept { return largest_magnitude(1.0, c[0], c[1], c[2]); }
 
+    ROTCONV_INLINE static double off_of(const double* /*c*/) noexcept { return 0.0; }
+
+    /// c = v/w is off by (dv + |c| dw)/|w|, and by 2^-96 of itself.
+    ROTCONV_INLINE static ErrorBound error_of(const double (&q)[4], double off) noexcept {
+        const double ratio = off == 0.0 ? 0.0 : 2.0 * off / __builtin_fabs(q[0]);
+        return {ratio, ratio + 0x1p-95};
+    }
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&c)[3]) noexcept {
         for (std::size_t k = 0; k < 3; ++k) {
             c[k] = q[k + 1];

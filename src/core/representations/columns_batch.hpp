@@ -12,6 +12,7 @@ inline namespace ROTCONV_TARGET {
 /// Kernels that read two columns, by Gram-Schmidt, of a class Formula with
 ///     directions(const T (&numbers)[size], T (&first)[3], T (&second)[3])   vectors along the columns
 ///     columns(const double (&numbers)[size], double (&columns)[6])          the columns themselves
+///     lost_by_directions(const double (&numbers)[size])   how many times 2^-102 the first is off, of itself
 template <class Formula, std::size_t size> struct ReadByColumns {
     template <class T> ROTCONV_INLINE static void quaternion_of(const double* numbers, T (&q)[4]) noexcept {
         T first[3];
@@ -28,12 +29,33 @@ template <class Formula, std::size_t size> struct ReadByColumns {
 
     /// Whether the columns, of finite numbers, span no plane.
     static bool is_deficient(const double* numbers) noexcept {
-        Careful first[3];
-        Careful second[3];
-        Careful normal[3];
+        bool is_deficient = false;
+        with_enough_bits([&] {
+            Careful first[3];
+            Careful second[3];
+            Careful normal[3];
+            find_directions(numbers, first, second);
+            cross(first, second, normal);
+            is_deficient = normal[0].sign() == 0 && normal[1].sign() == 0 && normal[2].sign() == 0;
+            return !is_deficient || !Wide::Bits::doubted();
+        });
+        return is_deficient;
+    }
+
+    /// See AttitudeBatch::off. Directions are off by 2^-102 of their terms. Of the normal, the cross product, that is
+    /// as much more as its length, the sine of the angle between them, is less.
+    static double off_of(const double (&numbers)[size]) noexcept {
+        double first[3];
+        double second[3];
+        double normal[3];
         find_directions(numbers, first, second);
+        const double lost = Formula::lost_by_directions(numbers);
+        normalize(first);
+        normalize(second);
         cross(first, second, normal);
-        return normal[0].is_zero() && normal[1].is_zero() && normal[2].is_zero();
+        const double sine = root((normal[0] * normal[0] + normal[1] * normal[1]) + normal[2] * normal[2]);
+        const double off = 0x1p-97 * lost / sine;
+        return sine > 0x1p-30 && lost < 0x1p30 ? off : 1.0; // also where they are too large for doubles
     }
 
     /// The sum of the squares of what the columns lack of being orthonormal.
@@ -73,6 +95,7 @@ template <class Formula, std::size_t size> struct ReadByColumns {
             quaternion_of(own, q);
             attitudes.set(i, q);
             attitudes.defect[i] = clean_defect;
+            attitudes.off[i] = 0x1p-95;
             square[i] = lacking(own);
         }
         for (std::size_t i = 0; i < rows; ++i) {
@@ -82,6 +105,7 @@ template <class Formula, std::size_t size> struct ReadByColumns {
                 DoubleDouble q[4];
                 columns.get(i, own);
                 attitudes.error[i] = read_unclean(own, q, attitudes.defect[i]);
+                attitudes.off[i] = off_of(own);
                 attitudes.set(i, {rounded_to<T>(q[0]), rounded_to<T>(q[1]), rounded_to<T>(q[2]), rounded_to<T>(q[3])});
             }
         }

@@ -25,49 +25,48 @@ ROTCONV_INLINE double residual(DoubleDouble k0, double q0, DoubleDouble k1, doub
                      (((first.lo + fifth.lo) + (second.lo + third.lo)) +
                       ((fourth.lo + k0.lo * q0) + ((k1.lo * q1 + k2.lo * q2) + k3.lo * q3))));
 }
-inline Careful residual(const Careful& k0, const Careful& q0, const Careful& k1, const Careful& q1, const Careful& k2,
-                        const Careful& q2, const Careful& k3, const Careful& q3, double mu, const Careful& q) noexcept {
-    return ((k0 * q0 - Careful(mu) * q) + k1 * q1) + (k2 * q2 + k3 * q3);
+template <class T, class Base> T residual(const T& k0, const T& q0, const T& k1, const T& q1, const T& k2, const T& q2,
+                                          const T& k3, const T& q3, const Base& mu, const T& q) noexcept {
+    return ((k0 * q0 - T(mu) * q) + k1 * q1) + (k2 * q2 + k3 * q3);
 }
 
 /// The inverse of a symmetric matrix.
-struct Inverse {
-    ROTCONV_INLINE Inverse(double a_xx, double a_yy, double a_zz, double a_xy, double a_xz, double a_yz) noexcept
+template <class T> struct Inverse {
+    ROTCONV_INLINE Inverse(const T& a_xx, const T& a_yy, const T& a_zz, const T& a_xy, const T& a_xz,
+                           const T& a_yz) noexcept
         : xx(a_yy * a_zz - a_yz * a_yz), yy(a_xx * a_zz - a_xz * a_xz), zz(a_xx * a_yy - a_xy * a_xy),
           xy(a_xz * a_yz - a_xy * a_zz), xz(a_xy * a_yz - a_xz * a_yy), yz(a_xy * a_xz - a_yz * a_xx) {
-        const double factor = 1.0 / ((a_xx * xx + a_xy * xy) + a_xz * xz);
-        xx *= factor;
-        yy *= factor;
-        zz *= factor;
-        xy *= factor;
-        xz *= factor;
-        yz *= factor;
+        const T factor = T(1.0) / ((a_xx * xx + a_xy * xy) + a_xz * xz);
+        for (T* const entry : {&xx, &yy, &zz, &xy, &xz, &yz}) {
+            *entry = *entry * factor;
+        }
     }
 
-    double xx, yy, zz, xy, xz, yz;
+    T xx, yy, zz, xy, xz, yz;
 };
 
 /// One Newton step towards the unit quaternion that maximises trace(R(q)' M), where q is near it: the correction, in
 /// parts that are small as q's own components are, so that small angles keep their relative accuracy. T is the
-/// scalar of K, Small that of q, which is not normalised, and of what is small.
+/// scalar of K, Small that of q, which is not normalised, and of what is small, Base that of M and of what only has to
+/// be near. With `near` for q the point at which the steps end is off by what that is off, squared.
 ///
 /// With S = R(q)' M the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12), and
 /// the right side is the vector part of q* (K - mu) q/|q|^2 for any mu. Near q's own eigenvalue nothing large is left.
-template <class T, class Small> ROTCONV_INLINE void
-newton_step(const double (&m)[9], const Small (&q)[4], const double (&near)[4], Small (&correction)[4]) noexcept {
+template <class T, class Small, class Base> ROTCONV_INLINE void
+newton_step(const Base (&m)[9], const Small (&q)[4], const Base (&near)[4], Small (&correction)[4]) noexcept {
     const Davenport<T> k(m);
-    double r[9];
+    Base r[9];
     scaled_matrix_of(near, r);
-    const double norm = squared_norm(near);
+    const Base norm = squared_norm(near);
     const auto entry = [&](int i, int j) {
         return (r[i] * m[j] + r[3 + i] * m[3 + j]) + r[6 + i] * m[6 + j]; // of |q|^2 S
     };
-    const double s_xx = entry(0, 0);
-    const double s_yy = entry(1, 1);
-    const double s_zz = entry(2, 2);
-    const Inverse inverse(s_yy + s_zz, s_xx + s_zz, s_xx + s_yy, -0.5 * (entry(0, 1) + entry(1, 0)),
-                          -0.5 * (entry(0, 2) + entry(2, 0)), -0.5 * (entry(1, 2) + entry(2, 1)));
-    const double mu = 1.0 + (s_xx + s_yy + s_zz) / norm;
+    const Base s_xx = entry(0, 0);
+    const Base s_yy = entry(1, 1);
+    const Base s_zz = entry(2, 2);
+    const Inverse<Base> inverse(s_yy + s_zz, s_xx + s_zz, s_xx + s_yy, scaled(entry(0, 1) + entry(1, 0), -0.5),
+                                scaled(entry(0, 2) + entry(2, 0), -0.5), scaled(entry(1, 2) + entry(2, 1), -0.5));
+    const Base mu = Base(1.0) + (s_xx + s_yy + s_zz) / norm;
     const Small rest_w = residual(k.ww, q[0], k.wx, q[1], k.wy, q[2], k.wz, q[3], mu, q[0]);
     const Small rest_x = residual(k.wx, q[0], k.xx, q[1], k.xy, q[2], k.xz, q[3], mu, q[1]);
     const Small rest_y = residual(k.wy, q[0], k.yy, q[2], k.xy, q[1], k.yz, q[3], mu, q[2]);
@@ -80,12 +79,12 @@ newton_step(const double (&m)[9], const Small (&q)[4], const double (&near)[4], 
     const Small a = w * rest_x - x * rest_w - (y * rest_z - z * rest_y);
     const Small b = w * rest_y - y * rest_w - (z * rest_x - x * rest_z);
     const Small c = w * rest_z - z * rest_w - (x * rest_y - y * rest_x);
-    const Small dx = 0.5 * ((inverse.xx * a + inverse.xy * b) + inverse.xz * c);
-    const Small dy = 0.5 * ((inverse.xy * a + inverse.yy * b) + inverse.yz * c);
-    const Small dz = 0.5 * ((inverse.xz * a + inverse.yz * b) + inverse.zz * c);
+    const Small dx = scaled((inverse.xx * a + inverse.xy * b) + inverse.xz * c, 0.5);
+    const Small dy = scaled((inverse.xy * a + inverse.yy * b) + inverse.yz * c, 0.5);
+    const Small dz = scaled((inverse.xz * a + inverse.yz * b) + inverse.zz * c, 0.5);
     // q (0, d/2). A component that K does not couple to the others stays 0, as at a symmetric matrix's half-turn.
-    const auto stays = [&](double component, const T& first, const T& second, const T& third) {
-        return component == 0.0 && sign_of(first) == 0.0 && sign_of(second) == 0.0 && sign_of(third) == 0.0;
+    const auto stays = [&](const Base& component, const T& first, const T& second, const T& third) {
+        return sign_of(component) == 0.0 && sign_of(first) == 0.0 && sign_of(second) == 0.0 && sign_of(third) == 0.0;
     };
     const Small none = 0.0;
     correction[0] = stays(near[0], k.wx, k.wy, k.wz) ? none : none - (x * dx + y * dy + z * dz);
@@ -94,8 +93,9 @@ newton_step(const double (&m)[9], const Small (&q)[4], const double (&near)[4], 
     correction[3] = stays(near[3], k.wz, k.xz, k.yz) ? none : w * dz + (x * dy - y * dx);
 }
 
-/// Any proper matrix, from a quaternion near its own on, until nothing is left to correct.
-void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) noexcept {
+/// Any proper matrix of ordinary size, to 106 bits: from a quaternion near its own on, until nothing is left to
+/// correct.
+void refine(const double* numbers, const double (&start)[4], DoubleDouble (&q)[4]) noexcept {
     take(start, q);
     double m[9];
     take(numbers, m);
@@ -106,25 +106,51 @@ void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) no
     }
     double last = 1.0;
     for (int step = 0; step < 100; ++step) {
-        const double near[4] = {q[0].rounded(), q[1].rounded(), q[2].rounded(), q[3].rounded()};
-        Careful correction[4];
-        newton_step<Careful>(m, q, near, correction);
-        double size = 0.0;
-        bool is_small = true; // beside each component
-        for (std::size_t k = 0; k < 4; ++k) {
-            size += __builtin_fabs(correction[k].rounded());
-            is_small = is_small && (correction[k].is_zero() || correction[k].exponent() < q[k].exponent() - 60);
-        }
+        const double near[4] = {q[0].hi, q[1].hi, q[2].hi, q[3].hi};
+        DoubleDouble correction[4];
+        newton_step<DoubleDouble>(m, q, near, correction);
+        const double size = largest_magnitude(correction[0].hi, correction[1].hi, correction[2].hi, correction[3].hi);
         if (!(size < 0.5 * last)) {
             return; // at the end of what can be told
         }
         for (std::size_t k = 0; k < 4; ++k) {
             q[k] = q[k] + correction[k];
         }
-        if (is_small) {
-            return;
-        }
         last = size;
+    }
+}
+
+/// Any proper matrix. Each step squares the error, so that the last one, of which nothing is left beside the bits, is
+/// more than what is left.
+void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) noexcept {
+    take(start, q);
+    Careful m[9];
+    take(numbers, m);
+    int exponent = m[0].exponent();
+    for (const Careful& entry : m) {
+        exponent = entry.exponent() > exponent ? entry.exponent() : exponent;
+    }
+    for (Careful& entry : m) {
+        entry = entry.shifted(-exponent);
+    }
+    const int bits = Wide::Bits::bits();
+    int step_bits = 64;
+    bool is_small = false;
+    for (int step = 0; step < 100 && !is_small; ++step) {
+        step_bits = 2 * step_bits < bits ? 2 * step_bits : bits;
+        const Wide::Bits some(step_bits + 32);
+        Careful correction[4];
+        newton_step<Careful>(m, q, q, correction);
+        is_small = step_bits == bits;
+        for (std::size_t k = 0; k < 4; ++k) {
+            q[k] = (q[k] + correction[k]).middle();
+            is_small = is_small && correction[k].is_below(24 - bits);
+        }
+    }
+    for (Careful& component : q) {
+        if (component.sign() != 0) { // it is 0 where K does not couple it to the others
+            component.widen(Careful(1.0).shifted(is_small ? 26 - bits : 0));
+        }
     }
 }
 
@@ -156,6 +182,9 @@ Error read_unclean_matrix(const double (&m)[9], double square, double (&q)[4], d
 }
 
 struct Matrix : WrittenByFormula<Matrix, 9> {
+    ROTCONV_INLINE static ErrorBound error_of(const double (&/*q*/)[4], double off) noexcept {
+        return error_of_entries(off);
+    }
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[9]) noexcept {
         scaled_matrix_of(q, numbers);
         divide_entries(numbers, squared_norm(q));
@@ -174,7 +203,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
         double square = 0.0;
         const Error error = read_in_double(numbers, q, defect, square);
         if (is_far(square) && error == Error::none) [[unlikely]] {
-            Careful exact[4];
+            DoubleDouble exact[4];
             refine(numbers, q, exact);
             take(exact, q);
         }
@@ -202,6 +231,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
             square[i] = read_clean(m, q);
             near.set(i, q);
             attitudes.defect[i] = clean_defect;
+            attitudes.off[i] = 0x1p-95;
         }
         for (std::size_t i = 0; i < rows; ++i) {
             attitudes.error[i] = Error::none;
@@ -231,11 +261,12 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
         for (std::size_t i = 0; i < rows; ++i) {
             if (is_far(square[i]) && attitudes.error[i] == Error::none) [[unlikely]] {
                 double start[4];
-                Careful q[4];
+                DoubleDouble q[4];
                 near.get(i, start);
                 refine(numbers + 9 * i, start, q);
+                attitudes.off[i] = 1.0;
                 for (std::size_t k = 0; k < 4; ++k) {
-                    attitudes[k].set(i, rounded_to<T>(q[k].rounded_parts()));
+                    attitudes[k].set(i, rounded_to<T>(q[k]));
                 }
             }
         }

@@ -101,7 +101,7 @@ Sensitivity sensitivity(const Rotation& rotation, EulerSequence sequence) noexce
         const TurnVectors<double> vectors(axes, {q[0], q[1], q[2], q[3]});
         return sensitivity_of(vectors.cosine_length, vectors.sine_length);
     }
-    const TurnVectors<ScaledDoubleDouble> vectors(axes, {q[0], q[1], q[2], q[3]});
+    const TurnVectors<Wide> vectors(axes, {q[0], q[1], q[2], q[3]});
     return sensitivity_of(to_double(vectors.cosine_length), to_double(vectors.sine_length));
 }
 

@@ -47,6 +47,7 @@ struct Angles {
         for (std::size_t i = 0; i < rows; ++i) {
             attitudes.error[i] = all_finite(numbers + 3 * i, 3) ? Error::none : Error::not_finite;
             attitudes.defect[i] = 0.0;
+            attitudes.off[i] = 0x1p-96; // of products below 1, the most of what is cleaned
         }
     }
 
@@ -71,14 +72,14 @@ struct Angles {
     /// In Approximate. See sine_cosine() for the errors of a sine and a cosine. A component of the quaternion, which is
     /// unit, is linear in each of the three vectors of cosine and sine, with coefficients of length 1 at most: it is
     /// off by three times their errors, the absolute ones or, of the sizes of its products, the relative ones.
-    /// Roundings of these, and the exact kernels' errors, are below 2^-30 of that.
+    /// Roundings of these are below 2^-30 of that.
     template <class Axes> static void read_first_of(const Spec& spec, const double* numbers, std::size_t rows,
-                                                    AttitudeBatch<double>& attitudes, bool* open) noexcept {
+                                                    AttitudeBatch<double>& attitudes, std::uint64_t* doubts) noexcept {
         const Axes axes(spec.sequence);
         find_errors(numbers, rows, attitudes);
         const Halves<Approximate> halves(spec, axes, numbers, rows);
         constexpr double absolute = 3 * 0x1.3p-69;
-        double doubts[batch_rows];
+        double open[batch_rows]; // 0, 1 where components may be 0, else 2: with bits the loop takes half as long again
         auto [w, along_i, along_j, along_k] = columns_along(axes, attitudes);
         for (std::size_t i = 0; i < rows; ++i) {
             SineCosine<Approximate> turns[3];
@@ -95,23 +96,29 @@ struct Angles {
             for (std::size_t k = 0; k < 4; ++k) {
                 q[k] = normalized(q[k]);
                 const double relative = 3 * 0x1p-63 * sizes[k].value;
-                doubt = rounds_alike({q[k].hi, q[k].lo}, relative < absolute ? relative : absolute) ? doubt : 1.0;
+                const double error = relative < absolute ? relative : absolute;
+                const double own = __builtin_fabs(q[k].hi) <= error ? 1.0 : 2.0;
+                doubt = larger_of(doubt, rounds_alike({q[k].hi, q[k].lo}, error) ? 0.0 : own);
             }
-            doubts[i] = doubt;
+            open[i] = doubt;
             w.set(i, q[0].hi);
             along_i.set(i, q[1].hi);
             along_j.set(i, q[2].hi);
             along_k.set(i, q[3].hi);
         }
         for (std::size_t i = 0; i < rows; ++i) {
-            open[i] = doubts[i] != 0.0;
+            doubts[i] = open[i] == 0.0 ? 0U : other_doubt;
+            for (unsigned k = 0; k < 4 && open[i] == 1.0; ++k) {
+                const std::uint64_t bit = __builtin_fabs(attitudes[k].hi[i]) <= absolute ? 1U : 0U;
+                doubts[i] = (doubts[i] & ~other_doubt) | bit << k;
+            }
         }
     }
 
     static void read_first(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
-                           bool* open) noexcept {
-        spec.sequence.proper() ? read_first_of<AxesOfKind<true>>(spec, numbers, rows, attitudes, open)
-                               : read_first_of<AxesOfKind<false>>(spec, numbers, rows, attitudes, open);
+                           std::uint64_t* doubts) noexcept {
+        spec.sequence.proper() ? read_first_of<AxesOfKind<true>>(spec, numbers, rows, attitudes, doubts)
+                               : read_first_of<AxesOfKind<false>>(spec, numbers, rows, attitudes, doubts);
     }
 
     /// `half_angle(i)`: the sine and cosine of half of the number i.
@@ -196,17 +203,19 @@ struct Angles {
     };
 
     template <class T> static void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes,
-                                         std::size_t rows, double* numbers, double* rest,
-                                         DiagnosticSet* diagnostics) noexcept {
+                                         std::size_t rows, double* numbers, double* rest, DiagnosticSet* diagnostics,
+                                         std::uint64_t* doubts) noexcept {
         const FixedAxes axes(spec.sequence);
         const LockLimit limit(lock_margin);
         const AngleRanges ranges(axes, spec);
         Vectors<T> vectors(axes, ranges, attitudes, rows);
         bool upper[batch_rows];
+        double bound[batch_rows];
         for (std::size_t i = 0; i < rows; ++i) {
             const Lock<T> lock(vectors.lengths[0][i], vectors.lengths[1][i], limit);
             diagnostics[i] = lock.diagnostics();
             upper[i] = lock.upper;
+            bound[i] = bound_of(spec, vectors.lengths[0].hi[i], vectors.lengths[1].hi[i], attitudes.off[i]);
             if (lock.locked) {
                 const T q[4] = {attitudes[0][i], attitudes.columns[1 + axes.i][i], attitudes.columns[1 + axes.j][i],
                                 attitudes.columns[1 + axes.k][i]};
@@ -223,6 +232,20 @@ struct Angles {
                 numbers[3 * i + 1] = angles[1].hi[i];
             }
         }
+        if constexpr (!std::is_same_v<T, double>) {
+            find_doubts(spec, ranges, angles, bound, 0x1p-95, rows, doubts);
+            for (std::size_t i = 0; i < rows; ++i) {
+                const double off = attitudes.off[i] + 0x1p-96;
+                if (diagnostics[i].has(DiagnosticKind::gimbal_lock)) {
+                    // twice the angle of a vector of at least |q|, whose components are off by 2 off
+                    const double error = unit_size(spec) * 16.0 * off;
+                    doubts[i] = doubt_of(angles[0][i], error, 0);
+                    doubts[i] |= spec.positive ? doubt_of(ranges.positive(angles[0][i]), error, 0) : 0U;
+                }
+                doubts[i] |=
+                    limit.is_doubtful(vectors.lengths[0].hi[i], vectors.lengths[1].hi[i], 4.0 * off) ? other_doubt : 0U;
+            }
+        }
         for (std::size_t i = 0; i < rows && rest != nullptr; ++i) {
             rest[3 * i] = ranges.rest_of(angles[0][i], numbers[3 * i]);
             rest[3 * i + 1] = angles[1].lo[i];
@@ -230,80 +253,67 @@ struct Angles {
         }
     }
 
-    /// Whether the sums of w, i, j, k in TurnVectors that make an angle of 0 lose no digit, or only multiply 0.
-    static bool zeros_are_exact(const FixedAxes& axes, const DoubleDouble (&q)[4]) noexcept {
-        bool are_doubles = true;
-        bool is_0[4];
-        for (std::size_t k = 0; k < 4; ++k) {
-            are_doubles = are_doubles && q[k].lo == 0.0;
-            is_0[k] = q[k].hi == 0.0;
-        }
-        return axes.proper || are_doubles || ((is_0[0] || is_0[2]) && (is_0[1] || is_0[3])) || (is_0[0] && is_0[2]) ||
-               (is_0[1] && is_0[3]);
+    /// At least what a radian is.
+    static double unit_size(const Spec& spec) noexcept { return spec.unit == AngleUnit::degrees ? 64.0 : 1.0; }
+
+    /// How far the vectors of TurnVectors are turned at most, in the unit. With Q = |q|, at least 1/2, C^2 + S^2 = 2
+    /// Q^2, and r = max(C, S)/min(C, S), so that 1/min(C, S) <= 2 r:
+    ///
+    /// A sum of two components is off by e = 2 off + 2^-95: by their errors, from the sum of their low parts, and from
+    /// what it is cleaned of. A vector of length C S, a product, is turned by 1.5 e/C + 1.5 e/S <= 6 e r, and by 2^-96
+    /// by what its own sums are cleaned of and its products rounded. The middle one is turned by less.
+    ROTCONV_INLINE static double bound_of(const Spec& spec, double cosine, double sine, double off) noexcept {
+        const double larger = larger_of(cosine, sine);
+        const double smaller = -larger_of(-cosine, -sine);
+        return unit_size(spec) * (12.0 * off + 0x1p-92) * (larger / smaller);
     }
 
-    /// In Approximate. With Q = |q|, so that C^2 + S^2 = 2 Q^2, and r = max(C, S)/min(C, S):
-    ///
-    /// A sum of two components is off by 2^-103 Q, from the sum of their low parts, and in the exact kernel by 2^-97 Q
-    /// where it is cleaned to 0. A vector of length C S is off by C + S times that, and by 2^-97 C S from what its own
-    /// sums are cleaned of; its products' errors are far below. Together that turns it by less than 2^-95 r.
-    ///
-    /// angles_of() adds 2^-65 of the angle at most, degrees and whole turns 2^-102.
-    ///
-    /// An angle that rounds alike within all that has the exact kernel's number. An angle of 0 never does. It is the
-    /// exact kernel's too where sums of components are exact: their products are then near enough for it to clean.
+    /// Of angles that are off by the bound and as much of themselves, as they are printed.
+    ROTCONV_INLINE static void find_doubts(const Spec& spec, const AngleRanges& ranges,
+                                           const Columns<DoubleDouble, 3>& angles, const double (&bound)[batch_rows],
+                                           double relative, std::size_t rows, std::uint64_t* doubts) noexcept {
+        for (unsigned k = 0; k < 3; ++k) {
+            for (std::size_t i = 0; i < rows; ++i) {
+                const DoubleDouble angle = angles[k][i];
+                doubts[i] |= doubt_of(angle, bound[i] + relative * __builtin_fabs(angle.hi), k);
+            }
+        }
+        for (unsigned k = 0; k < 3 && spec.positive; k += 2) {
+            for (std::size_t i = 0; i < rows; ++i) {
+                const DoubleDouble angle = angles[k][i];
+                doubts[i] |= doubt_of(ranges.positive(angle), bound[i] + relative * __builtin_fabs(angle.hi), k);
+            }
+        }
+    }
+
+    /// In Approximate, whose sums and products are off by far less than the bound. angles_of() adds 2^-65 of the angle
+    /// at most, degrees and whole turns 2^-102.
     template <class Axes> static void write_first_of(const Spec& spec, double lock_margin,
                                                      const AttitudeBatch<DoubleDouble>& attitudes, std::size_t rows,
-                                                     double* numbers, bool* open) noexcept {
+                                                     double* numbers, std::uint64_t* doubts) noexcept {
         const Axes axes(spec.sequence);
         const LockLimit limit(lock_margin);
         const AngleRanges ranges(axes, spec);
         const Vectors<Approximate> vectors(axes, ranges, attitudes, rows);
         Columns<DoubleDouble, 3> angles;
         vectors.get_angles(spec, axes, ranges, rows, angles, numbers);
-        const double unit = spec.unit == AngleUnit::degrees ? 64.0 : 1.0; // at least that of a radian
         const double unlocked = limit.locks_all ? __builtin_inf() : limit.tangent.hi + 0x1p-16; // nor nearly locked
-        double doubts[batch_rows]; // 0, or 1 of an angle of 0, or 2: compilers vectorise no loop with bools
         double bound[batch_rows];
         for (std::size_t i = 0; i < rows; ++i) {
             const double cosine = vectors.lengths[0].hi[i];
             const double sine = vectors.lengths[1].hi[i];
             const double larger = larger_of(cosine, sine);
             const double smaller = -larger_of(-cosine, -sine);
-            doubts[i] = smaller > unlocked * larger ? 0.0 : 2.0; // 2 of nan too
-            bound[i] = unit * 0x1p-95 * (larger / smaller);
+            doubts[i] |= smaller > unlocked * larger ? 0U : other_doubt; // of nan too
+            bound[i] = bound_of(spec, cosine, sine, attitudes.off[i]);
         }
-        const auto find_doubts = [&](std::size_t k, auto printed) {
-            for (std::size_t i = 0; i < rows; ++i) {
-                const double size = __builtin_fabs(angles[k].hi[i]);
-                const bool rounds = rounds_alike(printed(angles[k][i]), bound[i] + 0x1p-65 * size);
-                doubts[i] = larger_of(doubts[i], size == 0.0 ? 1.0 : (rounds ? 0.0 : 2.0));
-            }
-        };
-        for (std::size_t k = 0; k < 3; ++k) {
-            find_doubts(k, [](DoubleDouble angle) { return angle; });
-        }
-        for (std::size_t k = 0; k < 3 && spec.positive; k += 2) {
-            find_doubts(k, [&](DoubleDouble angle) { return ranges.positive(angle); });
-        }
-        std::uint64_t zeros = 0;
-        for (std::size_t i = 0; i < rows; ++i) {
-            open[i] = doubts[i] == 2.0;
-            zeros |= doubts[i] == 1.0 ? 1U : 0U;
-        }
-        for (std::size_t i = 0; i < rows && zeros != 0; ++i) {
-            if (doubts[i] == 1.0) {
-                const DoubleDouble q[4] = {attitudes[0][i], attitudes.columns[1 + axes.i][i],
-                                           attitudes.columns[1 + axes.j][i], attitudes.columns[1 + axes.k][i]};
-                open[i] = !zeros_are_exact(axes, q);
-            }
-        }
+        find_doubts(spec, ranges, angles, bound, 0x1p-65, rows, doubts);
     }
 
     static void write_first(const Spec& spec, double lock_margin, const AttitudeBatch<DoubleDouble>& attitudes,
-                            std::size_t rows, double* numbers, bool* open) noexcept {
-        spec.sequence.proper() ? write_first_of<AxesOfKind<true>>(spec, lock_margin, attitudes, rows, numbers, open)
-                               : write_first_of<AxesOfKind<false>>(spec, lock_margin, attitudes, rows, numbers, open);
+                            std::size_t rows, double* numbers, std::uint64_t* doubts) noexcept {
+        spec.sequence.proper() ? write_first_of<AxesOfKind<true>>(spec, lock_margin, attitudes, rows, numbers, doubts)
+                               : write_first_of<AxesOfKind<false>>(spec, lock_margin, attitudes, rows, numbers, doubts);
     }
 
     template <class T>

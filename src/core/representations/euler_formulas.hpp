@@ -6,10 +6,10 @@
 #include <rotconv/spec.hpp>
 
 #include "../numerics/elementary.hpp"
-#include "../numerics/scaled_double_double.hpp"
+#include "../numerics/power_of_two.hpp"
 
-// The formulas of Euler angles for one row, over a scalar: double, DoubleDouble, ScaledDoubleDouble or, in a first
-// phase, Approximate.
+// The formulas of Euler angles for one row, over a scalar: double, DoubleDouble, Wide or, in a first phase,
+// Approximate.
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
@@ -41,13 +41,6 @@ template <class T> ROTCONV_INLINE T clean_difference(const T& a, const T& b) noe
     return select(__builtin_fabs(to_double(difference)) <= 0x1p-97 * __builtin_fabs(to_double(a)), T(0.0), difference);
 }
 ROTCONV_INLINE double clean_difference(double a, double b) noexcept { return a - b; }
-inline ScaledDoubleDouble clean_difference(const ScaledDoubleDouble& a, const ScaledDoubleDouble& b) noexcept {
-    const ScaledDoubleDouble difference = a - b; // which as a double may be 0
-    if (difference.exponent() >= a.exponent() - 96) {
-        return difference;
-    }
-    return is_at_most(difference.magnitude(), a.magnitude().shifted(-97)) ? ScaledDoubleDouble(0.0) : difference;
-}
 template <class T> ROTCONV_INLINE T clean_sum(const T& a, const T& b) noexcept { return clean_difference(a, -b); }
 
 /// Keeps a loop from working on several rows at once where that is no faster: on two, to 106 bits, without fused
@@ -81,6 +74,10 @@ ROTCONV_INLINE void product_of_turns(const Axes& axes, const SineCosine<T> (&tur
         q[3] = clean_difference(c * sc, signed_s * cs);
     }
 }
+
+/// a <= b, as far as it only counts where they are far from each other.
+template <class T> ROTCONV_INLINE bool is_roughly_at_most(const T& a, const T& b) noexcept { return is_at_most(a, b); }
+inline bool is_roughly_at_most(const Wide& a, const Wide& b) noexcept { return to_double(a) <= to_double(b); }
 
 template <class T> struct Vector { T x, y; };
 
@@ -117,7 +114,7 @@ template <class T> struct TurnVectors {
     /// last is 0 and the first twice that.
     void give_up_one(const FixedAxes& axes, const T (&q)[4]) noexcept {
         const T k = scaled(q[3], axes.sign);
-        const bool sum = !is_at_most(cosine_length, sine_length);
+        const bool sum = !is_roughly_at_most(cosine_length, sine_length);
         const T x = sum ? (axes.proper ? q[0] : q[0] - q[2]) : (axes.proper ? q[2] : q[2] + q[0]);
         const T y = sum ? (axes.proper ? q[1] : q[1] + k) : (axes.proper ? k : k - q[1]);
         const double last_sign = axes.proper ? 1.0 : axes.sign;
@@ -146,13 +143,21 @@ struct LockLimit {
         }
     }
 
+    /// Whether lengths that are off by so much do not tell which side of it they are on.
+    [[nodiscard]] bool is_doubtful(double cosine_length, double sine_length, double off) const noexcept {
+        const double larger = larger_of(cosine_length, sine_length);
+        const double smaller = -larger_of(-cosine_length, -sine_length);
+        const double distance = smaller - tangent.hi * larger;
+        return !locks_all && !(__builtin_fabs(distance) > off + 0x1p-50 * smaller);
+    }
+
     bool locks_all;
     DoubleDouble tangent;
 };
 
 template <class T> struct Lock {
     ROTCONV_INLINE Lock(const T& cosine_length, const T& sine_length, const LockLimit& limit) noexcept
-        : upper(is_at_most(cosine_length, sine_length)) {
+        : upper(is_roughly_at_most(cosine_length, sine_length)) {
         const T smaller = select(upper, cosine_length, sine_length);
         const T larger = select(upper, sine_length, cosine_length);
         locked = limit.locks_all || is_at_most(smaller, rounded_to<T>(limit.tangent) * larger);
@@ -182,12 +187,30 @@ struct AngleRanges {
 
     /// In (-pi, pi] or (-180, 180], as it is printed.
     template <class T> [[nodiscard]] ROTCONV_INLINE T outer(const T& angle) const noexcept {
-        return select(to_double(angle) <= -half_turn.hi, T(half_turn.hi), angle);
+        return select(printed(angle) <= -half_turn.hi, T(half_turn.hi), angle);
     }
     /// In [0, 2 pi) or [0, 360), as it is printed: what rounds to the end is 0.
     template <class T> [[nodiscard]] T positive(const T& angle) const noexcept {
-        const T positive = to_double(angle) < 0.0 ? angle + rounded_to<T>(scaled(half_turn, 2.0)) : angle;
-        return to_double(positive) >= 2.0 * half_turn.hi ? T(0.0) : positive;
+        const T positive = printed(angle) < 0.0 ? angle + whole_turn<T>() : angle;
+        return printed(positive) >= 2.0 * half_turn.hi ? T(0.0) : positive;
+    }
+    template <class T> [[nodiscard]] T whole_turn() const noexcept {
+        if constexpr (std::is_same_v<T, Wide>) {
+            return scaled(Wide::half_turn(half_turn.hi == 180.0), 2.0);
+        } else {
+            return rounded_to<T>(scaled(half_turn, 2.0));
+        }
+    }
+    template <class T> [[nodiscard]] ROTCONV_INLINE static double printed(const T& angle) noexcept {
+        return to_double(angle);
+    }
+    /// Near the ends of ranges a doubt where it does not round clearly; 0 where it may be.
+    [[nodiscard]] static double printed(const Wide& angle) noexcept {
+        double nearest = 0.0;
+        if (!angle.round(nearest) && __builtin_fabs(nearest) > 3.0) {
+            Wide::Bits::doubt();
+        }
+        return nearest;
     }
     /// What the angle, or the same whole turns further, has beside the number that is printed.
     [[nodiscard]] double rest_of(DoubleDouble angle, double printed) const noexcept {

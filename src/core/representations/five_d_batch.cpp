@@ -5,10 +5,21 @@ inline namespace ROTCONV_TARGET {
 namespace {
 
 struct FiveNumbers : ReadByColumns<FiveNumbers, 5>, WrittenByFormula<FiveNumbers, 5> {
+    /// Entries of the matrix over a divisor of 0.41 to 2.42 |q|^2.
+    ROTCONV_INLINE static ErrorBound error_of(const double (&/*q*/)[4], double off) noexcept {
+        const ErrorBound error = error_of_entries(off);
+        return {8.0 * error.absolute, error.relative};
+    }
+    /// sqrt 2 + sign.
+    template <class T> ROTCONV_INLINE static T constant(double sign) noexcept {
+        if constexpr (std::is_same_v<T, Wide>) {
+            return root(Wide(2.0)) + Wide(sign);
+        } else {
+            return rounded_to<T>(sign < 0.0 ? DoubleDouble(0x1.a827999fcef32p-2, 0x1.08b2fb1366ea9p-56)
+                                            : DoubleDouble(0x1.3504f333f9de6p+1, 0x1.21165f626cdd5p-53));
+        }
+    }
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[5]) noexcept {
-        // sqrt 2 - 1 and sqrt 2 + 1 to 106 bits and more
-        constexpr DoubleDouble less{0x1.a827999fcef32p-2, 0x1.08b2fb1366ea9p-56};
-        constexpr DoubleDouble more{0x1.3504f333f9de6p+1, 0x1.21165f626cdd5p-53};
         T m[9];
         scaled_matrix_of(q, m);
         const T turning = sloppy_sum(square(q[0]), square(q[1]));
@@ -19,7 +30,7 @@ struct FiveNumbers : ReadByColumns<FiveNumbers, 5>, WrittenByFormula<FiveNumbers
         numbers[3] = m[4];
         numbers[4] = m[7];
         // sqrt 2 - r11, without cancellation
-        divide(numbers, sloppy_sum(turning * rounded_to<T>(less), tilting * rounded_to<T>(more)));
+        divide(numbers, sloppy_sum(turning * constant<T>(-1.0), tilting * constant<T>(1.0)));
     }
 
     /// Parallel to Hopf's columns.
@@ -29,6 +40,12 @@ struct FiveNumbers : ReadByColumns<FiveNumbers, 5>, WrittenByFormula<FiveNumbers
         first[1] = scaled(y[0], 2.0);
         first[2] = scaled(y[1], 2.0);
         take(y + 2, second);
+    }
+    /// The terms of the first one's first number beside its length, of which it is off by a part.
+    ROTCONV_INLINE static double lost_by_directions(const double (&y)[5]) noexcept {
+        const double sum = ((y[0] * y[0] + y[1] * y[1]) + (y[2] * y[2] + y[3] * y[3])) + y[4] * y[4];
+        const double rest = sum - 1.0;
+        return (sum + 1.0) / root(rest * rest + 4.0 * (y[0] * y[0] + y[1] * y[1]));
     }
     /// The two columns, from numbers of any size.
     ROTCONV_INLINE static void columns(const double (&y)[5], double (&m)[6]) noexcept {

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
+#include "../numerics/approximate.hpp"
 #include "../numerics/power_of_two.hpp"
 #include "../numerics/quaternion_algebra.hpp"
-#include "../numerics/scaled_double_double.hpp"
+#include "../numerics/wide.hpp"
 #include "attitude_batch.hpp"
 
 namespace rotconv {
@@ -23,9 +25,9 @@ template <class T> struct BatchKernel {
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept;
     /// Each number is the result in T, rounded once. `rest`: what the results have beside those numbers, of
     /// representations with a choice (Codec::nearest); may be null. Diagnostics are what there is to report of each
-    /// row; the sets are empty at first.
+    /// row; the sets are empty at first. Doubts, only of DoubleDouble and empty at first, are those of doubt_of().
     void (*write)(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes, std::size_t rows,
-                  double* numbers, double* rest, DiagnosticSet* diagnostics) noexcept;
+                  double* numbers, double* rest, DiagnosticSet* diagnostics, std::uint64_t* doubts) noexcept;
 };
 
 /// One plain row in double.
@@ -34,7 +36,7 @@ struct RowKernel {
     DiagnosticSet (*write)(const Spec& spec, double lock_margin, const double (&q)[4], double* numbers) noexcept;
 };
 
-using Careful = ScaledDoubleDouble;
+using Careful = Wide;
 
 /// One row of numbers of any size.
 struct CarefulKernel {
@@ -42,6 +44,17 @@ struct CarefulKernel {
     void (*read)(const Spec& spec, const double* numbers, Careful (&q)[4]) noexcept;
     DiagnosticSet (*write)(const Spec& spec, double lock_margin, const Careful (&q)[4], Careful* numbers) noexcept;
 };
+
+/// Calls decides() with more and more bits, until it does, and no sign was in doubt. What the last ones leave within
+/// 2^-5000 of 0 or of a tie is one.
+template <class Function> void with_enough_bits(const Function& decides) noexcept {
+    for (const int bits : {256, 1280, 5120}) {
+        const Wide::Bits some(bits);
+        if (decides() && !Wide::Bits::doubted()) {
+            return;
+        }
+    }
+}
 
 /// A quaternion that was given as such, and is unit to 4 eps, is written with its bits; unless something else than a
 /// quarter turn has turned it.
@@ -65,14 +78,14 @@ struct Kernel {
     BatchKernel<DoubleDouble> exact;
     RowKernel one;
     CarefulKernel careful;
-    // First phases of plain rows, to about 2^-66, or null. They leave some rows open. What they make of the others is
-    // what the exact kernels make of them, with nothing to report.
+    // First phases of plain rows, to about 2^-66, or null. They leave some numbers in doubt, see doubt_of(). What they
+    // make of the others is what the exact kernels make of them, with nothing to report.
     /// BatchKernel::read() to a quaternion that is unit: each component as it is printed, except for its sign.
     void (*read_first)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
-                       bool* open) noexcept = nullptr;
+                       std::uint64_t* doubts) noexcept = nullptr;
     /// BatchKernel::write().
     void (*write_first)(const Spec& spec, double lock_margin, const AttitudeBatch<DoubleDouble>& attitudes,
-                        std::size_t rows, double* numbers, bool* open) noexcept = nullptr;
+                        std::size_t rows, double* numbers, std::uint64_t* doubts) noexcept = nullptr;
     /// Numbers of this size or more are plain for exact.read. Its products to 106 bits, of the sixth degree (the
     /// squares of a normal in 5d), or of one that is stated beside another limit, stay above 2^-960 down to 2^-150. But
     /// sums that cancel keep more digits in Careful.
@@ -112,6 +125,7 @@ constexpr Kernel kernel_of_formula{.size = Formula::size,
 
 /// Those that write, of a class Formula with
 ///     numbers_of(const T (&q)[4], T (&numbers)[size])
+///     error_of(const double (&q)[4], double off)   ErrorBound of the numbers, see AttitudeBatch::off
 template <class Formula, std::size_t count> struct WrittenByFormula {
     static constexpr std::size_t size = count;
 
@@ -123,15 +137,23 @@ template <class Formula, std::size_t count> struct WrittenByFormula {
 
     template <class T> static void write(const Spec& /*spec*/, double /*lock_margin*/,
                                          const AttitudeBatch<T>& attitudes, std::size_t rows, double* numbers,
-                                         double* /*rest*/, DiagnosticSet* diagnostics) noexcept {
-        Columns<double, size> columns;
+                                         double* /*rest*/, DiagnosticSet* diagnostics, std::uint64_t* doubts) noexcept {
+        Columns<T, size> columns;
         for (std::size_t i = 0; i < rows; ++i) {
             T q[4];
             T result[size];
             attitudes.get(i, q);
             Formula::numbers_of(q, result);
-            for (std::size_t k = 0; k < size; ++k) {
-                columns[k].set(i, to_double(result[k]));
+            columns.set(i, result);
+        }
+        if constexpr (!std::is_same_v<T, double>) {
+            for (std::size_t i = 0; i < rows; ++i) {
+                const double q[4] = {attitudes[0].hi[i], attitudes[1].hi[i], attitudes[2].hi[i], attitudes[3].hi[i]};
+                const ErrorBound error = Formula::error_of(q, attitudes.off[i]);
+                for (unsigned k = 0; k < size; ++k) {
+                    const DoubleDouble number = columns[k][i];
+                    doubts[i] |= doubt_of(number, error.absolute + error.relative * __builtin_fabs(number.hi), k);
+                }
             }
         }
         to_rows(columns, rows, numbers);
@@ -154,12 +176,14 @@ template <class Formula, std::size_t count> struct WrittenByFormula {
 /// Those that read, and find no defect, of a class Formula with
 ///     quaternion_of(const double* numbers, T (&q)[4])   of any length
 ///     size_of(const double* numbers)                    that length or the largest component, about
+///     off_of(const double* numbers)                     AttitudeBatch::off, once that is brought to 1/2 to 1
 template <class Formula> struct ReadByFormula {
     template <class T>
     static void read(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
         for (std::size_t i = 0; i < rows; ++i) {
             T q[4];
             attitudes.error[i] = read_one(spec, numbers + Formula::size * i, q, attitudes.defect[i]);
+            attitudes.off[i] = Formula::off_of(numbers + Formula::size * i);
             attitudes.set(i, q);
         }
     }

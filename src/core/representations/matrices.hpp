@@ -2,6 +2,7 @@
 
 #include <rotconv/reading.hpp>
 
+#include "../numerics/approximate.hpp"
 #include "../numerics/davenport.hpp"
 #include "../numerics/power_of_two.hpp"
 
@@ -41,6 +42,10 @@ ROTCONV_INLINE double squared_distance(const double (&m)[9]) noexcept {
     return ((cross_0 * cross_0 + cross_1 * cross_1) + cross_2 * cross_2) +
            ((first * first + second * second) + both * both);
 }
+
+/// A bound on the error of entries of the matrix of q: 2 (q_i q_j +- q_k q_l)/|q|^2 is off by 8 off, and by as much
+/// from its divisor; what is rounded in them is 2^-96 of the products, which are below 1.
+ROTCONV_INLINE ErrorBound error_of_entries(double off) noexcept { return {16.0 * off + 0x1p-95, 0x1p-96}; }
 
 /// One power step, which serves if the squared distance that it returns is at most clean_square.
 ROTCONV_INLINE double read_clean(const double (&m)[9], double (&q)[4]) noexcept {

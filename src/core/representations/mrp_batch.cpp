@@ -19,6 +19,17 @@ struct Mrp : ReadByFormula<Mrp>, WrittenByAxis<Mrp, 3> {
         return 1.0 + ((m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]);
     }
 
+    /// 1 - |m|^2 is off by 2^-102 of its larger term, and by 2^-99 of itself unless much cancels.
+    ROTCONV_INLINE static double off_of(const double* m) noexcept {
+        const double square = (m[0] * m[0] + m[1] * m[1]) + m[2] * m[2];
+        return square > 0.875 && square < 1.25 ? 0x1p-101 : 0.0;
+    }
+
+    /// m is at most 1, and its divisor at least 1/2: off by 2 dv + 2 |m| (d|q| + dw) <= 8 off, and by 2^-96 of itself.
+    ROTCONV_INLINE static ErrorBound error_of(std::size_t /*k*/, double /*length*/, AngleUnit /*unit*/,
+                                              double off) noexcept {
+        return {16.0 * off, 0x1p-95};
+    }
     /// v/(|q| + w), of the q that is printed.
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], const Precise<T>& length,
                                                              const Precise<T>& /*angle*/, Precise<T> (&m)[3]) noexcept {

@@ -5,6 +5,10 @@ inline namespace ROTCONV_TARGET {
 namespace {
 
 struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
+    /// Off by (dq + |n| d|q|)/|q|, and by 2^-96 of itself.
+    ROTCONV_INLINE static ErrorBound error_of(const double (&/*q*/)[4], double off) noexcept {
+        return {8.0 * off, 0x1p-95};
+    }
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[4]) noexcept {
         take(q, numbers);
         divide(numbers, root(squared_norm(q)));
@@ -47,6 +51,7 @@ struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
             attitudes.set(i, {q[0], q[1], q[2], q[3]});
             attitudes.defect[i] = __builtin_fabs(squared_norm({q[0], q[1], q[2], q[3]}) - 1.0);
             attitudes.error[i] = Error::none;
+            attitudes.off[i] = 0.0;
             attitudes.is_as_given[i] = true;
         }
         for (std::size_t i = 0; i < rows; ++i) {
@@ -60,9 +65,9 @@ struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
     }
 
     template <class T> static void write(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes,
-                                         std::size_t rows, double* numbers, double* rest,
-                                         DiagnosticSet* diagnostics) noexcept {
-        WrittenByFormula::write(spec, lock_margin, attitudes, rows, numbers, rest, diagnostics);
+                                         std::size_t rows, double* numbers, double* rest, DiagnosticSet* diagnostics,
+                                         std::uint64_t* doubts) noexcept {
+        WrittenByFormula::write(spec, lock_margin, attitudes, rows, numbers, rest, diagnostics, doubts);
         for (std::size_t i = 0; i < rows && attitudes.are_quaternions; ++i) {
             if (keeps_bits(attitudes, i)) {
                 T q[4];
@@ -70,6 +75,7 @@ struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
                 for (std::size_t k = 0; k < 4; ++k) {
                     numbers[4 * i + k] = canonical_sign(q) * to_double(q[k]);
                 }
+                doubts[i] = 0;
             }
         }
     }

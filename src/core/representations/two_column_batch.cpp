@@ -5,6 +5,9 @@ inline namespace ROTCONV_TARGET {
 namespace {
 
 struct FirstTwoColumns : ReadByColumns<FirstTwoColumns, 6>, WrittenByFormula<FirstTwoColumns, 6> {
+    ROTCONV_INLINE static ErrorBound error_of(const double (&/*q*/)[4], double off) noexcept {
+        return error_of_entries(off);
+    }
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[6]) noexcept {
         T m[9];
         scaled_matrix_of(q, m);
@@ -19,6 +22,7 @@ struct FirstTwoColumns : ReadByColumns<FirstTwoColumns, 6>, WrittenByFormula<Fir
         take(m, first);
         take(m + 3, second);
     }
+    ROTCONV_INLINE static double lost_by_directions(const double (&/*m*/)[6]) noexcept { return 1.0; }
     ROTCONV_INLINE static void columns(const double (&numbers)[6], double (&m)[6]) noexcept { take(numbers, m); }
 };
 
