@@ -9,13 +9,13 @@ namespace rotconv {
 
 /// The vector theta n. A vector of Eigen is one in radians.
 struct RotationVector {
-    // NOLINTBEGIN(google-explicit-constructor): so that to_rotation() takes a vector
+    // NOLINTBEGIN(*-by-value, google-explicit-constructor): so that to_rotation() takes a vector
     RotationVector(const Eigen::Vector3d& values, AngleUnit angle_unit = AngleUnit::radians) noexcept
         : vector(values), unit(angle_unit) {}
     template <class Derived>
     RotationVector(const Eigen::MatrixBase<Derived>& values, AngleUnit angle_unit = AngleUnit::radians)
         : vector(sized<Eigen::Vector3d>(values)), unit(angle_unit) {}
-    // NOLINTEND(google-explicit-constructor)
+    // NOLINTEND(*-by-value, google-explicit-constructor)
 
     Eigen::Vector3d vector;
     AngleUnit unit;

@@ -13,7 +13,9 @@ namespace rotconv::cli {
 int run_program(int argc, const char* const* argv) {
     try {
         stream::guard_standard_descriptors();
+#ifdef SIGPIPE
         static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // a closed pipe is an error code of write()
+#endif
         Command command = read_command_line(argc, argv);
         const auto* text = std::get_if<std::string>(&command);
         return static_cast<int>(text != nullptr ? print(*text) : run_rows(std::get<RowsCommand>(std::move(command))));

@@ -1,12 +1,16 @@
 #!/bin/sh
-# packages_test.sh BUILD [EMULATOR]: the Debian packages and the tarball hold what they should, their program runs, and dpkg
-# installs and removes them. Catches a file that no package or the wrong one has, a missing dependency, a program of the tarball
-# that needs any file of the system, and one of the package that brings a C library of its own.
+# packages_test.sh BUILD [EMULATOR]: the Debian packages and the tarball, or the zip for Windows, hold what they should, their
+# program runs, and dpkg installs and removes them. Catches a file that no package or the wrong one has, a missing dependency, a
+# program of the tarball that needs any file of the system, and one of the package that brings a C library of its own.
 set -eu
 build=$1
 emulator=${2-}
-[ -z "$emulator" ] || export QEMU_LD_PREFIX="/usr/${emulator#qemu-}-linux-gnu" # the libraries of the cross compiler
-version=$($emulator "$build/rotconv" --version | cut -d ' ' -f 2)
+case $emulator in
+qemu-*) export QEMU_LD_PREFIX="/usr/${emulator#qemu-}-linux-gnu" ;; # the libraries of the cross compiler
+esac
+program=$build/rotconv
+[ ! -f "$program.exe" ] || program=$program.exe
+version=$($emulator "$program" --version | cut -d ' ' -f 2)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() {
@@ -42,6 +46,13 @@ both="bin/rotconv share/bash-completion/completions/rotconv share/fish/vendor_co
 library="include/rotconv/rotconv.hpp lib/librotconv_core.a lib/cmake/rotconv/rotconvConfig.cmake share/pkgconfig/rotconv.pc"
 pages=$(cd "$(dirname "$0")/../../man" && for page in *.[1-9]; do echo "share/man/man${page##*.}/$page"; done)
 
+if [ "$program" != "$build/rotconv" ]; then
+    cmake -E chdir "$work" cmake -E tar xf rotconv-"$version"-Windows-x86_64.zip
+    # shellcheck disable=SC2086 # a list
+    holds "$work/rotconv-$version-Windows-x86_64" share/doc/rotconv/LICENSE share/doc/rotconv/NOTICES $library
+    runs "$work/rotconv-$version-Windows-x86_64/bin/rotconv.exe"
+    exit 0
+fi
 tar -xzf "$work"/rotconv-"$version"-*.tar.gz -C "$work"
 mv "$work"/rotconv-"$version"-*/ "$work/tarball"
 # shellcheck disable=SC2086 # a list

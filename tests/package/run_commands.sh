@@ -1,15 +1,17 @@
 #!/bin/bash
-# run_commands.sh FILE FOLDER: runs each "$ command" of FILE in FOLDER and compares what it prints with the lines below it. A
+# run_commands.sh FILE [FOLDER [EXCEPT]]: runs each "$ command" of FILE in FOLDER and compares what it prints with the lines below it. A
 # command goes on after a \. FILE is a Markdown page with console blocks or a manual page with literal displays, where stdout and
 # stderr stand as they come; or a transcript, NAME.txt, whose text is in paragraphs beside those that begin with a command. There
 # a line of stderr follows those of stdout, marked "! ", "exit N" tells a status other than 0, an empty line is written as a dot,
 # ... stands for any text of a line, and a line of ... alone for any lines. Without FOLDER it runs in an empty one.
+# A command with the text EXCEPT is left out.
 set -eu
 file=$(realpath "$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/empty"
 cd "${2:-$work/empty}"
+except=${3:-}
 
 # Markdown: ```console ... ```; mdoc: .Bd -literal ... .Ed that begins with a command, where \e is a backslash.
 case $file in
@@ -57,6 +59,7 @@ failed=0
 check() {
     [ -n "$command" ] || return 0
     run=$((run + 1))
+    [ -z "$except" ] || [ -n "${command##*"$except"*}" ] || return 0
     answer "$command" > "$work/printed"
     if ! same "$work/expected" "$work/printed"; then
         failed=$((failed + 1))
