@@ -8,8 +8,8 @@
 
 namespace rotconv {
 
-/// An axis n of any length but 0 and the angle about it. Eigen's type, which is in
-/// radians and has an axis of length 1, converts to this one and back.
+/// An axis n of any length but 0 and the angle about it. Eigen's type, which is in radians and has an axis of length 1,
+/// converts to this one and back.
 struct AxisAngle {
     // NOLINTBEGIN(*-by-value, google-explicit-constructor): so that Eigen's type goes in and out
     AxisAngle(const Eigen::Vector3d& direction, double size, AngleUnit angle_unit = AngleUnit::radians) noexcept
