@@ -418,8 +418,7 @@ private:
         read_.words.push_back({meant.empty() ? std::string(unit_of_word(word)) : meant, group});
     }
 
-    /// The tokens, from the one at `at` on, of brackets that hold only a unit or a word of convention: (xyzw), (w, x,
-    /// y, z).
+    /// The tokens of brackets at `at` that hold only a unit or a word of convention: (xyzw), (w, x, y, z).
     [[nodiscard]] std::size_t remark_size(std::size_t at = 0) const {
         std::string letters;
         std::size_t size = at + 1;

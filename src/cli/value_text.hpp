@@ -40,7 +40,7 @@ enum class WordKind : std::uint8_t {
     aside,            ///< at the end of a label whose numbers are not read
     size,             ///< the label of a number that is not one of the attitude
     aside_anywhere,   ///< as a part of such a label
-    aside_beginning,  ///< as the beginning of a part of such a label
+    aside_beginning,  ///< as the beginning or the end of a part of such a label
     operation,        ///< a part of a label that says that something is done to the numbers
     open_name,        ///< a name that does not contradict another
     attitude,         ///< at the end of a label of an attitude

@@ -54,7 +54,7 @@ std::string name_in(const std::string& label) {
 
 /// Whether a label is that of rates, deviations, commands and the like.
 bool is_derived(const std::string& label) {
-    return std::ranges::any_of(parts_of_label(lower(label)), [](const std::string& part) {
+    return std::ranges::any_of(mapped(parts_of_label(label), lower), [](const std::string& part) {
         const auto words = words_in(words_of(WordKind::aside_beginning));
         return is(WordKind::aside_anywhere, part) || std::ranges::any_of(words, [&part](const auto& each) {
                    return part.starts_with(each) || part.ends_with(each); // rollspeed
