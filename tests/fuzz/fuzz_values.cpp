@@ -362,7 +362,7 @@ std::string text_of(std::string_view bytes) {
         } else { // all differ
             text += fmt::format("{}0.{}", byte % 2 == 0 ? "" : "-", 101 + ++count);
         }
-        text += byte % 4 == 0 ? "" : " ";
+        text += byte % 16 == 15 ? "" : " ";
     }
     return text;
 }

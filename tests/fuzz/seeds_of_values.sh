@@ -22,5 +22,17 @@ chmod +x "$folder/bin/rotconv"
 for name in printed texts values first_values; do
     SEEDS=$folder/seeds PATH=$folder/bin:$PATH "$(dirname "$0")/../package/run_commands.sh" "$transcripts/$name.txt" > /dev/null || true
 done
-# And some of words: byte 0 the SPEC, from 128 on numbers.
-printf 'words\n0\200\202\204\206' > "$folder/seeds/words_of_four"
+# And some of words: the first byte is the SPEC, bytes from 128 on are numbers.
+printf 'words\n2\201\202\203\204' > "$folder/seeds/words_quat"
+printf 'words\n4\201\202\203' > "$folder/seeds/words_rpy"
+printf 'words\n2\000\201\001\202\002\203\003\204' > "$folder/seeds/words_labels"
+printf 'words\n2\033\201\202\203\204' > "$folder/seeds/words_order"
+for spec in 0 1 3 5 6 7 8 9; do
+    printf 'words\n%s\201\202\203\204\205\206' $spec > "$folder/seeds/words_of_$spec"
+done
+# And orders of numbers that all differ.
+count=0
+for text in 'q_xyzw = [0.1, 0.2, 0.3, 0.9]' 'Rotation.from_quat([0.1, 0.2, 0.3, 0.9])' '(x, y, z, w) 0.1 0.2 0.3 0.9' 'xyzw: 0.1 0.2 0.3 0.9'; do
+    count=$((count + 1))
+    printf 'quat\n%s' "$text" > "$folder/seeds/order_$count"
+done
