@@ -299,8 +299,8 @@ void hold(const std::string& text, const Spec& spec, const cli::Values& values) 
     if (!is_left_out && !has_text && representation(spec.name).has_angles() &&
         spec.name != RepresentationId::axis_angle) {
         const bool is_degrees = spec.unit == AngleUnit::degrees;
-        is(!(is_degrees ? has_any(low, {"rad", "radian", "radians"})
-                        : has_any(low, {"deg", "degree", "degrees"}) || low.find("°") != std::string::npos),
+        is(!(is_degrees ? has_any(text, {"rad", "radian", "radians"})
+                        : has_any(text, {"deg", "degree", "degrees"}) || low.find("°") != std::string::npos),
            "a unit is passed over");
     }
     reach.add("units",
