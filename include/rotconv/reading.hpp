@@ -184,8 +184,9 @@ struct RowReport {
     Error error = Error::none;
     std::size_t at_fault = 0; ///< what has the error: 0 the first attitude, above it one of `references`
     DiagnosticSet diagnostics{};
-    double defect = 0.0; ///< of the attitude with the error, otherwise of the first; below `reported_defect` and
-                         ///< without ConversionSettings::sensitivity only an upper bound
+    /// Of the attitude with the error, otherwise of the first; below `reported_defect` and without
+    /// ConversionSettings::sensitivity only an upper bound.
+    double defect = 0.0;
     Sensitivity sensitivity{}; ///< set if the result has diagnostics, or with ConversionSettings::sensitivity
     double deviation = 0.0;    ///< radians, or a comparison's unit: the angle of method_error, coarse_step and beyond
     UnusualNumbers unusual{};  ///< in the first attitude
