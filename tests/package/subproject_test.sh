@@ -1,6 +1,6 @@
 #!/bin/sh
-# subproject_test.sh CMAKE SOURCE PROGRAM: the library alone needs Eigen and Boost alone, by itself and as a part of another project, which
-# builds it into a shared library with -ffast-math. Its numbers are still those of PROGRAM.
+# subproject_test.sh CMAKE SOURCE PROGRAM: the library alone needs Eigen and Boost alone, by itself and as a part of another
+# project, which builds it into a shared library with -ffast-math. Its numbers are still those of PROGRAM.
 set -eu
 cmake=$1
 source=$2
