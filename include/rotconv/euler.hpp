@@ -32,12 +32,14 @@ public:
         *this = *parsed;
     }
 
-    /// The sequence of three letters, or nothing if they do not name one.
+    /// The sequence of three letters, or nothing if they do not name one. Digits are upper-case letters, which hyphens
+    /// may part: 321, 3-1-3.
     [[nodiscard]] static constexpr std::optional<EulerSequence> parse(std::string_view letters) noexcept {
         EulerSequence sequence;
+        const bool is_digits = !letters.empty() && letters[0] >= '1' && letters[0] <= '3';
         for (std::size_t i = 0; i < 3; ++i) {
             if (letters.starts_with('-')) {
-                sequence.signs_[i] = -1;
+                sequence.signs_[i] = is_digits ? 1 : -1;
                 letters.remove_prefix(1);
             }
             if (letters.empty()) {
@@ -46,7 +48,7 @@ public:
             if (i == 0) {
                 sequence.intrinsic_ = letters[0] < 'a';
             }
-            const int axis = letters[0] - (sequence.intrinsic_ ? 'X' : 'x');
+            const int axis = letters[0] - (is_digits ? '1' : sequence.intrinsic_ ? 'X' : 'x');
             if (axis < 0 || axis > 2 || (i > 0 && axis == sequence.axes_[i - 1])) {
                 return std::nullopt;
             }

@@ -61,7 +61,7 @@ struct PresetMeaning {
 struct Representation {
     RepresentationId name;
     std::string_view text;                     ///< as in a SPEC
-    std::array<std::string_view, 2> aliases{}; ///< unused ones are empty
+    std::array<std::string_view, 3> aliases{}; ///< unused ones are empty
     std::size_t size;                          ///< number of numbers
     std::array<std::string_view, 9> columns;   ///< their names, in order
     ModifierSet modifiers;                     ///< those that have a meaning
@@ -76,7 +76,7 @@ struct Representation {
 };
 
 [[nodiscard]] const Representation& representation(RepresentationId name) noexcept;
-/// The representation with this text or alias, or null.
+/// The representation with this text or alias, in any case and with or without - and _, or null.
 [[nodiscard]] const Representation* find_representation(std::string_view text) noexcept;
 /// Empty if the preset leaves the representation unchanged.
 [[nodiscard]] PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept;
@@ -137,7 +137,8 @@ struct SpecError {
 /// The error in words, without a full stop.
 [[nodiscard]] std::string message(const SpecError& error);
 
-/// Reads `NAME[:MODIFIER]...`, case-sensitive. The sequence follows `euler`, as in euler:ZYX.
+/// Reads `NAME[:MODIFIER]...`, names and modifiers in any case and with or without - and _. The sequence, whose case
+/// counts, follows `euler`, as in euler:ZYX; three digits may be joined to it, as in euler321.
 [[nodiscard]] std::variant<Spec, SpecError> parse_spec(std::string_view text);
 
 } // namespace rotconv

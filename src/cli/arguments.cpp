@@ -25,14 +25,14 @@ namespace {
 
 Spec spec_of(const Option& option, const std::string& text, bool degrees) {
     if (text.empty()) {
-        throw MissingSpec("{} SPEC is missing; see rotconv --help", option.name());
+        throw MissingSpec("{} SPEC is missing", option.name());
     }
     const auto parsed = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&parsed)) {
         if (std::ranges::all_of(split(text, ','), messages::is_spec)) {
             throw Usage("{} {}: it takes one SPEC here", option.name(), quoted(text));
         }
-        throw Usage("{} {}: {}", option.name(), quoted(text), messages::explain(*error));
+        throw messages::no_such_spec(option, text, *error);
     }
     const Spec& spec = std::get<Spec>(parsed);
     return degrees ? spec.in_degrees() : spec;
@@ -85,7 +85,13 @@ GivenAngle given_angle(const Option& option, const std::string& text, bool degre
                     quoted(text));
     }
     if (!has_unit && !degrees && value != 0.0) {
-        throw Usage("{0} {1}: {1}deg or {1}rad?", option.name(), number);
+        std::vector<Mend> mends;
+        for (const char* const each : {"deg", "rad"}) {
+            std::string argument = option.texts.back(); // perhaps with a percentage
+            argument.insert(std::min(number.size(), argument.size()), each);
+            mends.push_back({{{option.place, 1, {argument}}}});
+        }
+        throw Usage("{0} {1}: {1}deg or {1}rad?", option.name(), number).with(std::move(mends));
     }
     if (!has_unit && !degrees) {
         return {.text = number};

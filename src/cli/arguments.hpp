@@ -24,10 +24,10 @@ template <class Value> std::vector<std::string_view> words_of(const Choices<Valu
     return mapped(choices, &Choices<Value>::value_type::first);
 }
 /// The value of a word that is one of the legal ones, which are among the choices.
-template <class Value> Value one_of(std::string_view what, std::string_view text, const Choices<Value>& choices,
-                                    const std::vector<std::string_view>& legal) {
+template <class Value> Value one_of(std::string_view what, const Option& option, std::string_view text,
+                                    const Choices<Value>& choices, const std::vector<std::string_view>& legal) {
     if (std::ranges::count(legal, text) == 0) {
-        throw Usage(messages::no_such_word(what, text, legal));
+        throw messages::no_such_word(what, option, text, legal);
     }
     return std::ranges::find(choices, text, &Choices<Value>::value_type::first)->second;
 }
@@ -35,7 +35,7 @@ template <class Value> Value one_of(std::string_view what, std::string_view text
 /// @param what such as "frame"; the option's name follows "mode of" and the like
 template <class Value> Value one_of(std::string_view what, const Option& option, const Choices<Value>& choices) {
     const bool is_open = what.ends_with(" of") || what.ends_with(" for");
-    return one_of(is_open ? fmt::format("{} {}", what, option.name()) : std::string(what),
+    return one_of(is_open ? fmt::format("{} {}", what, option.name()) : std::string(what), option,
                   option.given() ? option.text() : option.choices.front(), choices, option.choices);
 }
 

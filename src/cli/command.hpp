@@ -51,14 +51,17 @@ struct FirstPass {
     std::function<std::variant<Operation, std::string>()> conclude;
 };
 
+struct CommandOptions;
+
 /// A command that makes something of each row, checked.
 struct RowsCommand {
     stream::Options options{};
     std::shared_ptr<messages::Subject> subject{}; ///< what the rows are, for messages
     ShowDiagnostics diagnostics = ShowDiagnostics::summary;
     bool strict = false;
-    bool allow_failed = false;  ///< rows that fail do not make the exit status 1
-    bool allow_unpaired = true; ///< rows of the reference that are in no pair do not make it 1
+    bool allow_failed = false;                    ///< rows that fail do not make the exit status 1
+    bool allow_unpaired = true;                   ///< rows of the reference that are in no pair do not make it 1
+    std::shared_ptr<const CommandOptions> line{}; ///< as it is given
     std::string input = "-";
     std::string output = "-";
     bool has_values = false;
@@ -87,6 +90,10 @@ struct CommandOptions : OptionSet {
     Option input{"-i,--input", "FILE", "Read FILE; - is standard input"};
     Option help_flag{"-h,--help", "", "Print this help and exit"};
     Option version_flag{"--version", "", "Print the version and exit"}; ///< only without the name of a command
+
+    /// The mend by which the FILE, or the first of two, is read by a command, and perhaps others behind a | each.
+    [[nodiscard]] Mend piped(Mend mend, const std::string& command, std::optional<std::string> text,
+                             std::string_view others = {}) const;
 
     /// Called first; refuses arguments whose words may have been taken for VALUEs and FILEs.
     /// @throw Usage
@@ -127,7 +134,10 @@ template <class Options> std::unique_ptr<CommandOptions> make_options() { return
 /// What follows the options in the help: the words of SPECs, the exit status and examples.
 [[nodiscard]] std::string help_footer();
 
+/// Those of a command line, with what `help` and `--list` in front stand for.
+[[nodiscard]] std::vector<std::string> words_of(int argc, const char* const* argv);
+
 /// @throw Usage
-[[nodiscard]] Command read_command_line(int argc, const char* const* argv);
+[[nodiscard]] Command read_command_line(const std::vector<std::string>& words);
 
 } // namespace rotconv::cli

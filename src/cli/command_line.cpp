@@ -1,13 +1,18 @@
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <variant>
 
 #include <rotconv/version.hpp>
 
 #include "../core/kernels.hpp"
 #include "../stream/file.hpp"
+#include "answers.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {
@@ -29,21 +34,40 @@ std::string help(const CommandEntry& entry, const OptionSet& options, const Opti
 }
 
 /// Refuses operands that cannot be combined, and FILEs that cannot be read.
-void check(const CommandOptions& operands, std::size_t most_files, std::span<const CommandEntry> commands) {
+void check(const CommandOptions& operands, std::size_t most_files) {
     const bool has_input = operands.input.given();
-    for (const std::string& file : operands.files) {
+    for (std::size_t at = 0; at < operands.files.size(); ++at) {
+        const std::string& file = operands.files[at];
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
-            if (&file != operands.files.data() && most_files == 1) {
-                break; // two FILEs
+            if (at > 0 && most_files == 1 && operands.find("--output") != nullptr &&
+                !operands.find("--output")->given()) {
+                throw Usage("{} and {} are two FILEs, but one is read, and -o names the one to write",
+                            quoted(operands.files[0]), quoted(file))
+                    .with({{{{operands.file_words[at], 1, {"-o", file}}}}});
             }
-            throw Usage(messages::no_operand(file, error, mapped(commands, &CommandEntry::name)));
+            const bool is_absent = error == ENOENT;
+            const bool may_be_number = file.find_first_of("0123456789") != std::string::npos;
+            throw Usage("{}{}{}{}", is_absent && !may_be_number ? "no file " : "", quoted(file),
+                        !is_absent      ? " cannot be read: " + std::generic_category().message(error)
+                        : may_be_number ? " is neither a number nor a file"
+                                        : "",
+                        messages::meaning_of_word(file))
+                .with(messages::meant_by_operand(operands, operands.file_words[at].word),
+                      messages::is_spec(file) ? fmt::format("; if it is a SPEC: -f {0} or -t {0}", file)
+                                              : messages::mend(file));
         }
     }
     const std::string file = operands.files.empty() ? "" : "the FILE " + quoted(operands.files[0]);
     if (operands.files.size() > 1 && most_files == 1) {
-        throw Usage("{} and {} are two FILEs, but one is read (-o names the one to write); cat joins them: cat A B | "
-                    "rotconv ...",
-                    quoted(operands.files[0]), quoted(operands.files[1]));
+        Mend joined;
+        for (const WordEnd& word : operands.file_words) {
+            joined.edits.push_back({word});
+        }
+        joined.pipe = fmt::format("cat {}", fmt::join(mapped(operands.files, file_in_shell), " "));
+        joined.text = first_bytes(operands.files[0]).value_or("") + first_bytes(operands.files[1]).value_or("");
+        throw Usage("{} and {} are two FILEs, but one is read (-o names the one to write)", quoted(operands.files[0]),
+                    quoted(operands.files[1]))
+            .with({joined});
     }
     if (operands.files.size() > most_files) {
         throw Usage("{} is one FILE too many", quoted(operands.files[most_files]));
@@ -56,33 +80,29 @@ void check(const CommandOptions& operands, std::size_t most_files, std::span<con
     }
 }
 
-/// Refuses files whose names say that they are compressed; the message has the command line that unpacks them.
-void refuse_compressed(const std::vector<std::string>& words, const std::vector<WordEnd>& files) {
+/// Refuses files whose names say that they are compressed.
+void refuse_compressed(const CommandOptions& operands) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unpackers{
         {{".gz", "zcat"}, {".zst", "zstdcat"}, {".xz", "xzcat"}}};
-    std::vector<std::string> command = mapped(words, in_shell);
-    std::string first;
-    std::string unpack;
-    for (const WordEnd& file : files) {
-        const std::string name = words[file.word].substr(file.begin);
+    auto files = operands.files;
+    files.insert(files.end(), operands.input.texts.begin(), operands.input.texts.end());
+    for (std::size_t at = 0; at < files.size(); ++at) {
         for (const auto& [ending, program] : unpackers) {
-            if (name.ends_with(ending)) {
-                const std::string by = fmt::format("{} {}", program, file_in_shell(name));
-                command[file.word] =
-                    words[file.word].substr(0, file.begin) + (first.empty() ? "-" : fmt::format("<({})", by));
-                unpack = first.empty() ? by : unpack;
-                first = first.empty() ? name : first;
+            if (files[at].ends_with(ending)) {
+                const std::string by = fmt::format("{}<({} {})", raw_word, program, file_in_shell(files[at]));
+                throw Usage("{} is compressed", quoted(files[at]))
+                    .with({at == 0 ? operands.piped({}, std::string(program), std::nullopt)
+                                   : Mend{{{operands.file_words[at], 1, {by}}}}});
             }
         }
-    }
-    if (!first.empty()) {
-        throw Usage("{} is compressed: {}", quoted(first),
-                    shown(fmt::format("{} | rotconv {}", unpack, fmt::join(command, " "))));
     }
 }
 
 /// The command line that is meant by one with `help` or `--list` in front.
-std::vector<std::string> translated(std::vector<std::string> words, const auto& is_command) {
+std::vector<std::string> translated(std::vector<std::string> words) {
+    const auto is_command = [table = command_table()](std::string_view word) {
+        return std::ranges::count(table, word, &CommandEntry::name) > 0;
+    };
     const bool is_help = !words.empty() && words[0] == "help" && stream::File::why_unreadable("help") != 0; // no FILE
     const std::string topic = is_help && words.size() > 1 ? words[1] : "";
     if (!words.empty() && words[0] == "--list") {
@@ -100,45 +120,62 @@ std::vector<std::string> translated(std::vector<std::string> words, const auto& 
 
 } // namespace
 
-Command read_command_line(int argc, const char* const* argv) {
-    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+    return translated({argv + std::min(argc, 1), argv + argc});
+}
+
+Mend CommandOptions::piped(Mend mend, const std::string& command, std::optional<std::string> text,
+                           std::string_view others) const {
+    const std::string& file = files.empty() ? input.text() : files[0];
+    mend.pipe = file.empty() || file == "-"
+                    ? command
+                    : fmt::format("{} {}{}", command, command.starts_with("tr ") ? "< " : "", file_in_shell(file));
+    mend.pipe += others;
+    if (input.given()) {
+        mend.edits.push_back(setting(input, "-"));
+    } else if (!files.empty() && file != "-") {
+        mend.edits.push_back(
+            {file_words[0], 1, files.size() > 1 ? std::vector<std::string>{"-"} : std::vector<std::string>()});
+    }
+    mend.text = std::move(text);
+    return mend;
+}
+
+Command read_command_line(const std::vector<std::string>& words) {
     const auto table = command_table();
     const auto commands = std::span<const CommandEntry>(table).subspan(1);
     const auto is_command = [&](std::string_view word) {
         return std::ranges::count(commands, word, &CommandEntry::name) > 0;
     };
-    words = translated(std::move(words), is_command);
     const auto has_meaning = [](std::string_view word) {
         if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
             return false; // the label of a number
         }
-        return !messages::meaning_of_verb(word).empty() || messages::is_spec(word) ||
+        return messages::is_verb(word) || messages::is_spec(word) ||
                (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)); // rpy2quat
     };
     const CommandEntry* entry = table.data();
-    const std::unique_ptr<CommandOptions> of_conversion = entry->options();
-    CommandOptions* options = of_conversion.get();
+    const std::shared_ptr<CommandOptions> of_conversion = entry->options();
+    std::shared_ptr<CommandOptions> options = of_conversion;
     const auto refuse_unknown = [&options] {
         if (!options->unknown.empty()) {
-            throw Usage(messages::no_such_option(options->unknown, mapped(options->all(), &Option::name)));
+            throw messages::no_such_option(*options);
         }
     };
     const std::size_t end = options->read(words, 0, is_command, has_meaning);
-    std::unique_ptr<CommandOptions> of_command;
-    if (end < words.size()) {
+    const bool has_command = end < words.size();
+    if (has_command) {
         refuse_unknown();
         entry = &*std::ranges::find(table, words[end], &CommandEntry::name);
-        of_command = entry->options();
-        options = of_command.get();
+        options = entry->options();
         static_cast<void>(options->read(
             words, end + 1, [](auto) { return false; }, has_meaning));
     }
-    const std::string verb = of_command == nullptr && !options->files.empty() ? options->files[0] : "";
-    if (!verb.empty() && verb == words[0] && verb.find_first_of("./") == std::string::npos &&
+    const std::string verb = !has_command && !options->files.empty() ? options->files[0] : "";
+    if (!verb.empty() && verb == words[0] && messages::is_verb(verb) && verb.find_first_of("./") == std::string::npos &&
         stream::File::why_unreadable(verb.c_str()) != 0) {
-        if (const std::string meaning = messages::meaning_of_verb(verb); !meaning.empty()) {
-            throw Usage("{} is not a command: {}", quoted(verb), meaning);
-        }
+        throw Usage("{} is not a command{}", quoted(verb), messages::meaning_of_word(verb))
+            .with(messages::meant_by_operand(*options, 0));
     }
     for (const std::string& misuse : {of_conversion->misuse, options->misuse}) {
         if (!misuse.empty()) {
@@ -153,19 +190,38 @@ Command read_command_line(int argc, const char* const* argv) {
     }
     options->check_attitudes();
     refuse_unknown();
-    if (of_command != nullptr && !of_conversion->first_option.empty()) {
-        throw Usage("{} stands before {}; options come after the command", of_conversion->first_option, entry->name);
+    if (has_command && !of_conversion->first_option.empty()) {
+        throw Usage("{} stands before {}; options come after the command", of_conversion->first_option, entry->name)
+            .with({{{{{end}}, {{0}, 0, {words[end]}}}}});
     }
-    const Option& input = options->input;
     if (!options->takes_names()) {
-        check(*options, entry->most_files, commands);
-        refuse_compressed(words, input.given() ? std::vector{input.place} : options->file_words);
+        check(*options, entry->most_files);
+        refuse_compressed(*options);
     }
     try {
-        return options->command();
+        Command command = options->command();
+        if (auto* const rows = std::get_if<RowsCommand>(&command)) {
+            rows->line = options;
+        }
+        return command;
     } catch (const MissingSpec& error) {
-        throw Usage(error.what() +
-                    messages::contents_advice(options->files.empty() ? input.text() : options->files[0]));
+        throw missing_spec(*options, error);
+    } catch (const Usage& error) {
+        const auto only = error.is_choice ? only_answer(words, error.mends) : std::nullopt;
+        if (!only) {
+            throw;
+        }
+        Command command = read_command_line(*only);
+        if (auto* const rows = std::get_if<RowsCommand>(&command)) {
+            const Option& columns = *rows->line->find("--columns");
+            const std::string selected =
+                columns.given() && !options->find("--columns")->given() ? " --columns " + columns.text() : "";
+            rows->notes.push_back(
+                {stream::Note::Kind::chosen,
+                 fmt::format("{0} {1} has several SPECs, of which one fits: {0} {2}{3}", "--from",
+                             options->find("--from")->text(), rows->line->find("--from")->text(), selected)});
+        }
+        return command;
     }
 }
 

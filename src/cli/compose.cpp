@@ -23,6 +23,9 @@ struct ComposeOptions final : RowOptions {
     }
 
     [[nodiscard]] Command command() const override {
+        if (!from.given() && !to.given()) {
+            throw MissingSpec("{} SPEC and {} SPEC are missing", from.name(), to.name());
+        }
         const Spec first = spec_of(from);
         const Spec second = by.given() ? spec_of(by) : first;
         const std::vector<Spec> written = specs_of(to, degrees.given());

@@ -121,8 +121,8 @@ struct ConvertOptions final : RowOptions {
     }
 
     [[nodiscard]] Command command() const override {
-        if (!from.given() && !to.given()) {
-            throw MissingSpec("{} SPEC and {} SPEC are missing; see rotconv --help", from.name(), to.name());
+        if (!from.given() && !to.given() && values.empty()) {
+            throw MissingSpec("{} SPEC and {} SPEC are missing", from.name(), to.name());
         }
         const bool is_block = !to.given() && !values.empty();
         const Spec read = spec_of(from);
@@ -154,8 +154,7 @@ private:
         }
         const Method* found = find_method(conversion.from().name, conversion.to().name, name);
         if (found == nullptr) {
-            throw Usage("{} {}", method.name(),
-                        messages::no_such_method(conversion.from().name, conversion.to().name, name));
+            throw messages::no_such_method(conversion.from().name, conversion.to().name, method);
         }
         return operations::method(MethodConversion(conversion, *found), continuous.given());
     }

@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <span>
-#include <system_error>
 #include <variant>
 
 #include "../core/projects.hpp"
 #include "../methods/method.hpp"
+#include "../stream/file.hpp"
+#include "../stream/number_text.hpp"
 #include "command.hpp"
 #include "meanings.hpp"
 #include "messages.hpp"
@@ -17,17 +17,8 @@
 namespace rotconv::cli::messages {
 namespace {
 
+using Words = std::vector<std::string>;
 using Legal = std::vector<std::string_view>;
-
-/// What a user may have meant by a word that rotconv does not know.
-struct Guess {
-    std::string text;     ///< a legal text; empty: nothing needs to be written
-    std::string before{}; ///< what is said before it, and after
-    std::string after{};
-};
-
-/// Where the word stands.
-enum class Place : std::uint8_t { command_line, name, sequence, modifier };
 
 /// Edits (insert, delete, replace) that lead from one text to the other.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
@@ -45,187 +36,219 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-/// The word is the same except for marks and capitals.
-bool is_alike(std::string_view one, std::string_view other) {
-    return without_marks(lower(one)) == without_marks(lower(other));
-}
-
-bool is_modifier(std::string_view word) {
-    return std::ranges::count(all_modifiers, word, [](Modifier modifier) { return name_of(modifier); }) != 0;
-}
-
-/// The legal word that is written alike, or at most two letters away (one, below five letters).
-std::optional<Guess> guess_by_spelling(std::string_view text, const Legal& legal) {
-    std::optional<Guess> best;
-    std::size_t least = without_marks(text).size() < 5 ? 2 : 3;
-    for (const std::string_view word : legal) {
-        const std::size_t distance = is_alike(word, text) ? 0 : edit_distance(lower(text), lower(word));
+/// The legal word that is written alike, or at most two letters away (one, below five letters); perhaps none.
+Words nearest(std::string_view text, const Legal& legal) {
+    Words best;
+    const std::string word = lower(without_marks(text));
+    std::size_t least = word.size() < 5 ? 2 : 3;
+    for (const std::string_view each : legal) {
+        const std::size_t distance = word == lower(without_marks(each)) ? 0 : edit_distance(lower(text), lower(each));
         if (distance < least) {
             least = distance;
-            best = Guess{std::string(word)};
+            best = {std::string(each)};
         }
     }
     return best;
 }
 
-/// What the table of words says.
-std::optional<Guess> guess_meaning(std::string_view word) {
-    const Meaning* const meaning = find_meaning(word);
-    return meaning == nullptr ? std::nullopt
-                              : std::optional(Guess{std::string(meaning->instead), "", std::string(meaning->about)});
-}
-
-/// What the numbers of a project are, by one of its names, in any case and with other marks.
-std::optional<Guess> guess_project(std::string_view word) {
-    const auto has_name = [word](const Project& each) {
-        const auto names = words_in(fmt::format("{} {}", each.text, each.others));
-        return std::ranges::any_of(names, [word](const std::string& name) { return is_alike(name, word); });
-    };
-    const auto project = std::ranges::find_if(projects(), has_name);
-    if (project == projects().end()) {
-        return std::nullopt;
-    }
-    if (project->is_spec()) {
-        return Guess{std::string(project->text), "", fmt::format("(a SPEC itself, {})", project->specs)};
-    }
-    return Guess{std::string(is_preset(project->text) ? project->text : ""),
-                 fmt::format("{}: {}{}{}", project->text, project->specs,
-                             project->specs.empty() || project->remark.empty() ? "" : "; ", project->remark)};
-}
-
-/// The SPEC of a sequence in other ways of writing: 321, eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating
-/// axes) and sxyz (static ones).
-std::optional<Guess> guess_sequence(std::string_view text) {
+/// The SPECs of a sequence in other ways of writing: eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating axes)
+/// and sxyz (static ones). Letters in lower case have two meanings.
+Words sequences_in(std::string_view text) {
     std::string letters = without_marks(text);
-    if (lower(letters).starts_with("euler")) {
-        letters.erase(0, 5);
-    }
+    letters.erase(0, lower(letters).starts_with("euler") ? 5 : 0);
     const char kind = letters.size() == 4 ? letters[0] : ' ';
     letters.erase(0, kind == 'r' || kind == 's' ? 1 : 0);
-    const bool is_primed = text.find('\'') != std::string_view::npos;
-    const auto upper = [](char c) { return c >= 'x' && c <= 'z' ? static_cast<char>(c - 'x' + 'X') : c; };
-    for (char& c : letters) {
-        c = c >= '1' && c <= '3' ? static_cast<char>(c - '1' + 'X') : kind == 'r' || is_primed ? upper(c) : c;
+    std::string moving = letters;
+    std::ranges::transform(moving, moving.begin(),
+                           [](char c) { return c >= 'x' && c <= 'z' ? static_cast<char>(c - 'x' + 'X') : c; });
+    if (!EulerSequence::parse(letters) || text.starts_with('-')) {
+        return {};
     }
-    if (!EulerSequence::parse(letters)) {
-        return std::nullopt;
+    const bool is_moving = kind == 'r' || text.find('\'') != std::string_view::npos || letters == moving;
+    Words specs{"euler:" + (is_moving ? moving : letters)};
+    if (!is_moving && kind != 's') {
+        specs.push_back("euler:" + moving);
     }
-    Guess guess{"euler:" + letters};
-    if (letters == lower(letters) && kind != 's') {
-        std::ranges::transform(letters, letters.begin(), upper);
-        guess.after = fmt::format("(about the fixed axes; about the body's own axes: euler:{})", letters);
-    }
-    return guess;
+    return specs;
 }
 
-/// The rule for every word: what it means elsewhere, a project, another way of writing what is known, and then a legal
-/// word that is spelled nearly so. Never the nearest that is not near.
-std::optional<Guess> guess_word(std::string_view text, const Legal& legal) {
-    const std::string_view word = text.substr(std::min(text.find_first_not_of('-'), text.size()));
-    if (is_modifier(word)) {
-        return Guess{std::string(word)};
+/// What may be meant by a word, as Meaning::instead says it: what it means elsewhere, another way of writing what is
+/// known, or the legal word that is spelled nearly so.
+Words meant(std::string_view word, const Legal& legal) {
+    Words texts;
+    const Meaning* const meaning = find_meaning(word);
+    for (const std::string_view each : split(meaning == nullptr ? "" : meaning->instead, '|')) {
+        texts.push_back(joined(words_in(each), " "));
     }
-    for (const auto guess_in : {guess_meaning, guess_project, guess_sequence}) {
-        if (auto guess = guess_in(word)) {
-            return guess;
-        }
-    }
-    std::string spec(word); // such as quat_xyzw
+    const std::string bare(word.substr(std::min(word.find_first_not_of('-'), word.size())));
+    std::string spec = bare; // such as quat_xyzw
     std::ranges::replace_if(
         spec, [](char c) { return c == '_' || c == '-'; }, ':');
-    return is_spec(spec) ? Guess{spec} : guess_by_spelling(text, legal);
+    const Project* const project = find_project(bare);
+    if (!texts.front().empty()) {
+        return texts;
+    }
+    texts = is_spec(bare) ? Words{bare} : sequences_in(bare);
+    if (!texts.empty() || is_spec(spec)) {
+        return texts.empty() ? Words{spec} : texts;
+    }
+    if (is_spec("quat:" + bare) || (project != nullptr && is_preset(project->text))) { // a modifier
+        return {":" + (project != nullptr ? std::string(project->text) : bare)};
+    }
+    return nearest(word, legal);
 }
 
-/// The guess as it is written in the place of the word; nothing for a modifier that has no meaning there.
-std::optional<Guess> in_place(std::optional<Guess> guess, Place place, const Representation* entry = nullptr) {
-    if (!guess || guess->text.empty()) {
-        return guess;
+/// A SPEC with a modifier, which may also be its sequence, or the case of its letters: upper, lower.
+Words with_modifier(const std::string& spec, const std::string& modifier) {
+    const auto parts = split(spec, ':');
+    const bool is_case = modifier == "upper" || modifier == "lower";
+    auto sequences = sequences_in(is_case && parts.size() > 1 ? parts[1] : std::string_view(modifier));
+    if (plain_name(parts[0]) != "euler" || sequences.empty()) {
+        return is_case ? Words() : Words{spec + ":" + modifier};
     }
-    std::string& text = guess->text;
-    const bool has_modifier = is_modifier(text);
-    const auto takes = [&text](const Representation& each) {
-        return std::ranges::count(words_of(each.modifiers), text) != 0;
-    };
-    const auto spec_with = [&text](std::string_view name) {
-        return fmt::format("{}:{}", name == "euler" ? "euler:ZYX" : name, text);
-    };
-    if (place == Place::modifier) {
-        guess->before.clear();
-        return has_modifier && !takes(*entry) ? std::nullopt : guess;
+    const std::string rest = spec.substr(parts[0].size() + (is_case ? parts[1].size() + 1 : 0));
+    if (is_case) {
+        sequences = {modifier == "upper" ? sequences.back() : "euler:" + lower(sequences[0].substr(6))};
     }
-    if (place == Place::command_line && is_spec(text)) {
-        text = fmt::format("-f {} or -t {}", text, text);
-    } else if (!has_modifier && !is_preset(text)) {
-        return guess;
-    } else if (place == Place::command_line) {
-        text = fmt::format("-f {} or -t {}", spec_with("SPEC"), spec_with("SPEC"));
-    } else if (place == Place::sequence) {
-        text = spec_with("euler");
-    } else if (has_modifier) { // of the first representation that takes it
-        text = spec_with(representation(*std::ranges::find_if(all_representations, [&takes](RepresentationId id) {
-                             return takes(representation(id));
-                         })).text);
-    } else { // of the project's first SPEC
-        const std::string_view specs = find_project(text)->specs;
-        const std::string_view name = specs.substr(0, specs.find_first_of(": ;"));
-        text = fmt::format("{}:{}", name, text);
-    }
-    return guess;
+    return mapped(sequences, [&rest](const std::string& each) { return each + rest; });
 }
 
-/// A word in the place of the name in a SPEC.
-std::optional<Guess> guess_name(std::string_view word) { return in_place(guess_word(word, all_names()), Place::name); }
+/// SPECs that a text may mean which is none. An empty one: the option goes.
+Words meant_specs(const std::string& text, const SpecError& error) {
+    using What = SpecError::What;
+    auto others = split(text, ':');
+    const auto wrong = std::ranges::find(others, error.text);
+    if (error.what == What::no_sequence || wrong == others.end()) {
+        return error.what == What::no_sequence ? Words{"rpy", "euler:ZYX"} : Words();
+    }
+    const bool is_name = wrong == others.begin();
+    others.erase(wrong);
+    const std::string name(is_name ? "quat" : others[0]);
+    const std::string rest = joined(std::span(others).subspan(is_name ? 0 : 1), ":");
+    const auto with_rest = [&rest](const std::string& spec) { return spec + (rest.empty() ? "" : ":") + rest; };
+    auto legal = is_name ? all_names() : words_of(error.in->modifiers);
+    if (!is_name) {
+        std::ranges::copy(all_presets(), std::back_inserter(legal));
+    }
+    Words specs;
+    for (const std::string& each : error.what == What::meaningless_modifier ? Words{"-"} : meant(error.text, legal)) {
+        const bool is_modifier = each.starts_with(':') || (!is_name && !is_spec(each) && each != "-");
+        const Words made = each == "-"   ? Words{is_name ? "" : with_rest(name)}
+                           : is_modifier ? with_modifier(with_rest(name), each.substr(each.starts_with(':') ? 1 : 0))
+                                         : Words{with_rest(each)};
+        specs.insert(specs.end(), made.begin(), made.end());
+    }
+    return error.what == What::meaningless_modifier && plain_name(error.text) != "deg" ? Words() : specs;
+}
 
-/// A word that is neither an option nor a number nor a FILE; `commands`: the words that could stand in its place.
-std::optional<Guess> guess_operand(std::string_view word, const Legal& commands) {
-    if (const auto at = word.find('2'); at != std::string_view::npos) { // such as rpy2quat
-        const auto from = guess_name(word.substr(0, at));
-        const auto to = guess_name(word.substr(at + 1));
-        if (from && to && !from->text.empty() && !to->text.empty()) {
-            return Guess{fmt::format("-f {} -t {}", from->text, to->text)};
+/// The SPECs of a project that has several; a list of columns may stand behind one.
+Words specs_of(const Project& project) {
+    Words specs;
+    for (std::string_view rest = project.specs; !rest.empty();) {
+        const std::string_view item = rest.substr(0, rest.find("; "));
+        rest.remove_prefix(std::min(item.size() + 2, rest.size()));
+        const std::string_view columns = item.substr(std::min(item.find(" --columns "), item.size()));
+        specs.push_back(std::string(item.substr(0, item.find(' '))).append(columns));
+    }
+    return specs;
+}
+
+void add(std::vector<Mend>& mends, const std::vector<Mend>& more) {
+    mends.insert(mends.end(), more.begin(), more.end());
+}
+
+bool is_command(std::string_view word) {
+    return !word.empty() && std::ranges::count(command_table(), word, &CommandEntry::name) > 0;
+}
+
+/// A word of the command line, an option or an operand, and the edits that put others in its place.
+class Replaced {
+public:
+    Replaced(const OptionSet& options, std::size_t at) : options_(&options), at_(at), word_(options.words[at]) {
+        const auto equals = word_.starts_with("--") ? word_.find('=') : std::string::npos;
+        is_joined_ = equals != std::string::npos;
+        argument_ = is_joined_ ? word_.substr(equals + 1) : at + 1 < options.words.size() ? options.words[at + 1] : "";
+    }
+
+    /// @param text one alternative, as Meaning::instead says it
+    [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
+        const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
+        const Option* const from = options_->find("--from");
+        const bool takes_argument = has("ARG") || text == "tail";
+        const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
+        if ((takes_argument && argument_.empty()) || lacks_from ||
+            (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
+            return {};
+        }
+        Mend mend{{{{at_}, takes_argument && !is_joined_ ? std::size_t{2} : 1}}};
+        if (text == "tail") {
+            return skipping(mend);
+        }
+        std::string modifier;
+        for (std::string word : words_in(text)) {
+            const bool is_values = word == "@ARG";
+            replace(word, "FROM", lacks_from || !has("FROM") ? "" : from->text());
+            replace(word, "ARG", argument_);
+            replace(word, "~", " ");
+            if (is_values) {
+                std::ranges::replace(word, ',', ' ');
+                mend.edits.push_back({{Edit::at_end}, 0, words_in(word.substr(1))});
+            } else if (word.starts_with(':')) {
+                modifier = word.substr(1);
+            } else if (is_command(word) && at_ > 0) {
+                mend.edits.push_back({{0}, 0, {word}});
+            } else if (word != "-") {
+                mend.edits.front().by.push_back(word);
+            }
+        }
+        auto& by = mend.edits.front().by;
+        if (is_joined_ && !takes_argument && !by.empty()) {
+            by.back() += "=" + argument_;
+        }
+        return modifier.empty() ? std::vector<Mend>{mend} : with(mend, modifier);
+    }
+
+private:
+    static void replace(std::string& text, std::string_view part, const std::string& by) {
+        if (const auto at = text.find(part); at != std::string::npos) {
+            text.replace(at, part.size(), by);
         }
     }
-    return in_place(guess_word(word, commands), Place::command_line);
-}
-
-std::optional<Guess> guess_option(std::string_view text, const Legal& legal) {
-    auto guess = guess_meaning(text);
-    if (guess && !guess->text.empty() && !is_modifier(guess->text) && guess->text != text) {
-        return in_place(guess, Place::command_line);
-    }
-    std::vector<std::string_view> others; // commands that have the option
-    for (const CommandEntry& each : command_table()) {
-        if (each.options()->find(text) != nullptr) {
-            others.push_back(each.name.empty() ? "the conversion" : each.name);
+    [[nodiscard]] std::vector<Mend> skipping(Mend mend) const {
+        double lines = 0.0;
+        const std::size_t own = is_joined_ ? 0 : 1; // which is a VALUE as long as the option is unknown
+        if (stream::read_number(argument_, lines) != stream::NumberError::none || options_->values.size() != own ||
+            options_->files.size() > 1) {
+            return {};
         }
+        mend.pipe = fmt::format("tail -n +{:.0f}", lines + 1.0);
+        for (const WordEnd& file : options_->file_words) {
+            mend.edits.push_back({file});
+            mend.pipe += " " + file_in_shell(options_->words[file.word]);
+        }
+        return {mend};
     }
-    if (!others.empty()) {
-        return Guess{"", fmt::format("it is an option of {}", fmt::join(others, ", ")), guess ? guess->after : ""};
+    /// Also with a modifier of one of the SPECs, but an inverse of the one that is written.
+    [[nodiscard]] std::vector<Mend> with(const Mend& mend, const std::string& modifier) const {
+        const bool is_inverse = modifier == "passive";
+        std::vector<Mend> mends;
+        for (const char* name : {is_inverse ? "--to" : "--from", is_inverse ? "--from" : "--to"}) {
+            const Option* const option = options_->find(name);
+            const bool is_given = option != nullptr && option->given() && !(is_inverse && !mends.empty());
+            for (const std::string& spec : is_given ? with_modifier(option->text(), modifier) : Words()) {
+                mends.push_back(mend);
+                mends.back().edits.push_back(options_->setting(*option, spec));
+            }
+        }
+        return mends;
     }
-    const auto begun = filtered(legal, [text](std::string_view name) { return name.starts_with(text); });
-    return text.size() > 4 && begun.size() == 1 // such as --prec
-               ? Guess{std::string(begun[0])}
-               : in_place(guess_word(text, legal), Place::command_line);
-}
 
-std::string suggestion(const std::optional<Guess>& guess) {
-    if (!guess) {
-        return "";
-    }
-    std::string said = guess->before.empty() ? "" : "; " + guess->before;
-    said += guess->text.empty()     ? ""
-            : guess->before.empty() ? fmt::format("; did you mean {}?", guess->text)
-                                    : fmt::format("; for example {}", guess->text);
-    return said + (guess->after.empty() ? "" : (guess->text.empty() ? "; " : " ") + guess->after);
-}
-
-/// What `said` that a word is unknown: with the legal ones, if they are few, and the guess, or where they are listed.
-std::string unknown(const std::string& said, const Legal& legal, const std::optional<Guess>& guess,
-                    std::string_view where = "see rotconv --help") {
-    constexpr std::size_t few = 8;
-    const std::string list = legal.size() > few ? "" : fmt::format(" (legal: {})", fmt::join(legal, " "));
-    return said + list + (guess || legal.size() <= few ? suggestion(guess) : fmt::format("; {}", where));
-}
+    const OptionSet* options_;
+    std::size_t at_;
+    std::string word_;
+    std::string argument_;
+    bool is_joined_ = false;
+};
 
 } // namespace
 
@@ -233,68 +256,156 @@ bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_
 
 bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
 
-std::string no_such_word(std::string_view what, std::string_view text, const std::vector<std::string_view>& legal) {
-    return unknown(fmt::format("{} is not a known {}", quoted(text), what), legal, guess_by_spelling(text, legal));
+Usage no_such_word(std::string_view what, const Option& option, std::string_view text, const Legal& legal) {
+    std::vector<Mend> mends;
+    for (const std::string& word : nearest(text, legal)) {
+        std::string argument = option.text();
+        argument.replace(argument.find(text), text.size(), word);
+        mends.push_back({{{option.place, 1, {argument}}}});
+    }
+    return Usage("{} is not a known {} (legal: {})", quoted(text), what, joined(legal, " ")).with(std::move(mends));
 }
 
-std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal) {
-    const std::string_view name = text.substr(0, text.find('='));
-    return unknown(quoted(name) + " is not a known option", legal, guess_option(name, legal));
+Usage no_such_option(const OptionSet& options) {
+    const std::string name = options.unknown.substr(0, options.unknown.find('='));
+    const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+    Words others; // commands that have the option
+    for (const CommandEntry& each : command_table()) {
+        if (each.options()->find(name) != nullptr) {
+            others.emplace_back(each.name.empty() ? "the conversion" : each.name);
+        }
+    }
+    std::vector<Mend> mends;
+    if (options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
+        const Replaced replaced(options, options.unknown_place.word);
+        const auto names = mapped(options.all(), &Option::name);
+        const auto begun = filtered(names, [&](std::string_view each) { return each.starts_with(name); });
+        const Words near = begun.size() == 1  ? Words{std::string(begun[0])}
+                           : is_command(bare) ? Words{bare}
+                                              : nearest(name, names);
+        for (const Words& texts : {meant(others.empty() && bare.size() == 1 ? bare : name, names), near}) {
+            for (const std::string& each : mends.empty() ? texts : Words()) {
+                add(mends, replaced.by(each));
+            }
+        }
+    }
+    const std::string told = meaning_of_word(name);
+    const std::string command = options.begin > 0 ? options.words[options.begin - 1] : "the conversion";
+    const std::string said =
+        others.empty() ? fmt::format("{} is not a known option", quoted(name))
+                       : fmt::format("{} has no {}: it is an option of {}", command, shown(name), joined(others, ", "));
+    return Usage(said + told).with(std::move(mends), others.empty() && told.empty() ? "; see rotconv --help" : "");
 }
 
-std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text) {
+Usage no_such_method(RepresentationId from, RepresentationId to, const Option& option) {
     const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
     const auto rows = methods_of(from, to);
+    std::string said = fmt::format("{} {}", option.name(), quoted(option.text()));
     if (rows.empty()) {
-        return fmt::format("{}: from {} only default, fast and all are known", quoted(text), pair);
+        return Usage("{}: from {} only default, fast and all are known", said, pair);
     }
-    auto legal = mapped(rows, &Method::name);
-    legal.insert(legal.begin(), default_method);
-    legal.insert(legal.end(), {fast_method, all_methods});
-    std::string message = fmt::format("{} is not a known method from {}{}; legal:\n  {:<18} {}", quoted(text), pair,
-                                      suggestion(guess_by_spelling(text, legal)), default_method, every_input);
+    said += fmt::format(" is not a known method from {}; legal:\n  {:<18} {}", pair, default_method, every_input);
+    std::vector<Mend> mends;
+    for (const std::string& name : nearest(option.text(), mapped(rows, &Method::name))) {
+        mends.push_back({{OptionSet::changing(option, name)}});
+    }
     for (const Method& method : rows) {
-        message += fmt::format("\n  {:<18} {}", method.name, method.domain);
+        said += fmt::format("\n  {:<18} {}", method.name, method.domain);
     }
-    message +=
+    said +=
         fmt::format("\n  {:<18} {}\n  {:<18} each of these, one line for each", fast_method, every_input, all_methods);
-    return message;
+    return Usage(said).with(std::move(mends));
 }
 
-std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands) {
-    const std::string mended = mend(word);
-    return fmt::format("argument: {} is not a number, and cannot be read as a FILE: {}{}", quoted(word),
-                       std::generic_category().message(error),
-                       mended.empty() ? suggestion(guess_operand(word, commands)) : mended);
+std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
+    const std::string& word = options.words[at];
+    const Replaced replaced(options, at);
+    const Option* const from = options.find("--from");
+    const Option* const to = options.find("--to");
+    std::vector<Mend> mends;
+    const auto parsed = parse_spec(word);
+    if (const auto* const error = std::get_if<SpecError>(&parsed); error != nullptr && options.takes_names()) {
+        for (const std::string& spec : meant_specs(word, *error)) {
+            add(mends, replaced.by(spec));
+        }
+        return mends;
+    }
+    const auto two = word.find('2');
+    if (two != std::string::npos && two > 0 && std::ranges::all_of(word, is_alphanumeric)) { // rpy2quat
+        const auto names_of_one = [](const std::string& name) {
+            return meant(name == "e" || lower(name) == "angle" ? "euler" : name, {});
+        };
+        const auto of_matlab = [](const std::string& spec) { return spec == "dcm" ? "dcm:passive" : spec; };
+        for (const std::string& first : names_of_one(word.substr(0, two))) {
+            for (const std::string& second : names_of_one(word.substr(two + 1))) {
+                add(mends, replaced.by(fmt::format("-f {} -t {}", of_matlab(first), of_matlab(second))));
+                add(mends, replaced.by(fmt::format("-f {} -t {}", first, second))); // the same but for matrices
+            }
+        }
+        return mends;
+    }
+    const auto table = command_table();
+    for (const std::string& each : meant(word, mapped(std::span(table).subspan(1), &CommandEntry::name))) {
+        const bool is_from = from != nullptr && !from->given();
+        if (!is_spec(each)) {
+            add(mends, replaced.by(each));
+        } else if (is_from || (to != nullptr && !to->given())) {
+            add(mends, replaced.by((is_from ? "-f " : "-t ") + each));
+        }
+    }
+    return mends;
+}
+
+std::string meaning_of_word(std::string_view word) {
+    const Meaning* const meaning = find_meaning(word);
+    return word.find('2') != std::string_view::npos && word.find("dcm") != std::string_view::npos
+               ? "; MATLAB's matrices are dcm:passive, from reference to body axes"
+           : meaning == nullptr || meaning->about.empty() ? ""
+                                                          : fmt::format("; {}", meaning->about);
 }
 
 std::string explain(const SpecError& error) {
     using What = SpecError::What;
+    const Project* const project = find_project(error.text);
     std::string said = message(SpecError{error.what, shortened(error.text), error.in});
-    const auto legal = error.in == nullptr ? Legal() : words_of(error.in->modifiers);
-    const std::string list = fmt::format("legal: {} and the presets of rotconv list presets", fmt::join(legal, " "));
-    switch (error.what) {
-    case What::unknown_name:
-        return unknown(said, all_names(), guess_name(error.text),
-                       "rotconv list has them, rotconv list projects those of programs");
-    case What::no_sequence: return fmt::format("{} (legal: {})", said, fmt::join(all_sequences(), " "));
-    case What::unknown_sequence: {
-        const auto sequences = all_sequences();
-        Legal letters{sequences.begin(), sequences.end()};
-        letters.push_back(representation(RepresentationId::rpy).text);
-        return unknown(said, letters, in_place(guess_word(error.text, letters), Place::sequence),
-                       "it has three letters, neighbours different; rotconv list euler explains them");
+    if (error.what == What::unknown_name && project != nullptr) {
+        const std::string_view mark = project->specs.empty() || project->remark.empty() ? "" : "; ";
+        return fmt::format("{} is no SPEC: {}{}{}", project->text, project->specs, mark, project->remark);
     }
-    case What::unknown_modifier: {
-        auto words = legal;
-        std::ranges::copy(all_presets(), std::back_inserter(words));
-        return unknown(said, words, in_place(guess_word(error.text, words), Place::modifier, error.in), list);
+    if (error.what == What::meaningless_modifier) {
+        return fmt::format("{} (legal: {} and the presets of rotconv list presets)", said,
+                           fmt::join(words_of(error.in->modifiers), " "));
     }
-    case What::meaningless_modifier: return fmt::format("{} ({})", said, list);
-    case What::second_preset:
-    case What::two_orders: break;
+    return said + (project != nullptr ? fmt::format("; {} is {}", project->text, project->specs)
+                                      : meaning_of_word(error.what == What::no_sequence ? "euler" : error.text));
+}
+
+Usage no_such_spec(const Option& option, const std::string& item, const SpecError& error) {
+    using What = SpecError::What;
+    const Project* const project = error.what == What::unknown_name ? find_project(error.text) : nullptr;
+    const std::string rest = item.substr(std::min(item.find(':'), item.size()));
+    std::vector<Mend> mends;
+    for (const std::string& spec : project != nullptr ? specs_of(*project) : meant_specs(item, error)) {
+        const auto words = words_in(spec);
+        std::string text = option.text();
+        text.replace(text.find(item), item.size(), words.empty() ? "" : words[0] + (project != nullptr ? rest : ""));
+        mends.push_back({{OptionSet::changing(option, text)}});
+        if (words.size() > 1) {
+            mends.back().order.push_back({{Edit::at_end}, 0, {words.begin() + 1, words.end()}});
+        }
     }
-    return said;
+    const bool is_known = find_project(error.text) != nullptr || find_meaning(error.text) != nullptr;
+    const std::string_view where =
+        is_known                               ? ""
+        : error.what == What::unknown_name     ? "; rotconv list has them, rotconv list projects those of programs"
+        : error.what == What::unknown_sequence ? "; it has three letters, neighbours different; rotconv list euler "
+                                                 "explains them"
+        : error.what == What::unknown_modifier ? "; rotconv list NAME and rotconv list presets have them"
+                                               : "";
+    Usage usage = Usage("{} {}: {}", option.name(), quoted(option.text()), explain(error))
+                      .with(std::move(mends), std::string(where));
+    usage.is_choice = project != nullptr && option.name() == "--from";
+    return usage;
 }
 
 std::string mend(std::string_view text) {
@@ -309,9 +420,10 @@ std::string mend(std::string_view text) {
     const auto meanings = mapped(words, [](const std::string& word) { return find_meaning(word); });
     if (!words.empty()) { // nothing but one thing, perhaps several times: 90deg, 0.8 + 0.6i
         const Meaning* const first = meanings.front();
-        const bool is_one = first != nullptr && first->instead.empty() && !first->in_spec &&
+        const bool is_one = first != nullptr && !first->in_spec && !first->is_verb &&
+                            (first->instead.empty() || first->instead == "-" || first->instead[0] == ':') &&
                             std::ranges::count(meanings, first) == std::ranges::ssize(meanings);
-        return is_one ? fmt::format("; {}", first->about) : "";
+        return is_one ? meaning_of_word(words.front()) : "";
     }
     bool has_blank = false; // that does not follow a comma
     for (std::size_t i = 1; i < text.size(); ++i) {
@@ -331,9 +443,9 @@ std::string mend(const stream::RowError& error) {
     return mended.empty() && may_be_decimal ? "; if these are decimal commas: write points" : mended;
 }
 
-std::string meaning_of_verb(std::string_view word) {
+bool is_verb(std::string_view word) {
     const Meaning* const meaning = find_meaning(word);
-    return meaning != nullptr && meaning->is_verb ? suggestion(guess_meaning(word)).substr(2) : "";
+    return meaning != nullptr && meaning->is_verb;
 }
 
 } // namespace rotconv::cli::messages

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -129,7 +130,7 @@ std::string list_projects() {
                  is_first ? project.source : "");
         }
     }
-    return text + "\nA project with one SPEC and nothing behind it but names is a SPEC: -f kuka, -t ur.\n"
+    return text + "\nA project with one SPEC is a SPEC: -f kuka, -t ur.\n"
                   "rotconv list NAME says more about one.\n";
 }
 
@@ -158,7 +159,7 @@ Spec named(const std::string& text) {
     }
     const auto spec = parse_spec(text);
     if (const auto* error = std::get_if<SpecError>(&spec)) {
-        throw Usage(messages::explain(*error));
+        throw Usage(messages::explain(*error)).with({}, "; rotconv list has the names");
     }
     return std::get<Spec>(spec);
 }
@@ -224,7 +225,16 @@ std::string list_of(const std::vector<std::string>& words) {
 struct ListOptions final : CommandOptions {
     ListOptions() { take_names("A representation or project, presets, projects, or methods [FROM [TO]]"); }
 
-    [[nodiscard]] Command command() const override { return list_of(files); }
+    [[nodiscard]] Command command() const override {
+        try {
+            return list_of(files);
+        } catch (Usage& error) {
+            for (const WordEnd& word : file_words) {
+                std::ranges::move(messages::meant_by_operand(*this, word.word), std::back_inserter(error.mends));
+            }
+            throw;
+        }
+    }
 };
 
 } // namespace

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 /// Words of other programs.
@@ -8,8 +7,11 @@ namespace rotconv::cli {
 
 /// What a word means here, or why there is no such thing.
 struct Meaning {
-    std::string_view words;   ///< without marks and in lower case, or as they are typed; with blanks between
-    std::string_view instead; ///< what to write; empty: `about` says it
+    std::string_view words; ///< without marks and in lower case, or as they are typed; with blanks between
+    /// What to write in its place: a SPEC, options or a command, or several such with " | " between; empty: `about`
+    /// says it. :WORD is a modifier of a SPEC on the command line, - nothing at all; ARG stands for what follows the
+    /// word (@ARG: at the end, as VALUEs), FROM for the SPEC of --from, ~ for a blank. tail leaves out as many lines.
+    std::string_view instead;
     std::string_view about;
     bool is_verb = false; ///< people write it in the place of a command
     bool in_spec = false; ///< it has the meaning only in a SPEC

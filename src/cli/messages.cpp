@@ -47,9 +47,8 @@ DiagnosticWords words_for(DiagnosticKind kind) {
     case normalized: return {"defect", "the numbers were not exactly those of a rotation"};
     case axis_length: return {"defect", "the axis is not of length 1; its angle comes last: nx ny nz angle"};
     case large_angle:
-        return {
-            "angle",
-            "angles and velocities are read in radians; if these are degrees: -d, or of angles :deg after the NAME"};
+        return {"angle",
+                "angles and velocities are read in radians; if these are degrees: -d, or append :deg to the SPEC"};
     case gimbal_lock:
         return {"margin", "only the sum or difference of the outer angles is defined; the third is set to 0"};
     case near_gimbal_lock: return {"condition", "the outer angles are ill-conditioned, the attitude is not"};
@@ -82,10 +81,7 @@ std::string why(const stream::RowError& error, const Subject& subject) {
     case stream::RowError::What::too_large: return "too large for a double";
     case stream::RowError::What::wrong_count:
         return fmt::format("{} where {} has {}{}", counted(error.found, "field"), subject.text, error.expected,
-                           error.found <= error.expected ? ""
-                           : error.expected == 9 && (error.found == 12 || error.found == 16)
-                               ? " (--columns 1-3,5-7,9-11 is the rotation of a pose)"
-                               : " (--columns selects)");
+                           error.found <= error.expected ? "" : " (select with --columns)");
     case stream::RowError::What::missing_column:
         return fmt::format("no column {}, the row has {}", error.expected, error.found);
     case stream::RowError::What::other_width:
@@ -97,7 +93,7 @@ std::string why(const stream::RowError& error, const Subject& subject) {
                                                             : "");
     case stream::RowError::What::open_quote: return "a quote is left open";
     case stream::RowError::What::key:
-        return error.key == stream::KeyError::too_large ? "too large for a key" : "not a time that is read";
+        return error.key == stream::KeyError::too_large ? "too large for a key" : "not a supported time";
     case stream::RowError::What::attitude: break;
     }
     switch (error.error) {
@@ -221,7 +217,7 @@ std::string few_keys_met(const stream::KeysMet& keys) {
     const std::string within = keys.within.text();
     const std::string_view few = keys.any_pair ? "fewer than half of FILE's keys are" : "no key of FILE is";
     std::string text = keys.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
-                       : keys.any_pair   ? fmt::format("{} the nearest, within {}, of one of REFERENCE", few, within)
+                       : keys.any_pair   ? fmt::format("fewer than half of FILE's keys match within {}", within)
                                          : fmt::format("{} within {} of one of REFERENCE", few, within);
     std::string mend;
     if (keys.nearest && *keys.nearest > keys.within) {

@@ -12,6 +12,7 @@
 #include "../stream/column_list.hpp"
 #include "../stream/event.hpp"
 #include "../stream/options.hpp"
+#include "option_set.hpp"
 #include "words.hpp"
 
 /// Messages on rows, files, columns, SPECs and diagnostics. A sentence about one option stands with that option.
@@ -65,41 +66,30 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 /// What a diagnostic means.
 [[nodiscard]] std::string_view meaning(const stream::Diagnostic& diagnostic);
 
-/// "'text' is not a format" and the like, with the legal words and the nearest.
-[[nodiscard]] std::string no_such_word(std::string_view what, std::string_view text,
-                                       const std::vector<std::string_view>& legal);
-
-/// The same for an option, perhaps with its argument.
-[[nodiscard]] std::string no_such_option(std::string_view text, const std::vector<std::string_view>& legal);
-
 /// Why a word does not name a method of the pair, with the methods of the pair and the input for which they hold.
-[[nodiscard]] std::string no_such_method(RepresentationId from, RepresentationId to, std::string_view text);
+[[nodiscard]] Usage no_such_method(RepresentationId from, RepresentationId to, const Option& option);
 
-/// Why a word that is not an option can be used neither as a number nor as a FILE, with the nearest command.
-[[nodiscard]] std::string no_operand(std::string_view word, int error, const std::vector<std::string_view>& commands);
+/// "'text' is not a known format" and the like, with the legal words.
+/// @param text the argument of the option, or a part of it
+[[nodiscard]] Usage no_such_word(std::string_view what, const Option& option, std::string_view text,
+                                 const std::vector<std::string_view>& legal);
 
-// The ends of messages that say how to read what stands in the way at the beginning of a stream:
+/// The same for the unknown option, with what it means elsewhere.
+[[nodiscard]] Usage no_such_option(const OptionSet& options);
 
-/// The most bytes of a stream that they are about: the first.
-inline constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
+/// The same for a SPEC in the argument of an option.
+[[nodiscard]] Usage no_such_spec(const Option& option, const std::string& item, const SpecError& error);
 
-/// For a line at which reading stopped: a command or option with which the text at hand can be read, or nothing.
-/// @param has_header the message names the columns of a header: only a later one that has the names is looked for
-/// @param file its name in the command
-[[nodiscard]] std::string advice(std::string_view beginning, std::size_t line, bool has_header,
-                                 const stream::Options& options, const std::string& file);
+/// What a word of the command line may mean that is neither an option nor a number nor a FILE.
+[[nodiscard]] std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at);
 
-/// For JSON: the filter that makes rows of it.
-[[nodiscard]] std::string json_advice(std::string_view beginning, const stream::InputOptions& input);
-
-/// For a command line without a SPEC: the columns of the file, or nothing if it cannot be read twice.
-[[nodiscard]] std::string contents_advice(const std::string& path);
+/// What the word means in other programs, with "; " in front; empty for others.
+[[nodiscard]] std::string meaning_of_word(std::string_view word);
+/// Whether people write it in the place of a command.
+[[nodiscard]] bool is_verb(std::string_view word);
 
 /// What to write for a VALUE or ATTITUDE that is almost numbers, with "; " in front; or nothing.
 [[nodiscard]] std::string mend(std::string_view text);
 [[nodiscard]] std::string mend(const stream::RowError& error);
-
-/// The command or option that does what the word names in other programs, or why there is none; empty for other words.
-[[nodiscard]] std::string meaning_of_verb(std::string_view word);
 
 } // namespace rotconv::cli::messages

@@ -1,6 +1,7 @@
 #include "option_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -46,6 +47,18 @@ bool resembles_number(std::string_view word) {
            (after != std::string_view::npos && word.find_first_of(" \t\r\n") == after);
 }
 
+/// Other names of options, some with their argument.
+struct SecondName {
+    std::string_view text, option, argument;
+};
+constexpr auto second_names = std::to_array<SecondName>({{"--deg", "--degrees", ""},
+                                                         {"--cols", "--columns", ""},
+                                                         {"-c", "--columns", ""},
+                                                         {"--prec", "--precision", ""},
+                                                         {"--json", "--format", "json"},
+                                                         {"--quiet", "--diagnostics", "off"},
+                                                         {"-q", "--diagnostics", "off"}});
+
 } // namespace
 
 const std::string& Option::text() const noexcept {
@@ -58,6 +71,12 @@ Option* OptionSet::find(std::string_view name) const {
         return name == option->name() || name == option->names.substr(0, option->names.find(','));
     });
     return found == options_.end() ? nullptr : *found;
+}
+
+Edit OptionSet::changing(const Option& option, const std::string& argument) {
+    const bool is_joined = option.place.begin > 0;
+    return argument.empty() ? Edit{{option.place.word - (is_joined ? 0 : 1)}, is_joined ? std::size_t{1} : 2}
+                            : Edit{option.place, 1, {argument}};
 }
 
 std::string OptionSet::help(const OptionSet* other) const {
@@ -86,19 +105,37 @@ std::string OptionSet::help(const OptionSet* other) const {
     return help;
 }
 
-std::size_t OptionSet::read(const std::vector<std::string>& words, std::size_t begin,
+std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size_t first,
                             const std::function<bool(std::string_view)>& is_command,
                             const std::function<bool(std::string_view)>& has_meaning) {
-    std::size_t at = begin;
+    std::size_t at = first;
+    words = all_words;
+    begin = first;
+    const auto second_name = [](std::string_view name) {
+        const auto* const found = std::ranges::find(second_names, name, &SecondName::text);
+        return found == second_names.end() ? SecondName{name, name, ""} : *found;
+    };
     /// Takes an option; `begin_of_argument`: where in the same word its argument stands, or npos.
-    const auto take = [&](Option* option, const std::string& written, std::size_t begin_of_argument) {
+    const auto take = [&](const SecondName& known, const std::string& written, std::size_t begin_of_argument) {
+        Option* const option = find(known.option);
         if (option == nullptr) {
-            unknown = unknown.empty() ? written : unknown;
+            if (unknown.empty()) {
+                unknown = written;
+                unknown_place = {at, 0};
+            }
             return;
         }
         const std::string name(option->name());
         const bool is_joined = begin_of_argument != std::string::npos;
         first_option = first_option.empty() ? name : first_option;
+        if (!known.argument.empty()) {
+            misuse = is_joined         ? fmt::format("{} takes no argument", known.text)
+                     : option->given() ? name + " is given twice"
+                                       : misuse;
+            option->texts.emplace_back(known.argument);
+            option->place = {at, 0};
+            return;
+        }
         if (!option->takes_argument()) {
             option->texts = {name};
             misuse = is_joined ? name + " takes no argument" : misuse;
@@ -137,13 +174,16 @@ std::size_t OptionSet::read(const std::vector<std::string>& words, std::size_t b
             only_operands = true;
         } else if (word.starts_with("--")) {
             const auto equals = word.find('=');
-            take(find(word.substr(0, equals)), word, equals == std::string::npos ? equals : equals + 1);
+            take(second_name(std::string_view(word).substr(0, equals)), word,
+                 equals == std::string::npos ? equals : equals + 1);
         } else { // flags, of which the last may be an option with its argument
             bool is_flag = true;
             for (std::size_t i = 1; is_flag && i < word.size(); ++i) {
-                Option* const option = find(std::string{'-', word[i]});
-                is_flag = option == nullptr || !option->takes_argument();
-                take(option, "-" + word.substr(i), is_flag || i + 1 == word.size() ? std::string::npos : i + 1);
+                const std::string letter{'-', word[i]};
+                const SecondName known = second_name(letter);
+                const Option* const option = find(known.option);
+                is_flag = option == nullptr || !option->takes_argument() || !known.argument.empty();
+                take(known, "-" + word.substr(i), is_flag || i + 1 == word.size() ? std::string::npos : i + 1);
             }
         }
     }

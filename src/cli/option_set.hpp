@@ -3,14 +3,39 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "words.hpp"
 
 namespace rotconv::cli {
+
+/// The end of a word of the command line, from one of its characters on: an argument, or the whole word.
+struct WordEnd {
+    std::size_t word = 0;
+    std::size_t begin = 0;
+};
+
+/// Words of a command line that others replace, perhaps none.
+struct Edit {
+    static constexpr std::size_t at_end = std::string::npos; ///< as a word: behind the last, where an option may stand
+
+    WordEnd at{};
+    std::size_t count = 1; ///< of words from there on
+    std::vector<std::string> by{};
+};
+
+/// What makes another command line of one that is wrong: see answers().
+struct Mend {
+    std::vector<Edit> edits{};
+    std::string pipe{};                ///< commands whose output it reads; empty: there are none
+    std::optional<std::string> text{}; ///< what they make of the beginning of the input, if that is known
+    std::vector<Edit> order{};         ///< made once the command serves: it must not choose among more numbers
+};
 
 /// Thrown while the command line is read, with words for the user.
 class Usage : public std::runtime_error {
@@ -18,17 +43,22 @@ public:
     using std::runtime_error::runtime_error;
     template <class... Values> explicit Usage(fmt::format_string<const Values&...> format, const Values&... values)
         : std::runtime_error(fmt::format(format, values...)) {}
+
+    /// @param hint said where none of them helps
+    [[nodiscard]] Usage with(std::vector<Mend> known, std::string hint = {}) && {
+        mends = std::move(known);
+        otherwise = std::move(hint);
+        return std::move(*this);
+    }
+
+    std::vector<Mend> mends{};
+    std::string otherwise{};
+    bool is_choice = false; ///< nothing is wrong if one of the mends alone serves
 };
 
 /// The same, where a SPEC is not given.
 class MissingSpec : public Usage {
     using Usage::Usage;
-};
-
-/// The end of a word of the command line, from one of its characters on: an argument, or the whole word.
-struct WordEnd {
-    std::size_t word = 0;
-    std::size_t begin = 0;
 };
 
 /// An option of a command: what its help says, and what it is given.
@@ -58,7 +88,10 @@ struct Operands {
     std::vector<WordEnd> file_words{}; ///< of FILEs
     std::string first_option{};
     std::string unknown{}; ///< the first option that the command does not have
-    std::string misuse{};  ///< what is wrong with an option, in words
+    WordEnd unknown_place{};
+    std::string misuse{};             ///< what is wrong with an option, in words
+    std::vector<std::string> words{}; ///< all
+    std::size_t begin = 0;            ///< the first word behind the name of the command
 };
 
 /// The options of a command, in the order of its help, and what is given beside them.
@@ -83,16 +116,23 @@ public:
     [[nodiscard]] const std::vector<Option*>& all() const noexcept { return options_; }
     /// By one of its names, or null.
     [[nodiscard]] Option* find(std::string_view name) const;
+    /// Has the option, which is given, have that argument; without one it goes.
+    [[nodiscard]] static Edit changing(const Option& option, const std::string& argument);
+    /// The same for an option that may not be given.
+    [[nodiscard]] static Edit setting(const Option& option, const std::string& argument) {
+        return option.given() ? changing(option, argument)
+                              : Edit{{Edit::at_end}, 0, {std::string(option.name()), argument}};
+    }
     /// @param other if given, options of which its help says the same are only named
     [[nodiscard]] std::string help(const OptionSet* other = nullptr) const;
 
-    /// Reads words from the one at `begin` on, and keeps what is given. A word that is_value() is a VALUE, except where
+    /// Reads words from the one at `first` on, and keeps what is given. A word that is_value() is a VALUE, except where
     /// an option awaits its argument. Any other word that is not an option is a FILE, or ends the reading if it comes
     /// first and names a command. Where a word is a VALUE, or holds a number and is not a file, all are VALUEs, if no
     /// other is a file or means something by itself.
     /// @return the word at which reading ended: the name of a command, or none
     /// @throw Usage where an option lacks its argument
-    [[nodiscard]] std::size_t read(const std::vector<std::string>& words, std::size_t begin,
+    [[nodiscard]] std::size_t read(const std::vector<std::string>& all_words, std::size_t first,
                                    const std::function<bool(std::string_view)>& is_command,
                                    const std::function<bool(std::string_view)>& has_meaning);
 

@@ -60,8 +60,8 @@ private:
         if (!integrator.given()) {
             return can_integrate(spec.name, best) ? best : serving.front().second;
         }
-        return one_of(fmt::format("integrator of {}", representation(spec.name).text), integrator.text(), serving,
-                      words_of(serving));
+        return one_of(fmt::format("integrator of {}", representation(spec.name).text), integrator, integrator.text(),
+                      serving, words_of(serving));
     }
 
     Option with{"--with", "SET", "The representation in which to integrate (default quat)"};

@@ -65,7 +65,7 @@ std::size_t width_of(const RowOptions& options, const std::string& columns_optio
     const std::size_t least = positions.empty() ? needed : *std::ranges::max_element(positions) + 1;
     if (row < least || (positions.empty() && row != needed)) {
         throw Usage("rows of {} doubles (--width) where {} are {}", row, least,
-                    positions.empty() ? "wanted (--columns selects)" : "the least for --columns");
+                    positions.empty() ? "wanted (select with --columns)" : "the least for --columns");
     }
     return row;
 }
@@ -154,7 +154,7 @@ void RowOptions::add_writing() {
 }
 
 void RowOptions::add_pairing() {
-    time_unit.about = "Keys are times in s, ms, us or ns, and the two T are seconds";
+    time_unit.about = "Keys are times in s, ms, us or ns; --key-within and --key-offset are in seconds";
     add("Columns",
         {&reference_columns, &key, &reference_key, &key_within, &key_offset, &time_unit, &reference_time_unit});
 }

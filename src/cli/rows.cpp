@@ -2,7 +2,6 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,7 +12,8 @@
 
 #include <unistd.h>
 
-#include "command.hpp"
+#include "answers.hpp"
+#include "progress.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -34,30 +34,19 @@ constexpr std::size_t most_errors = 20;        ///< of a run, told one by one
 /// A text to stderr, in one piece. If that fails there is nobody to tell.
 void show(std::string_view text) { static_cast<void>(stream::File(STDERR_FILENO).write(text)); }
 
-/// Reads a file, and keeps its first bytes. Shows on stderr how much of it is read, if that is a terminal and the file
-/// is large.
+/// Reads a file, and keeps its first bytes.
 class Input final : public stream::Source {
 public:
-    Input(stream::File& file, bool wanted)
-        : file_(&file), size_(wanted && ::isatty(STDERR_FILENO) != 0 ? static_cast<double>(file.size()) : 0.0) {}
-    Input(const Input&) = delete;
-    Input& operator=(const Input&) = delete;
-    ~Input() override { clear(); }
+    Input(stream::File& file, bool shows_progress, std::size_t row_size)
+        : file_(&file), progress_(shows_progress && ::isatty(STDERR_FILENO) != 0, file.size(), row_size) {}
 
     std::ptrdiff_t read(std::span<char> to) override {
         const auto count = file_->read(to);
         if (count > 0) {
-            const auto more = std::min(static_cast<std::size_t>(count), messages::most_first_bytes - beginning_.size());
+            const auto more = std::min(static_cast<std::size_t>(count), most_first_bytes - beginning_.size());
             beginning_.append(to.data(), more);
         }
-        if (count > 0 && size_ >= large) {
-            done_ += static_cast<double>(count);
-            if (const auto now = Clock::now(); now >= next_) {
-                next_ = now + interval;
-                shown_ = true;
-                show(fmt::format("rotconv: {:.0f} %\r", 100.0 * done_ / size_)); // a message overwrites it
-            }
-        }
+        progress_.add({to.data(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(count, 0))});
         return count;
     }
     [[nodiscard]] bool is_ready() const override { return file_->is_ready(); }
@@ -73,28 +62,18 @@ public:
     /// Whether beginning() may have to wait.
     [[nodiscard]] bool may_wait() const { return reads_on() && !file_->is_regular(); }
 
-    void clear() {
-        if (std::exchange(shown_, false)) {
-            show("\033[K");
-        }
-    }
+    void clear() { progress_.clear(); }
 
 private:
-    using Clock = std::chrono::steady_clock;
-    static constexpr double large = 1e6; ///< bytes
-    static constexpr auto interval = std::chrono::milliseconds(200);
     static constexpr std::chrono::milliseconds most_patience{2000};
 
     [[nodiscard]] bool reads_on() const {
-        return beginning_.size() < messages::most_first_bytes && ::isatty(file_->descriptor()) == 0;
+        return beginning_.size() < most_first_bytes && ::isatty(file_->descriptor()) == 0;
     }
 
     stream::File* file_;
     std::string beginning_;
-    double size_; ///< bytes; 0 if nothing is shown
-    double done_ = 0.0;
-    Clock::time_point next_ = Clock::now() + interval;
-    bool shown_ = false;
+    Progress progress_;
 };
 
 std::string rows_from(std::size_t rows, std::size_t first_line) {
@@ -115,12 +94,8 @@ public:
         using What = stream::StreamError::What;
         const std::string message = messages::explain(error, subject_of(error.place));
         const stream::Place place{error.what == What::read ? 0 : error.place.line, error.place.side};
-        if (error.what == What::json) {
-            tell_with_advice(place, message, [this](std::string_view beginning) {
-                return messages::json_advice(beginning, command_->options.input);
-            });
-        } else if (error.what == What::columns && !error.place.is_in_reference()) {
-            tell_with_advice(place, message, advice_at(place.line, !error.column.header.empty()));
+        if (error.what == What::json || (error.what == What::columns && !error.place.is_in_reference())) {
+            tell_with_answers(place, message);
         } else {
             tell(place, message);
         }
@@ -133,7 +108,7 @@ public:
         const stream::Place& place = last_error_->place;
         const std::string message = in_words(*last_error_);
         if (ending.answered == 0) {
-            tell_with_advice(place, message, advice_at(place.line));
+            tell_with_answers(place, message);
         } else {
             tell(place, message);
         }
@@ -195,8 +170,6 @@ public:
 private:
     [[nodiscard]] std::size_t errors() const noexcept { return failed_[0] + failed_[1]; }
 
-    /// Makes the end of a message from the first bytes of the input.
-    using Advice = std::function<std::string(std::string_view)>;
     struct Count {
         std::size_t rows = 0;
         std::size_t last_line = 0;
@@ -251,20 +224,13 @@ private:
         return fmt::format("{}: {}", text_of(place), message);
     }
     void tell(const stream::Place& place, const std::string& message) const { print_error(told(place, message)); }
-    /// The message does not wait for more of the input, though the advice does.
-    void tell_with_advice(const stream::Place& place, const std::string& message, const Advice& advice) const {
+    /// The message does not wait for more of the input, though the answers do.
+    void tell_with_answers(const stream::Place& place, const std::string& message) const {
         std::string text = fmt::format("rotconv: {}", told(place, message));
         if (input_->may_wait()) {
             show(std::exchange(text, {}));
         }
-        show(text + advice(input_->beginning()) + '\n');
-    }
-    /// On a line before the first row that could be read.
-    [[nodiscard]] Advice advice_at(std::size_t line, bool has_header = false) const {
-        return [this, line, has_header](std::string_view beginning) {
-            const std::string text = messages::advice(beginning, line, has_header, command_->options, command_->input);
-            return text.empty() ? text : "; " + text;
-        };
+        show(text + end_of_message(*command_, input_->beginning()));
     }
     [[nodiscard]] const messages::Subject& subject_of(const stream::Place& place) const noexcept {
         return place.is_in_reference() ? command_->reference_subject : *command_->subject;
@@ -372,7 +338,8 @@ ExitCode run_last_pass(const RowsCommand& command) {
 
     WhileRead rows_output(output, command.is_check);
     const bool on_screen = command.options.writes_rows && command.output == "-" && ::isatty(STDOUT_FILENO) != 0;
-    Input input(*inputs.front(), !on_screen);
+    Input input(*inputs.front(), !on_screen && command.diagnostics != ShowDiagnostics::off,
+                command.options.input.width * sizeof(double));
     stream::Source& source = command.source ? *command.source : input;
     Reporter reporter(command, input);
     std::ranges::for_each(command.notes, [&reporter](const stream::Note& note) { reporter.add(note); });

@@ -77,8 +77,8 @@ private:
         const Choices<SampleKind> legal = mapped(kinds, [](SampleKind each) { return std::pair(name_of(each), each); });
         kinds.clear();
         for (const std::string_view word : split(kind.text(), ',')) {
-            kinds.push_back(
-                one_of(fmt::format("kind of rows of {}", representation(name).text), word, legal, words_of(legal)));
+            kinds.push_back(one_of(fmt::format("kind of rows of {}", representation(name).text), kind, word, legal,
+                                   words_of(legal)));
             if (std::ranges::count(kinds, kinds.back()) > 1) {
                 throw Usage("{} has {} twice", kind.name(), quoted(word));
             }

@@ -18,13 +18,13 @@ constexpr auto project_table = std::to_array<Project>({
     {"tum", "evo", "quat:xyzw columns 5-8 of a trajectory", "", "", "", "TUM RGB-D trajectory files", ""},
     {"matlab", "", "dcm:passive Aerospace Toolbox; dcm Robotics System Toolbox; quat both; euler:ZYX both, by default", "", "", "", "Aerospace Toolbox", "rotmat of a quaternion is dcm:passive for 'frame', dcm for 'point'"},
     {"basilisk", "schaub bn", "dcm:passive [BN]; quat beta0 first; mrp; euler:ZYX 321, yaw pitch roll", "", "", "", "Basilisk; Schaub and Junkins, [BN]", "RigidBodyKinematics.py"},
-    {"spice", "naif spiceypy", "dcm:passive C-matrix; quat:passive m2q", "", "", "", "SPICE C-matrices, reference to body", "m2eul(r, 3, 2, 1) gives the numbers of euler:XYZ in reverse order: those of euler:zyx, except at gimbal lock"},
+    {"spice", "naif spiceypy cspice", "dcm:passive C-matrix; quat:passive m2q", "", "", "", "SPICE C-matrices, reference to body", "m2eul(r, 3, 2, 1) gives the numbers of euler:XYZ in reverse order: those of euler:zyx, except at gimbal lock"},
     {"bunge", "", "euler:ZXZ phi1 Phi phi2; dcm:passive the matrix g; quat:passive", "phi1 Phi phi2", "", "", "materials science, P = +1; R takes crystal to sample", ""},
     {"baruh", "", "dcm:passive; quat:xyzw e4 is the scalar", "", "", "", "Baruh, Analytical Dynamics, 1999", ""},
     {"trawny", "", "dcm:passive; quat:xyzw", "", "", "", "Trawny and Roumeliotis 2005, the JPL quaternion", ""},
     {"jpl", "", "dcm:passive; quat:xyzw", "", "", "", "the JPL quaternion, as trawny", ""},
     {"stuelpnagel", "", "dcm:passive; quat:passive; cayley:passive", "", "", "", "Stuelpnagel, SIAM Review 6(4), 1964", ""},
-    {"px4", "ulog", "quat q[0] ... q[3] of vehicle_attitude", "", "ned", "frd", "PX4, msg/VehicleAttitude.msg: FRD body to NED", ""},
+    {"px4", "ulog", "quat q[0] ... q[3] of vehicle_attitude; rpy Eulerf, phi theta psi", "", "ned", "frd", "PX4, msg/VehicleAttitude.msg: FRD body to NED", ""},
     {"kitti", "", "dcm odometry: columns 1-3,5-7,9-11; rpy oxts: columns 4-6, reference axes enu, body axes flu", "", "rdf", "rdf", "KITTI odometry devkit, readme.txt: left camera poses", ""},
     {"euroc", "asl", "quat columns 5-8 of the ground truth, q_RS_w q_RS_x q_RS_y q_RS_z", "", "", "", "EuRoC, header of the ground truth: q_RS", ""},
     {"gtsam", "", "quat Rot3::Quaternion; rpy RzRyRx, rpy, xyz; euler:ZYX Ypr, ypr; rotvec Expmap", "", "", "", "GTSAM, gtsam/geometry/Rot3.h", ""},
@@ -34,6 +34,8 @@ constexpr auto project_table = std::to_array<Project>({
     {"mujoco", "mjcf", "quat; euler:XYZ:deg eulerseq xyz, which is about the body axes; axis-angle:deg axisangle; 6d xyaxes", "", "", "", "MuJoCo, doc/programming/simulation.rst", "the letters of eulerseq are in the other case here; without :deg if compiler/angle is radian"},
     {"colmap", "", "quat:passive images.txt", "", "", "rdf", "COLMAP, doc/format.rst: world to camera", ""},
     {"opk", "arcgis pix4d-opk metashape-opk omega-phi-kappa", "euler:XYZ:deg", "omega phi kappa", "enu", "rub", "photogrammetry, omega phi kappa: image to ground", "OpenSfM, opensfm/geometry.py; euler:opk is in radians"},
+    // angles that have a name of their own
+    {"ypr", "yawpitchroll", "euler:ZYX", "yaw pitch roll", "", "", "aerospace, sequence 321", "the numbers of rpy in reverse order"},
     // robots
     {"kuka", "krl", "euler:ZYX:deg", "A B C", "", "", "Basler, pose_format_kuka", ""},
     {"fanuc", "wpr", "rpy:deg", "W P R", "", "", "Basler, pose_format_fanuc", ""},
@@ -58,13 +60,25 @@ constexpr auto project_table = std::to_array<Project>({
     {"halcon-gba", "gba", "euler:XYZ:deg", "RotX RotY RotZ", "", "", "MVTec HALCON, create_pose", ""},
     {"halcon-abg", "abg", "rpy:deg", "RotX RotY RotZ", "", "", "MVTec HALCON, create_pose", ""},
     {"halcon-rodriguez", "rodriguez", "cayley", "RotX RotY RotZ", "", "", "MVTec HALCON, create_pose", ""},
+    {"mecademic", "meca500", "euler:XYZ:deg", "alpha beta gamma", "", "", "Mecademic, programming manual", ""},
+    {"robodk", "", "rpy:deg xyzrpw; euler:XYZ:deg Pose_2_TxyzRxyz", "", "", "", "RoboDK, robomath.py", ""},
     // simulation, graphics and libraries
+    {"usd", "openusd gfquat", "quat", "w x y z", "", "", "OpenUSD, GfQuatf(real, i, j, k)", "a GfMatrix4d is for row vectors: its rotation is dcm:passive"},
+    {"openxr", "", "quat:xyzw", "w x y z", "", "", "OpenXR specification, XrQuaternionf", "the axes of a view are rub"},
+    {"dotnet", "system.numerics csharp", "quat:xyzw Quaternion; euler:YXZ yaw, pitch, roll: CreateFromYawPitchRoll; dcm:passive Matrix4x4, for row vectors", "", "", "", ".NET, System.Numerics.Quaternion", ""},
+    {"gl-matrix", "", "quat:xyzw; rpy:deg fromEuler, order zyx; dcm:col mat3", "", "", "", "glMatrix, src/quat.js", ""},
+    {"sophus", "", "quat:xyzw data(); rotvec log()", "", "", "", "Sophus, so3.hpp", ""},
+    {"manif", "", "quat:xyzw coeffs(); rotvec log()", "", "", "", "manif, SO3_base.h", ""},
+    {"pinocchio", "xyzquat", "quat:xyzw free flyer; rotvec log3; rpy rpyToMatrix", "", "", "", "Pinocchio, joint-free-flyer.hpp, math/rpy.hpp", ""},
+    {"carla", "", "euler:Z-Y-X:deg yaw, pitch, roll: carla.Rotation with --columns 2,1,3", "", "fru", "fru", "CARLA, Python API, carla.Rotation", "left-handed, as unreal"},
+    {"airsim", "", "quat:xyzw Quaternionr; quat Q_W Q_X Q_Y Q_Z of airsim_rec.txt", "", "ned", "frd", "AirSim, docs/apis.md", ""},
+    {"tartanair", "", "quat:xyzw", "", "ned", "frd", "TartanAir, poses in NED: tx ty tz qx qy qz qw", "columns 4-7"},
     {"urdf", "xacro", "rpy", "r p y", "", "", "urdfdom_headers, urdf_model/pose.h", ""},
     {"sdf", "gazebo gz-math", "rpy", "", "", "", "gz-math, Quaternion.hh", "a pose: columns 4-6"},
     {"unity", "unity3d", "quat:xyzw Quaternion; euler:YXZ:deg eulerAngles x y z: with --columns 2,1,3", "", "ruf", "ruf", "Unity manual, Quaternion.Euler", "left-handed; to ROS's axes: --reference-axes ruf:flu --body-axes ruf:flu"},
     {"unreal", "unrealengine ue ue4 ue5 frotator fquat", "quat:xyzw FQuat; euler:Z-Y-X:deg yaw, pitch, roll: FRotator with --columns 2,1,3", "", "fru", "fru", "Unreal Engine, FRotator::Quaternion", "left-handed; to ROS's axes: --reference-axes fru:flu --body-axes fru:flu"},
     {"godot", "", "quat:xyzw; euler:YXZ rotation x y z: with --columns 2,1,3", "", "", "", "Godot, core/math/basis.h", "camera axes are rub"},
-    {"three.js", "", "quat:xyzw; euler:XYZ order XYZ, about the body axes; dcm:col elements", "", "", "", "three.js, src/math/Euler.js", "angles are stored x y z for any order: select the columns in the order of the letters"},
+    {"three.js", "threejs", "quat:xyzw; euler:XYZ order XYZ, about the body axes; dcm:col elements", "", "", "", "three.js, src/math/Euler.js", "angles are stored x y z for any order: select the columns in the order of the letters"},
     {"gltf", "", "quat:xyzw", "w x y z", "", "", "glTF 2.0 specification", "a node's matrix: dcm:col --columns 1-3,5-7,9-11"},
     {"bvh", "biovision", "euler:ZXY:deg", "Zrotation Xrotation Yrotation", "", "", "University of Wisconsin, BVH", "where CHANNELS has another order: that order in upper case, euler:XYZ:deg"},
     {"glm", "opengl gl", "quat; rpy eulerAngles: pitch, yaw and roll are about x, y and z; dcm:col matrices", "", "", "", "GLM, gtc/quaternion.inl", ""},
@@ -79,6 +93,8 @@ constexpr auto project_table = std::to_array<Project>({
     {"pytransform3d", "", "quat; axis-angle; rotvec compact axis-angle", "", "", "", "pytransform3d, rotations", ""},
     {"orekit", "hipparchus", "quat; dcm:passive getMatrix", "", "", "", "Hipparchus, Rotation.java", ""},
     // cameras and vehicles
+    {"bundler", "", "dcm:passive", "", "", "rub", "Bundler v0.4 user's manual", "R takes the world's axes to the camera's"},
+    {"openmvg", "", "dcm:passive", "", "", "rdf", "openMVG, geometry/pose3.hpp", "the rotation of an extrinsic, world to camera"},
     {"opencv", "cv cv2 rvec solvepnp aruco", "rotvec rvec, object to camera; rotvec:passive the camera's attitude in the world", "", "", "rdf", "opencv2/calib3d.hpp; answers.opencv.org 64320", "to OpenGL's camera: --body-axes rdf:rub"},
     {"arkit", "arcamera", "dcm:col transform: columns 1-3,5-7,9-11; quat:xyzw vector of simd_quatf", "", "", "rub", "ARKit, ARCamera.transform", ""},
     {"opensfm", "odm webodm", "rotvec:passive", "", "enu", "rdf", "OpenSfM, doc/source/geometry.rst", ""},
@@ -92,12 +108,15 @@ constexpr auto project_table = std::to_array<Project>({
     {"mavlink", "ATTITUDE_QUATERNION", "quat", "q1 q2 q3 q4", "ned", "frd", "MAVLink, common.xml", "ATTITUDE is rpy; MOUNT_ORIENTATION mixes frames"},
     {"ardupilot", "", "rpy:deg ATT, Roll Pitch Yaw; quat Q1 Q2 Q3 Q4", "", "ned", "frd", "ArduPilot, AP_Math/quaternion.cpp", ""},
     {"dji", "", "rpy:deg flight: by name, as XMP has roll, yaw, pitch; quat q0 q1 q2 q3 of the Onboard SDK", "", "ned", "frd", "DJI Onboard SDK, dji_telemetry.hpp", "no source found for the sequence of the gimbal's angles: rpy:deg is often meant"},
+    {"vectornav", "vn-100 vn-200", "euler:ZYX:deg", "yaw pitch roll", "ned", "frd", "VectorNav VN-100 user manual", "its quaternion has the scalar last"},
+    {"sbg", "sbgecom", "rpy EKF_EULER; quat EKF_QUAT", "", "ned", "frd", "sbgECom, sbgEComLogEkf.h", ""},
     // astronautics
     {"chandra", "ra-dec-roll", "euler:Z-YX:deg", "ra dec roll", "", "", "sot, Quaternion.py", "from 0 to 360 with :positive; its q is quat:xyzw"},
     {"ccsds", "aem apm", "quat:xyzw LAST, and all of 504.0-B-2; quat FIRST; euler:ZYX:deg sequence 321", "", "", "", "CCSDS 504.0-B; Orekit, AttitudeType.java", "for A the reference, B the body and A2B; otherwise the quaternions are :passive"},
     {"stk", "", "quat:xyzw AttitudeTimeQuaternions; quat AttitudeTimeQuatScalarFirst; dcm:passive AttitudeTimeDCM", "", "", "", "STK, IAgEntityAttitudeQuaternion", ""},
     {"gmat", "", "quat:xyzw; dcm:passive; euler:ZYX:deg sequence 321; mrp", "", "", "", "GMAT, AttitudeConversionUtility.cpp", ""},
     {"wertz", "", "quat:xyzw; dcm:passive; euler:ZXZ 313", "", "", "", "Wertz, Spacecraft Attitude Determination and Control", ""},
+    {"diebel", "", "quat; dcm:passive; rpy sequence (1, 2, 3)", "", "", "", "Diebel, Representing Attitude, 2006", "its matrices take reference to body axes"},
     {"hughes", "", "", "", "", "", "", "no source found; often meant, as in wertz: dcm:passive and quat:xyzw"},
     // materials and microscopy
     {"mtex", "", "euler:ZXZ; quat a b c d; dcm", "", "", "", "MTEX, MTEXvsBungeConvention.m", "Bunge's g is dcm:passive"},
@@ -124,6 +143,7 @@ constexpr auto project_table = std::to_array<Project>({
     {"android", "sensor-logger", "quat:xyzw TYPE_ROTATION_VECTOR; euler:-Z-XY getOrientation: azimuth, pitch, roll; dcm getRotationMatrix", "", "enu", "rfu", "SensorManager.java; Sensor Logger, COORDINATES.md", "Sensor Logger's quaternion: by name; its angles on iOS: euler:ZXY of yaw, pitch, roll"},
     {"coremotion", "ios cmattitude iphone apple", "quat:xyzw CMQuaternion; euler:ZXY yaw, pitch, roll; dcm:passive CMRotationMatrix", "", "", "rfu", "SGMotionSensor.m, HOCARView.m; stackoverflow.com 10827401", ""},
     {"vicon", "nexus", "quat:xyzw; euler:XYZ EulerXYZ; rotvec helical; dcm", "", "", "", "Vicon DataStream SDK, ClientUtils.cpp", "joint angles of Plug-in Gait are no attitude: they have signs and offsets"},
+    {"optitrack", "motive", "quat:xyzw", "", "", "", "Motive, Data Export: CSV", ""},
     {"rokoko", "", "quat:xyzw", "w x y z", "ruf", "ruf", "Rokoko, CSV Export", "left-handed"},
     {"apdm", "opal", "", "", "", "", "OpenSim, APDMDataReader.cpp", "no source found for the direction; often meant: quat (w x y z)"},
 });
@@ -168,11 +188,12 @@ std::span<const Project> projects() noexcept { return project_table; }
 std::span<const Project> presets() noexcept { return std::span(project_table).first(preset_count); }
 
 const Project* find_project(std::string_view name) noexcept {
-    const auto* const found = std::ranges::find_if(project_table, [name](const Project& each) {
-        return each.text == name || (each.others.find(name) != std::string_view::npos && // most are not split
-                                     std::ranges::count(split(each.others, ' '), name) != 0);
+    const std::string wanted = plain_name(name);
+    const auto* const found = std::ranges::find_if(project_table, [&wanted](const Project& each) {
+        const std::string others = ' ' + plain_name(each.others) + ' ';
+        return plain_name(each.text) == wanted || others.find(' ' + wanted + ' ') != std::string::npos;
     });
-    return name.empty() || found == project_table.end() ? nullptr : found;
+    return wanted.empty() || found == project_table.end() ? nullptr : found;
 }
 
 std::string columns_in_rows(const Project& project, std::size_t size, std::size_t fields) {

@@ -25,14 +25,14 @@ struct Project {
 
     /// Whether its numbers are one SPEC, for which the name stands.
     [[nodiscard]] constexpr bool is_spec() const noexcept {
-        return !specs.empty() && specs.find(' ') == std::string_view::npos;
+        return !specs.empty() && specs.find(';') == std::string_view::npos;
     }
 };
 
 [[nodiscard]] std::span<const Project> projects() noexcept;
 /// The projects that are modifiers.
 [[nodiscard]] std::span<const Project> presets() noexcept;
-/// The project with this name or other name, or null.
+/// The project with this name or another one, in any case and with or without - and _, or null.
 [[nodiscard]] const Project* find_project(std::string_view name) noexcept;
 
 /// Where the numbers stand in rows of a project's files, as a list of columns from 1; empty if that is not known.

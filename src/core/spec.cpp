@@ -12,10 +12,12 @@ namespace rotconv {
 const Representation& representation(RepresentationId name) noexcept { return codec_of(name).representation; }
 
 const Representation* find_representation(std::string_view text) noexcept {
-    const auto* const found = std::ranges::find_if(all_representations, [text](RepresentationId id) {
-        return text == representation(id).text || std::ranges::count(representation(id).aliases, text) != 0;
+    const std::string name = plain_name(text);
+    const auto* const found = std::ranges::find_if(all_representations, [&name](RepresentationId id) {
+        return name == plain_name(representation(id).text) ||
+               std::ranges::count(representation(id).aliases, name, plain_name) != 0;
     });
-    return text.empty() || found == all_representations.end() ? nullptr : &representation(*found);
+    return name.empty() || found == all_representations.end() ? nullptr : &representation(*found);
 }
 
 PresetMeaning meaning_of(std::string_view preset, const Representation& entry) noexcept {
@@ -104,14 +106,25 @@ std::string message(const SpecError& error) {
 
 namespace {
 
+const Project* find_preset(std::string_view word) noexcept {
+    const auto found =
+        std::ranges::find(presets(), plain_name(word), [](const Project& each) { return plain_name(each.text); });
+    return found == presets().end() ? nullptr : &*found;
+}
+
 /// Reads a SPEC whose name is that of a representation.
+// NOLINTNEXTLINE(misc-no-recursion): once, where digits are joined to the name
 std::variant<Spec, SpecError> parse_plain(std::string_view text) {
     using What = SpecError::What;
     const std::vector<std::string_view> parts = split(text, ':');
     const Representation* const found = find_representation(parts[0]);
     const auto wrong = [found](What what, std::string_view part) { return SpecError{what, std::string(part), found}; };
     if (found == nullptr) {
-        return wrong(What::unknown_name, parts[0]);
+        const auto digits = parts[0].find_first_of("123");
+        const bool is_joined = digits != std::string_view::npos && plain_name(parts[0].substr(0, digits)) == "euler" &&
+                               EulerSequence::parse(parts[0].substr(digits));
+        return is_joined ? parse_plain(std::string("euler:").append(text.substr(digits)))
+                         : wrong(What::unknown_name, parts[0]);
     }
     Spec spec{.name = found->name};
     auto following = std::span(parts).subspan(1);
@@ -119,7 +132,8 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
         if (following.empty()) {
             return wrong(What::no_sequence, text);
         }
-        const auto of_preset = meaning_of(following[0], *found).sequence;
+        const Project* const preset = find_preset(following[0]);
+        const auto of_preset = preset == nullptr ? std::nullopt : meaning_of(preset->text, *found).sequence;
         const auto sequence = of_preset ? of_preset : EulerSequence::parse(following[0]);
         if (!sequence) {
             return wrong(What::unknown_sequence, following[0]);
@@ -129,15 +143,16 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
         following = following.subspan(of_preset ? 0 : 1); // the word is read once more, as a preset
     }
     for (const std::string_view part : following) {
-        if (const auto preset = std::ranges::find(presets(), part, &Project::text); preset != presets().end()) {
-            if (spec.project != nullptr && spec.project != &*preset) {
+        if (const Project* const preset = find_preset(part)) {
+            if (spec.project != nullptr && spec.project != preset) {
                 return wrong(What::second_preset, part);
             }
-            spec.project = &*preset;
-            spec.apply(meaning_of(part, *found).modifiers);
+            spec.project = preset;
+            spec.apply(meaning_of(preset->text, *found).modifiers);
             continue;
         }
-        const auto* const modifier = std::ranges::find(all_modifiers, part, [](Modifier m) { return name_of(m); });
+        const auto* const modifier =
+            std::ranges::find(all_modifiers, plain_name(part), [](Modifier each) { return name_of(each); });
         if (modifier == all_modifiers.end() || !found->modifiers.has(*modifier)) {
             return wrong(modifier == all_modifiers.end() ? What::unknown_modifier : What::meaningless_modifier, part);
         }
@@ -145,7 +160,7 @@ std::variant<Spec, SpecError> parse_plain(std::string_view text) {
         spec.has_given_order =
             spec.has_given_order || ModifierSet{Modifier::xyzw, Modifier::wxyz, Modifier::col}.has(*modifier);
     }
-    if (spec.scalar_last && std::ranges::count(following, name_of(Modifier::wxyz)) != 0) {
+    if (spec.scalar_last && std::ranges::count(following, name_of(Modifier::wxyz), plain_name) != 0) {
         return wrong(What::two_orders, text);
     }
     return spec;
@@ -157,8 +172,9 @@ std::variant<Spec, SpecError> parse_spec(std::string_view text) {
     const auto name = text.substr(0, text.find(':'));
     const Project* const project = find_project(name);
     const bool is_spec = project != nullptr && project->is_spec();
-    auto parsed =
-        parse_plain(is_spec ? std::string(project->specs).append(text.substr(name.size())) : std::string(text));
+    auto parsed = parse_plain(
+        is_spec ? std::string(project->specs.substr(0, project->specs.find(' '))).append(text.substr(name.size()))
+                : std::string(text));
     if (auto* const spec = std::get_if<Spec>(&parsed); spec != nullptr && is_spec) {
         spec->project = project;
         spec->has_own_columns = !project->columns.empty();

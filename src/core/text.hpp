@@ -25,6 +25,13 @@ namespace rotconv {
     return result;
 }
 
+/// The text as names of SPECs are held against each other: in lower case, without - and _.
+[[nodiscard]] inline std::string plain_name(std::string_view text) {
+    std::string result = lower(text);
+    std::erase_if(result, [](char c) { return c == '-' || c == '_'; });
+    return result;
+}
+
 /// A letter or a digit of ASCII.
 [[nodiscard]] constexpr bool is_alphanumeric(char c) noexcept {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');

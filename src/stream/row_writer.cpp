@@ -11,6 +11,7 @@
 
 #include "../core/projects.hpp"
 #include "../core/representations/codec.hpp"
+#include "../core/text.hpp"
 #include "json.hpp"
 #include "row_events.hpp"
 
@@ -97,9 +98,21 @@ template <class WriteResult> void write_around(Buffer& to, const Layout& layout,
 
 /// The name of the project that a SPEC is, otherwise its text.
 std::string label_of(const Spec& spec) {
-    const bool is_project = spec.project != nullptr && spec.project->is_spec() &&
+    const bool is_project = spec.project != nullptr && spec.project->specs.find(' ') == std::string_view::npos &&
+                            spec.project->is_spec() &&
                             std::get<Spec>(parse_spec(spec.project->text)).text() == spec.text();
     return is_project ? std::string(spec.project->text) : spec.text();
+}
+
+/// The names of an attitude's numbers, as short as people know them.
+std::string names_for_people(const Spec& spec) {
+    using enum RepresentationId;
+    const auto columns = spec.columns();
+    const std::string axes = lower(spec.sequence.text());
+    return spec.name == dcm     ? "body to reference"
+           : spec.name == quat  ? "w x y z"
+           : spec.name == euler ? fmt::format("about {}", fmt::join(axes, " "))
+                                : fmt::format("{}", fmt::join(std::span(columns).first(spec.size()), " "));
 }
 
 /// The columns of the result, its diagnostics and its partner, if they are written.
@@ -324,7 +337,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
 }
 
 void RowWriter::write_attitude(Buffer& to, const Spec& spec, std::span<const std::string> texts, std::string_view label,
-                               std::size_t label_width) {
+                               std::size_t label_width, std::string_view names) {
     const auto out = std::back_inserter(to);
     const bool is_matrix = spec.name == RepresentationId::dcm;
     std::array<std::string_view, 9> in_rows;
@@ -336,8 +349,10 @@ void RowWriter::write_attitude(Buffer& to, const Spec& spec, std::span<const std
         if (i == 0 || (is_matrix && i % 3 == 0)) {
             fmt::format_to(out, "{:<{}}", i == 0 ? label : "", label_width);
         }
-        fmt::format_to(out, "  {:>{}}{}", in_rows.at(i), width,
-                       i + 1 == texts.size() || (is_matrix && i % 3 == 2) ? "\n" : "");
+        const bool ends_line = i + 1 == texts.size() || (is_matrix && i % 3 == 2);
+        const bool is_named = !names.empty() && ends_line && (!is_matrix || i == 2);
+        fmt::format_to(out, "  {:>{}}{}{}{}", in_rows.at(i), width, is_named ? "   " : "", is_named ? names : "",
+                       ends_line ? "\n" : "");
     }
 }
 
@@ -363,7 +378,7 @@ void RowWriter::write_pretty(Buffer& to, const ConvertedRow& row) const {
         }
         const std::optional<Spec>& spec = parts[k].attitude;
         if (parts.size() > 1 || (spec && spec->name == RepresentationId::dcm)) {
-            write_attitude(to, *spec, texts, labels[k], longest);
+            write_attitude(to, *spec, texts, labels[k], longest, options_->block ? names_for_people(*spec) : "");
             continue;
         }
         for (std::size_t i = 0; i < names.size(); ++i) {

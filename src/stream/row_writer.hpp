@@ -68,7 +68,7 @@ private:
     void add_open_ends(const ResultPart& part, std::size_t first);
     /// Writes an attitude with its label, a matrix in three lines.
     static void write_attitude(Buffer& to, const Spec& spec, std::span<const std::string> texts, std::string_view label,
-                               std::size_t label_width);
+                               std::size_t label_width, std::string_view names);
 
     std::vector<OpenEnd> open_ends_; ///< if numbers are rounded
     bool is_plain_;                  ///< nothing but the result is added to a row that is copied

@@ -28,7 +28,7 @@ inline rotconv::cli::Command command_of(const std::vector<std::string>& words) {
     }
     const auto count = static_cast<int>(arguments.size());
     arguments.push_back(nullptr);
-    return rotconv::cli::read_command_line(count, arguments.data());
+    return rotconv::cli::read_command_line(rotconv::cli::words_of(count, arguments.data()));
 }
 
 } // namespace fuzz

@@ -3,7 +3,8 @@
 # command goes on after a \. FILE is a Markdown page with console blocks or a manual page with literal displays, where stdout and
 # stderr stand as they come; or a transcript, NAME.txt, whose text is in paragraphs beside those that begin with a command. There
 # a line of stderr follows those of stdout, marked "! ", "exit N" tells a status other than 0, an empty line is written as a dot,
-# ... stands for any text of a line, and a line of ... alone for any lines. Without FOLDER it runs in an empty one.
+# ... stands for any text of a line, and a line of ... alone for any lines. Without FOLDER it runs in an empty one. Each command
+# that is printed after "try: " is run too, and must not stop.
 # A command with the text EXCEPT is left out.
 set -eu
 file=$(realpath "$1")
@@ -34,6 +35,22 @@ answer() {
     esac
 }
 
+# serve COMMAND: do the commands that it was answered with, after "try: ", run? One for a pipe stands in the place of its end.
+serve() {
+    case $1 in
+    *';'* | *'$('*) return 0 ;;
+    *' | rotconv'*) before="${1%| rotconv*}| " ;;
+    *) before= ;;
+    esac
+    sed -n 's/^! try: //p' "$work/printed" > "$work/tries"
+    while IFS= read -r tried <&3; do
+        command -v "${tried%% *}" > /dev/null || continue
+        served=0
+        timeout 20 bash -c "$before$tried" > "$work/out" 2> "$work/errors" < /dev/null || served=$?
+        { [ "$served" -lt 2 ] && [ -s "$work/out" ]; } || [ "$served" -eq 124 ] || sed 's/^/# /' "$work/errors" >> "$work/printed"
+    done 3< "$work/tries"
+}
+
 # same EXPECTED PRINTED: are the lines those that are expected?
 same() {
     cmp -s "$1" "$2" || awk '
@@ -61,6 +78,7 @@ check() {
     run=$((run + 1))
     [ -z "$except" ] || [ -n "${command##*"$except"*}" ] || return 0
     answer "$command" > "$work/printed"
+    serve "$command"
     if ! same "$work/expected" "$work/printed"; then
         failed=$((failed + 1))
         printf 'FAILED: %s\n' "$command"

@@ -25,7 +25,10 @@ TEST_CASE("a method's failure is shown and named") {
 // Catches a message that leaves the user to guess.
 TEST_CASE("a wrong method is answered with the legal ones and where they hold") {
     CHECK(run("-f dcm -t quat --method sheperd 1 0 0 0 1 0 0 0 1") ==
-          Failure{2, "", {"'sheperd'", "did you mean shepperd?", "default", "bar-itzhack", "any proper matrix"}});
+          Failure{2,
+                  "",
+                  {"'sheperd'", "default", "bar-itzhack", "any proper matrix",
+                   "try: rotconv -f dcm -t quat --method shepperd 1 0 0 0 1 0 0 0 1\n"}});
     CHECK(run("-f mrp -t 6d --method shepperd 0 0 0") ==
           stopped(any_output, {"mrp to 6d", "only default, fast and all"}));
     CHECK(run("-f mrp -t 6d --method default 0 0 0").exit_code == 0);
@@ -58,8 +61,9 @@ TEST_CASE("list methods takes a pair, as a command line names it") {
     CHECK(from.out.find("quat to dcm") == std::string::npos);
     CHECK(count_rows(run("list methods mrp 6d").out) == 3);
     CHECK(run("list methods dcm quot") ==
-          stopped(any_output, {"'quot' is not a known representation", "did you mean quat?"}));
-    CHECK(missing(run("list methods quot:xyzw dcm").err, {"'quot' is not", "did you mean quat?"}) == "");
+          stopped(any_output, {"'quot' is not a known representation", "try: rotconv list methods dcm quat\n"}));
+    CHECK(missing(run("list methods quot:xyzw dcm").err,
+                  {"'quot' is not", "try: rotconv list methods quat:xyzw dcm\n"}) == "");
     CHECK(missing(run("list methods quat:xyz dcm").err, {"'xyz' is not a known modifier of quat"}) == "");
     CHECK(run("list methods euler dcm").exit_code == 0);
     for (const char* arguments : {"list methods dcm quat mrp", "list dcm quat", "list presets tum"}) {

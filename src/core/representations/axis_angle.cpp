@@ -69,7 +69,7 @@ void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/
 // Without a kinematic equation: the axis has no rate at the identity.
 constinit const Codec codecs::axis_angle{.representation = {.name = RepresentationId::axis_angle,
                                                             .text = "axis-angle",
-                                                            .aliases = {"axang"},
+                                                            .aliases = {"axang", "aa"},
                                                             .size = 4,
                                                             .columns = {"ax", "ay", "az", "angle"},
                                                             .modifiers = {Modifier::passive, Modifier::deg},

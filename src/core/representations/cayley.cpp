@@ -47,7 +47,7 @@ double distance_to_half_turn(const Spec& /*spec*/, const double* c) noexcept {
 
 constinit const Codec codecs::cayley{.representation = {.name = RepresentationId::cayley,
                                                         .text = "cayley",
-                                                        .aliases = {"gibbs"},
+                                                        .aliases = {"gibbs", "crp"},
                                                         .size = 3,
                                                         .columns = {"cx", "cy", "cz"},
                                                         .modifiers = {Modifier::passive},

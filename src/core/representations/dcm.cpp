@@ -175,7 +175,7 @@ Eigen::Vector3d angular_velocity(const Dcm& matrix, const Dcm& rates, Frame fram
 constinit const Codec codecs::dcm{
     .representation = {.name = RepresentationId::dcm,
                        .text = "dcm",
-                       .aliases = {"matrix"},
+                       .aliases = {"matrix", "rotmat"},
                        .size = 9,
                        .columns = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"},
                        .modifiers = {Modifier::passive, Modifier::col},

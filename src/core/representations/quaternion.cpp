@@ -78,7 +78,7 @@ void nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnosti
 constinit const Codec codecs::quat{
     .representation = {.name = RepresentationId::quat,
                        .text = "quat",
-                       .aliases = {"quaternion"},
+                       .aliases = {"quaternion", "q"},
                        .size = 4,
                        .columns = {"qw", "qx", "qy", "qz"},
                        .modifiers = {Modifier::passive, Modifier::xyzw, Modifier::wxyz},

@@ -156,7 +156,7 @@ void wrap(double* numbers) noexcept {
 constinit const Codec codecs::rotvec{
     .representation = {.name = RepresentationId::rotvec,
                        .text = "rotvec",
-                       .aliases = {"exp"},
+                       .aliases = {"exp", "rotationvector", "prv"},
                        .size = 3,
                        .columns = {"rx", "ry", "rz"},
                        .modifiers = {Modifier::passive, Modifier::deg},

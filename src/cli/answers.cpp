@@ -1,0 +1,230 @@
+#include "answers.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "../stream/header_line.hpp"
+#include "../stream/io_block.hpp"
+#include "../stream/number_text.hpp"
+#include "../stream/run.hpp"
+#include "column_names.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// A command line, and what it reads.
+struct Attempt {
+    std::vector<std::string> words;
+    std::string pipe{};                ///< see Mend
+    std::optional<std::string> text{}; ///< the beginning of its input; nothing: not at hand, or in the FILE
+
+    [[nodiscard]] Attempt after(const Mend& mend, bool is_ordered = true) const {
+        Attempt next = *this;
+        auto edits = mend.edits;
+        if (is_ordered) {
+            edits.insert(edits.end(), mend.order.begin(), mend.order.end());
+        }
+        const auto end = std::ranges::find(words, "--") - words.begin();
+        for (Edit& edit : edits) {
+            edit.at.word = edit.at.word == Edit::at_end ? static_cast<std::size_t>(end) : edit.at.word;
+        }
+        std::ranges::stable_sort(edits, std::ranges::greater(), [](const Edit& edit) { return edit.at.word; });
+        for (Edit& edit : edits) {
+            const auto at = next.words.begin() + static_cast<std::ptrdiff_t>(edit.at.word);
+            if (edit.at.begin > 0 && !edit.by.empty()) {
+                edit.by.front().insert(0, at->substr(0, edit.at.begin));
+            }
+            next.words.insert(next.words.erase(at, at + static_cast<std::ptrdiff_t>(edit.count)), edit.by.begin(),
+                              edit.by.end());
+        }
+        if (!mend.pipe.empty()) {
+            next.pipe += (pipe.empty() ? "" : " | ") + mend.pipe;
+            next.text = mend.text;
+        }
+        return next;
+    }
+    [[nodiscard]] std::string command() const {
+        const auto texts = mapped(words, [](const std::string& word) {
+            return word.starts_with(raw_word) ? word.substr(raw_word.size()) : in_shell(word);
+        });
+        return fmt::format("{}{}rotconv {}", pipe, pipe.empty() ? "" : " | ", fmt::join(texts, " "));
+    }
+};
+
+/// Whether the rows have names that are not those of the attitude: that they are as many as its numbers proves nothing.
+bool has_other_names(const stream::InputOptions& input, std::string_view text) {
+    while (!text.empty() && input.columns.empty() && input.numbers.attitude) {
+        const stream::Line line = stream::next_line(text);
+        if (input.is_row(line.text)) {
+            const stream::HeaderLine header(line, input.delimiter.value_or(stream::Delimiter::of_row(line.text)));
+            return std::ranges::none_of(header.fields, stream::is_number) &&
+                   !find_names(*input.numbers.attitude, header.names());
+        }
+    }
+    return false;
+}
+
+/// What came of an attempt.
+struct Outcome {
+    bool serves = false;
+    bool is_tried = false;                  ///< on the first rows
+    std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
+};
+
+/// Runs the rows at hand, and tells nothing.
+Outcome outcome_of(const RowsCommand& command, const std::string& text, bool whole) {
+    std::optional<stream::RowError> wrong;
+    const auto take = [&wrong](const stream::Event& event) {
+        if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
+            wrong = *error;
+        }
+    };
+    stream::Options options = command.options;
+    options.threads = 1;
+    options.writes_rows = false;
+    stream::TextSource of_text{text};
+    stream::Source& source = command.source ? *command.source : of_text;
+    std::optional<stream::TextSource> reference;
+    if (!command.reference.empty()) {
+        const auto bytes = first_bytes(command.reference);
+        if (!bytes) {
+            return {.serves = true};
+        }
+        reference.emplace(*bytes);
+    }
+    const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
+    if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
+        return {.serves = true, .is_tried = command.has_values || !has_other_names(options.input, text)};
+    }
+    using What = stream::StreamError::What;
+    if (command.has_values || options.input.width > 0 || (wrong && wrong->place.is_in_reference())) {
+        return {.is_tried = true};
+    }
+    if (ending.error && ending.error->what == What::json) {
+        return {.is_tried = true, .mends = json_mends(command, text)};
+    }
+    const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
+    return {.is_tried = true, .mends = line > 0 ? row_mends(command, text, line) : std::vector<std::vector<Mend>>()};
+}
+
+/// @param whole all rows at hand must be answered, not only the first
+Outcome outcome_of(const Attempt& attempt, bool whole = false) {
+    try {
+        const Command command = read_command_line(mapped(attempt.words, [](const std::string& word) {
+            return word.starts_with(raw_word) ? std::string("/dev/null") : word;
+        }));
+        const auto* const rows = std::get_if<RowsCommand>(&command);
+        if (rows == nullptr) {
+            return {.serves = true};
+        }
+        const auto text = attempt.text || !attempt.pipe.empty() ? attempt.text : first_bytes(rows->input);
+        return rows->has_values || text ? outcome_of(*rows, text.value_or(""), whole || !attempt.pipe.empty())
+                                        : Outcome{.serves = true};
+    } catch (const Usage& error) {
+        Outcome outcome;
+        for (const Mend& mend : error.mends) { // each is a reading of its own
+            outcome.mends.empty() ? outcome.mends.push_back({mend}) : outcome.mends.front().push_back(mend);
+        }
+        return outcome;
+    }
+}
+
+/// Follows mends, one after the other.
+class Search {
+public:
+    explicit Search(const Attempt& wrong) { follow(wrong, 0); }
+
+    std::vector<std::string> found{}; ///< commands
+
+private:
+    static constexpr std::size_t most_found = 2;
+    static constexpr std::size_t longest = 500;
+    static constexpr int deepest = 10;
+
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as mends that follow each other
+    void follow(const Attempt& attempt, int depth) {
+        if (depth > deepest || found.size() == most_found || --left_ < 0) {
+            return;
+        }
+        const Outcome outcome = outcome_of(attempt, depth == deepest);
+        if (outcome.serves && depth > 0) {
+            const std::string command = attempt.command();
+            if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
+                std::ranges::count(found, command) == 0) {
+                found.push_back(command);
+            }
+        }
+        const bool is_done = outcome.serves || depth == deepest;
+        for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
+            const std::size_t before = found.size();
+            for (const Mend& mend : *group) {
+                if (!mend.order.empty() && !outcome_of(attempt.after(mend, false)).serves) {
+                    continue;
+                }
+                follow(attempt.after(mend), outcome.is_tried ? deepest : depth + 1); // rows have no second mend
+            }
+            if (found.size() > before) {
+                break;
+            }
+        }
+    }
+
+    int left_ = 100; ///< attempts
+};
+
+} // namespace
+
+std::optional<std::string> first_bytes(const std::string& path) {
+    if (!stream::File::is_regular(path.c_str())) {
+        return std::nullopt;
+    }
+    stream::File file(path.c_str(), stream::File::Mode::read);
+    std::string text(file.is_open() ? std::min(file.size(), most_first_bytes) : 0, '\0');
+    const std::ptrdiff_t count = text.empty() ? 0 : file.read(text);
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    if (text.size() == most_first_bytes) { // its last line is cut
+        text.resize(text.rfind('\n') + 1);
+    }
+    return text;
+}
+
+std::string answers(const std::vector<std::string>& words, std::optional<std::string_view> beginning) {
+    std::string lines;
+    if (std::ranges::any_of(words, [](const std::string& word) { return word.find(raw_word) != std::string::npos; })) {
+        return lines;
+    }
+    for (const std::string& command :
+         Search({words, "", beginning ? std::optional(std::string(*beginning)) : std::nullopt}).found) {
+        lines += fmt::format("try: {}\n", command);
+    }
+    return lines;
+}
+
+std::string end_of_message(const RowsCommand& command, std::string_view beginning) {
+    const bool is_text = beginning.find('\0') == std::string_view::npos;
+    return fmt::format("{}\n{}",
+                       is_text ? ""
+                               : "; the input is not text: rows of numbers are read, as NumPy's savetxt or ros2 topic "
+                                 "echo --csv write them",
+                       answers(command.line->words, beginning));
+}
+
+std::optional<std::vector<std::string>> only_answer(const std::vector<std::string>& words,
+                                                    const std::vector<Mend>& mends) {
+    std::optional<std::vector<std::string>> only;
+    for (const Mend& mend : mends) {
+        const Attempt attempt = Attempt{words}.after(mend);
+        const Outcome outcome = outcome_of(Attempt{words}.after(mend, false));
+        if (outcome.serves && outcome.is_tried) {
+            if (only) {
+                return std::nullopt;
+            }
+            only = attempt.words;
+        }
+    }
+    return only;
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,431 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <rotconv/spec.hpp>
+
+#include "../operations/operations.hpp"
+#include "../stream/header_line.hpp"
+#include "../stream/number_text.hpp"
+#include "../stream/preamble.hpp"
+#include "answers.hpp"
+#include "column_names.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// A line in fields, and what it may be.
+struct Row : stream::HeaderLine {
+    Row(const stream::Line& line_, const stream::InputOptions& input)
+        : HeaderLine(line_, input.delimiter.value_or(stream::Delimiter::of_row(line_.text))),
+          is_row(input.is_row(line_.text)),
+          has_numbers(is_row && 2 * std::ranges::count_if(fields, stream::is_number) > std::ranges::ssize(fields)) {}
+    bool is_row;      ///< neither blank nor a comment
+    bool has_numbers; ///< it is a row, and more than half of its fields are numbers
+};
+
+/// What a command of the shell, which reads stdin, makes of a text.
+struct Filter {
+    std::string_view command;
+    char from = '\0'; ///< the character that it replaces
+    char to = '\0';   ///< '\0': it takes the character out
+
+    [[nodiscard]] std::string of(std::string_view text) const {
+        std::string made(text);
+        if (to == '\0') {
+            std::erase(made, from);
+        } else {
+            std::ranges::replace(made, from, to);
+        }
+        return made;
+    }
+};
+constexpr auto filters =
+    std::to_array<Filter>({{"tr , .", ',', '.'}, {R"(tr , '\t')", ',', '\t'}, {"tr -d '\"'", '"'}});
+
+/// Whether it may stand in a LIST as it is.
+bool is_plain(const std::string& name) {
+    return std::ranges::all_of(name, [](char c) {
+        return is_alphanumeric(c) || std::string_view("_.[]-/").find(c) != std::string_view::npos;
+    });
+}
+
+/// The beginning of a stream with a row that cannot be read, and how it may be read.
+class UnreadRows {
+public:
+    UnreadRows(const RowsCommand& command, std::string_view text, std::size_t line)
+        : command_(&command), input_(command.options.input), spec_(input_.numbers.attitude),
+          count_(input_.numbers.names.size()), at_(line - 1), text_(text) {
+        while (!text.empty()) {
+            rows_.emplace_back(stream::next_line(text), input_);
+        }
+    }
+
+    [[nodiscard]] std::vector<std::vector<Mend>> mends() {
+        if (at_ >= rows_.size()) {
+            return {};
+        }
+        if (const auto first = std::ranges::find_if(rows_, &Row::has_numbers); first != rows_.end()) {
+            offer_columns(static_cast<std::size_t>(first - rows_.begin()));
+        }
+        const std::string_view line = rows_[at_].line.text;
+        if (line.find('\t') != std::string_view::npos && line.find(' ') != std::string_view::npos) {
+            offer({setting("--delimiter", "blank")});
+        }
+        const auto mark = line.substr(0, line.find_first_not_of("/%!*;|"));
+        offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
+        offer_kinds();
+        offer_text("", std::string(text_));
+        for (std::size_t i = rows_.size(); i-- > at_ + 1;) { // of several blocks of numbers the last
+            if (rows_[i].has_numbers && !rows_[i - 1].has_numbers) {
+                offer_block(i - 1, i); // with its header
+                offer_block(i, i);
+                break;
+            }
+        }
+        return std::move(mends_);
+    }
+
+private:
+    [[nodiscard]] std::optional<Edit> setting(std::string_view option, const std::string& argument) const {
+        const Option* const found = command_->line->find(option);
+        return found == nullptr ? std::nullopt : std::optional(command_->line->setting(*found, argument));
+    }
+    /// If the command has all these options.
+    void offer(const std::vector<std::optional<Edit>>& edits, const std::string& pipe = {}, std::string text = {},
+               std::string_view others = {}) {
+        if (std::ranges::all_of(edits, &std::optional<Edit>::has_value)) {
+            const Mend mend{mapped(edits, [](const auto& edit) { return *edit; })};
+            mends_.push_back({pipe.empty() ? mend : command_->line->piped(mend, pipe, std::move(text), others)});
+        }
+    }
+
+    /// Offers columns: by the names above the row; the only numbers among its fields; a matrix of 3x4 or 4x4; or those
+    /// that are a unit quaternion, whose order is not known.
+    void offer_columns(std::size_t row) {
+        const auto& fields = rows_[row].fields;
+        const bool is_alone = spec_ && spec_->size() == count_;
+        for (std::size_t i = row; is_alone && i-- > 0;) {
+            const auto names = (rows_[i].is_row ? rows_[i] : rows_[i].without_mark()).names();
+            if (const auto known = names.size() == fields.size() ? find_names(*spec_, names) : std::nullopt) {
+                const auto found = known->of(names);
+                offer({setting("--columns", std::ranges::all_of(found, is_plain) ? joined(found) : known->columns())});
+                return;
+            }
+        }
+        const std::string numbers = numbers_among(fields);
+        if (!numbers.empty()) {
+            offer({setting("--columns", numbers)});
+        } else if (is_alone && spec_->name == RepresentationId::dcm) {
+            offer({setting("--columns", "1-3,5-7,9-11")});
+        } else if (is_alone && spec_->name == RepresentationId::quat && !input_.columns.has_names()) {
+            for (std::size_t i = 0; i + count_ <= fields.size(); ++i) {
+                const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
+                offer({columns});
+                if (!spec_->has_given_order && spec_->project == nullptr && !mends_.empty()) {
+                    mends_.back().push_back({{*columns, *setting("--from", "quat:xyzw")}});
+                }
+            }
+        }
+    }
+    /// The fields that are numbers, as a LIST, if others are not and they are as many as are wanted; empty if not.
+    [[nodiscard]] std::string numbers_among(const std::vector<std::string_view>& fields) const {
+        std::vector<std::size_t> columns;
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            if (stream::is_number(fields[i])) {
+                columns.push_back(i + 1);
+            }
+        }
+        const bool is_range = columns.size() > 2 && columns.back() - columns.front() + 1 == columns.size();
+        return columns.size() != count_ || columns.size() == fields.size() ? ""
+               : is_range ? fmt::format("{}-{}", columns.front(), columns.back())
+                          : joined(columns);
+    }
+
+    /// Offers a command that makes the text, and those that change characters in it, also with the columns of its first
+    /// row; without a command only the latter.
+    void offer_text(const std::string& pipe, const std::string& text) {
+        const auto offer_made = [this](const std::string& command, const std::string& made, const std::string& others) {
+            offer({}, command, made, others);
+            std::string_view rest = made;
+            const std::string columns = rest.empty() ? "" : numbers_among(Row(stream::next_line(rest), input_).fields);
+            if (!columns.empty()) {
+                offer({setting("--columns", columns)}, command, made, others);
+            }
+        };
+        if (!pipe.empty()) {
+            offer_made(pipe, text, "");
+        }
+        for (const Filter& filter : filters) {
+            const std::string command(filter.command);
+            offer_made(pipe.empty() ? command : pipe, filter.of(text), pipe.empty() ? "" : " | " + command);
+        }
+    }
+
+    /// Offers the lines from one on, up to one after the first numbers that has none: numbers may also be described by
+    /// rows.
+    void offer_block(std::size_t begin, std::size_t first) {
+        const auto rows = std::span(rows_).subspan(first);
+        const auto end = std::ranges::find_if_not(rows, &Row::has_numbers);
+        const bool is_rest = std::none_of(end, rows.end(), [](const Row& each) { return each.is_row; });
+        const auto place = [this](const Row& row) {
+            return static_cast<std::size_t>(row.line.text.data() - text_.data());
+        };
+        const std::size_t size = is_rest ? std::string_view::npos : place(*end) - place(rows_[begin]);
+        offer_text(is_rest
+                       ? fmt::format("tail -n +{}", begin + 1)
+                       : fmt::format("sed -n {},{}p", begin + 1, first + static_cast<std::size_t>(end - rows.begin())),
+                   std::string(text_.substr(place(rows_[begin]), size)));
+    }
+
+    /// Offers rows that begin with the name of their kind, for each of several kinds.
+    void offer_kinds() {
+        std::vector<std::string> kinds;
+        for (const Row& row : rows_) {
+            const std::string_view name = row.has_numbers ? row.fields[0] : "";
+            const bool is_word = !name.empty() && lower(name.substr(0, 1)) >= "a" && lower(name.substr(0, 1)) <= "z";
+            if (is_word && !stream::is_number(name) && std::ranges::count(kinds, name) == 0) {
+                kinds.emplace_back(name);
+            }
+        }
+        for (const std::string& kind :
+             kinds.size() < 2 || kinds.size() > most_kinds ? std::vector<std::string>() : kinds) {
+            std::string rows;
+            for (const Row& row : rows_) {
+                rows += row.line.text.starts_with(kind) ? std::string(row.line.text) + "\n" : "";
+            }
+            offer_text("grep " + in_shell("^" + kind), rows);
+        }
+    }
+
+    static constexpr std::size_t most_kinds = 4;
+
+    const RowsCommand* command_;
+    const stream::InputOptions& input_;
+    const std::optional<Spec>& spec_;
+    std::size_t count_; ///< of numbers
+    std::size_t at_;    ///< index of the line at which reading stopped
+    std::string_view text_;
+    std::vector<Row> rows_{};
+    std::vector<std::vector<Mend>> mends_{};
+};
+
+/// A step of a path, as jq writes it after others.
+std::string jq_step(const std::string& key) {
+    const bool is_plain = !key.empty() && (key[0] < '0' || key[0] > '9') &&
+                          std::ranges::all_of(key, [](char c) { return is_alphanumeric(c) || c == '_'; });
+    return is_plain ? "." + key : fmt::format("[\"{}\"]", key);
+}
+std::string jq_path(const std::string& steps) { return (steps.starts_with('.') ? "" : ".") + steps; }
+
+/// An object or array of a JSON text, so far.
+struct Nest {
+    std::string path;
+    bool is_array = false;
+    std::string key{};                      ///< the last one
+    std::vector<std::string> with_number{}; ///< keys
+    std::size_t numbers = 0;                ///< of an array and of the arrays in it
+    bool has_arrays = false;
+    bool has_others = false; ///< than numbers and arrays of numbers
+};
+
+/// Where the numbers of a row are in a JSON text.
+struct JsonRows {
+    std::vector<std::string> filters{}; ///< of jq: by name, otherwise by count
+    bool is_pose = false;               ///< by count, of a matrix of 3x4 or 4x4
+
+    void look_at(const Nest& nest, std::vector<std::string> names, const std::optional<Spec>& spec) {
+        const bool may_be_pose = names.size() == 9 && (nest.numbers == 12 || nest.numbers == 16);
+        std::string filter = nest.path.empty() ? "" : jq_path(nest.path) + " | ";
+        if (nest.is_array && !nest.has_others && (nest.numbers == names.size() || may_be_pose)) {
+            is_pose = may_be_pose;
+            filter += nest.has_arrays ? "flatten | @csv" : "@csv";
+        } else {
+            if (const auto known = spec ? find_names(*spec, nest.with_number) : std::nullopt) {
+                names = known->of(nest.with_number);
+            }
+            const auto has = [&nest](const auto& each) { return std::ranges::count(nest.with_number, each) > 0; };
+            if (names.empty() || !std::ranges::all_of(names, has)) {
+                return;
+            }
+            const auto steps = mapped(names, [](const std::string& each) { return jq_path(jq_step(each)); });
+            filter += fmt::format("[{}] | @csv", fmt::join(steps, ", "));
+        }
+        if (std::ranges::count(filters, filter) == 0) {
+            filters.push_back(filter);
+        }
+    }
+};
+
+/// Looks for the numbers by their names (those of the SPEC, if it is given), and by their count.
+JsonRows rows_in_json(std::string_view text, const std::vector<std::string>& wanted, const std::optional<Spec>& spec) {
+    JsonRows rows;
+    constexpr std::size_t deepest = 32; // paths are as long as nests are deep
+    std::vector<Nest> nests(1);
+    for (std::size_t i = 0; i < text.size() && nests.size() < deepest; ++i) {
+        const char c = text[i];
+        Nest& nest = nests.back();
+        if (c == '{' || c == '[') {
+            const bool is_first = nests.size() == 1;
+            nests.push_back(
+                {.path = is_first ? "" : nest.path + (nest.is_array ? "[]" : jq_step(nest.key)), .is_array = c == '['});
+        } else if ((c == '}' || c == ']') && nests.size() > 1) {
+            const Nest done = std::move(nest);
+            nests.pop_back();
+            rows.look_at(done, wanted, spec);
+            Nest& around = nests.back();
+            around.numbers += done.numbers;
+            around.has_arrays = true;
+            around.has_others = around.has_others || !done.is_array || done.has_others;
+        } else if (c == '"') {
+            const std::size_t begin = i + 1;
+            for (++i; i < text.size() && text[i] != '"'; ++i) {
+                i += text[i] == '\\' ? 1 : 0;
+            }
+            nest.has_others = true;
+            if (i < text.size() &&
+                text.substr(std::min(text.find_first_not_of(" \t\r\n", i + 1), text.size())).starts_with(':')) {
+                nest.key = text.substr(begin, i - begin);
+            }
+        } else if (is_alphanumeric(c) || c == '-') {
+            const std::size_t end = std::min(text.find_first_of(",]} \t\r\n", i), text.size());
+            const bool is_number = stream::is_number(text.substr(i, end - i));
+            nest.numbers += is_number ? 1 : 0;
+            nest.has_others = nest.has_others || !is_number;
+            if (is_number) {
+                nest.with_number.push_back(nest.key);
+            }
+            i = end - 1;
+        }
+    }
+    return rows;
+}
+
+/// The columns of a SPEC; none if the text is no SPEC.
+std::vector<std::string> names_of_spec(const std::string& text) {
+    const auto parsed = parse_spec(text);
+    const auto* const spec = std::get_if<Spec>(&parsed);
+    return spec == nullptr ? std::vector<std::string>() : operations::names_of(*spec);
+}
+
+std::vector<double> numbers_in(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
+    std::vector<double> numbers;
+    for (const std::string& word : words_in(text)) {
+        double number = 0.0;
+        if (stream::read_number(word, number) == stream::NumberError::none) {
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
+}
+
+/// The SPECs that have as many numbers, which `said` names with their orders.
+std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, std::string& said) {
+    constexpr double most_radians = 6.3;
+    const bool is_large = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
+    std::vector<std::string> specs;
+    std::vector<std::string> told;
+    for (const std::string_view text : {"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
+                                        "5d", "euler:ZYX", "cayley", "mrp"}) {
+        Spec spec = std::get<Spec>(parse_spec(text));
+        if (spec.size() == numbers.size()) {
+            spec = is_large ? spec.in_degrees() : spec;
+            specs.push_back(spec.text());
+            told.push_back(fmt::format("{} ({})", spec.text(), fmt::join(operations::names_of(spec), " ")));
+        }
+    }
+    said += told.empty() ? "" : fmt::format("; {} are {}", counted(numbers.size(), "number"), joined(told, ", "));
+    return specs;
+}
+
+/// The SPECs that a file's names or numbers are; `said` names its columns.
+std::vector<std::string> specs_of_file(const std::string& path, const std::string& bytes, std::string& said) {
+    constexpr std::array<const char*, 3> known{"quat", "dcm", "rpy"};
+    stream::InputOptions input;
+    input.columns_of = [&known](const std::vector<std::string>& names) {
+        return stream::ChosenColumns{.are_known = std::ranges::any_of(known, [&names](const char* spec) {
+                                         return find_names(std::get<Spec>(parse_spec(spec)), names).has_value();
+                                     })};
+    };
+    stream::Preamble preamble(input);
+    stream::IoBlock block;
+    block.text = stream::without_byte_order_mark(bytes);
+    stream::Output nowhere;
+    preamble.read(block, true, nowhere);
+    const Row row(preamble.has_row() ? stream::next_line(block.text) : stream::Line(), input);
+    if (!row.has_numbers) {
+        said += bytes.empty() ? "" : fmt::format("; {} does not begin with a row of numbers", quoted(path));
+        return {};
+    }
+    const std::vector<std::string>& header = preamble.layout().names;
+    const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
+    said += fmt::format("; {} has {}: {}", quoted(path), counted(row.fields.size(), "column"), numbered(names));
+    std::vector<std::string> specs;
+    for (const char* spec : known) {
+        if (find_names(std::get<Spec>(parse_spec(spec)), names)) {
+            specs.emplace_back(spec);
+        }
+    }
+    std::string unsaid;
+    return specs.empty() ? specs_of_numbers(numbers_in(joined(row.fields, " ")), unsaid) : specs;
+}
+
+} // namespace
+
+std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line) {
+    const bool is_text = beginning.find('\0') == std::string_view::npos;
+    return is_text ? UnreadRows(command, beginning, line).mends() : std::vector<std::vector<Mend>>();
+}
+
+Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
+    const Option* const from = options.find("--from");
+    const std::string path = options.files.empty() ? options.input.text() : options.files[0];
+    const bool lacks_from = std::string_view(error.what()).starts_with("--from");
+    std::vector<std::string> specs;
+    std::string said = error.what();
+    if (!lacks_from) {
+        const std::string& own = from != nullptr ? from->text() : "";
+        const bool is_quat = find_names(std::get<Spec>(parse_spec("quat")), names_of_spec(own)).has_value();
+        specs = options.find("--by") != nullptr ? std::vector<std::string>{own}
+                : from != nullptr && is_quat    ? std::vector<std::string>{"rpy:deg", "dcm"}
+                                                : std::vector<std::string>{"quat"};
+    } else if (!options.values.empty()) {
+        specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
+    } else if (const auto bytes = path.empty() ? std::nullopt : first_bytes(path)) {
+        specs = specs_of_file(path, *bytes, said);
+    }
+    std::vector<Mend> mends;
+    for (const std::string& spec : specs) {
+        const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
+        mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
+    }
+    return Usage(said).with(std::move(mends), said == error.what() ? "; see rotconv --help" : "");
+}
+
+std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning) {
+    const stream::InputOptions& input = command.options.input;
+    const auto selected = input.columns.names();
+    const bool by_name = input.columns.has_names();
+    const std::vector<std::string> wanted =
+        by_name ? std::vector<std::string>(selected.begin(), selected.end()) : input.numbers.names;
+    const std::string_view text = beginning.substr(std::min(beginning.find_first_of("{["), beginning.size()));
+    const JsonRows rows = rows_in_json(text, wanted, by_name ? std::nullopt : input.numbers.attitude);
+    if (rows.filters.size() != 1) {
+        return {};
+    }
+    Mend mend;
+    const Option* const columns = command.line->find("--columns");
+    if (columns != nullptr && (by_name || rows.is_pose)) {
+        mend.edits.push_back(command.line->setting(*columns, by_name ? "" : "1-3,5-7,9-11"));
+    }
+    return {{command.line->piped(std::move(mend), "jq -r " + in_shell(rows.filters[0]), std::nullopt)}};
+}
+
+} // namespace rotconv::cli
