@@ -39,7 +39,7 @@ for command in $commands; do
 done
 
 # Options that texts name, of the program and of the pages, are those of a command: --list is a word for list, --csv is of ros2,
-# and --allow-... are two.
+# --allow-... are two, and --deg to --quiet are second names.
 known=$({
     "$program" --help
     for command in $commands; do "$program" "$command" --help; done
@@ -49,7 +49,7 @@ named=$({
     mandoc -T ascii -O width=1000 "$page" "$conventions" | sed 's/.\x08//g'
 } | grep -oE -- '(^|[^a-z-])--[a-z][a-z-]+' | sed 's/^[^-]//' | sort -u)
 for option in $named; do
-    printf '%s\n' --list --csv --allow- "$known" | grep -qxF -- "$option" || fail "a text names $option, which no command has"
+    printf '%s\n' --list --csv --allow- --deg --cols --prec --json --quiet "$known" | grep -qxF -- "$option" || fail "a text names $option, which no command has"
 done
 
 # The worked example: all representations, each line written from the quaternion and read back.
