@@ -296,7 +296,7 @@ void hold(const std::string& text, const Spec& spec, const cli::Values& values) 
     is(has_text || is_left_out || !has_any(low, {"inv", "inverse", "conj", "transpose", "neg", "minus"}),
        "an operation is passed over");
     is(is_sum || has_text || std::ranges::none_of(numerals, &Numeral::after_sign), "a sign is passed over");
-    if (!is_left_out && !has_text && representation(spec.name).has_angles() &&
+    if (values.notes.empty() && !is_left_out && !has_text && representation(spec.name).has_angles() &&
         spec.name != RepresentationId::axis_angle) {
         const bool is_degrees = spec.unit == AngleUnit::degrees;
         is(!(is_degrees ? has_any(text, {"rad", "radian", "radians"})
@@ -327,9 +327,12 @@ void hold(const std::string& text, const Spec& spec, const cli::Values& values) 
     const bool has_order = has_any(low, {"from_quat", "scalar_first", "quaternion", "order", "seq"}) ||
                            letters.find("xyzw") != std::string::npos || letters.find("wxyz") != std::string::npos;
     bool has_label = false;
+    const bool are_named = read.size() == spec.size() && std::ranges::all_of(places, [&](std::size_t place) {
+                               return place_of(numerals[place].label, spec) >= 0;
+                           });
     for (std::size_t i = 0; i < places.size(); ++i) {
         const std::string& label = numerals[places[i]].label;
-        const int own = read.size() == spec.size() ? place_of(label, spec) : -1;
+        const int own = are_named ? place_of(label, spec) : -1;
         has_label = has_label || own >= 0 || lower(label).find_first_of("xyzwijkrpyabc") != std::string::npos;
         is(own < 0 || read.size() != spec.size() || own == static_cast<int>(i) ||
                std::ranges::count(numerals, label, &Numeral::label) > 1,
