@@ -18,13 +18,13 @@ using std::numbers::pi;
 // A type that holds an Eigen vector of 16 or 32 bytes by value has an alignment, and so a layout, that depends on
 // flags.
 template <class... Public> constexpr bool have_the_layout_of_doubles = ((alignof(Public) <= alignof(double)) && ...);
-static_assert(
-    have_the_layout_of_doubles<
-        Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector, Modifier,
-        ModifierSet, PresetMeaning, Representation, Spec, SpecError, FixedRotation, ConversionSettings, UnusualNumbers,
-        PartReport, RowReport, Conversion, ContinuousNumbers, ComparisonSettings, Comparison, Composition,
-        VectorRotation, IntegratorEntry, Stepper, PropagationSettings, Propagated, PushResult, Propagator, RateSettings,
-        Rates, AxesChange, AxesError, ConstantRotations, MeanRotation, Alignment, SampleSettings, Sampler>);
+static_assert(have_the_layout_of_doubles<
+              Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector,
+              Modifier, ModifierSet, PresetMeaning, Representation, Spec, SpecError, FixedFactor, FixedRotation,
+              ConversionSettings, UnusualNumbers, PartReport, RowReport, Conversion, ContinuousNumbers,
+              ComparisonSettings, Comparison, Composition, VectorRotation, IntegratorEntry, Stepper,
+              PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, AxesChange, AxesError,
+              ConstantRotations, MeanRotation, Alignment, SampleSettings, Sampler>);
 
 // No reference into a Reading that is gone by the end of the line.
 static_assert(std::is_same_v<decltype(*std::declval<Reading>()), Rotation>);
