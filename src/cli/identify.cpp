@@ -208,8 +208,7 @@ private:
                                settings_.unit.text);
         case Ambiguity::axes: return fmt::format("all turn about one axis, {}", in_brackets(verdict.axis));
         case Ambiguity::plane:
-            return fmt::format("the axes of the turns between them are perpendicular to {}",
-                               in_brackets(verdict.axis));
+            return fmt::format("the axes of the turns between them are perpendicular to {}", in_brackets(verdict.axis));
         case Ambiguity::zero: return fmt::format("the number in column {} is always 0", column(verdict.column));
         case Ambiguity::equal:
             return fmt::format("the numbers in columns {} and {} are always equal", column(verdict.column),

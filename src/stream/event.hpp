@@ -86,7 +86,20 @@ struct Diagnostic {
 
 /// A remark in words: the input describes its numbers otherwise than they are read. Each kind is reported once.
 struct Note {
-    enum class Kind : std::uint8_t { order, unit, time_unit, angle, pairing, comments, only_header, axes, passed, columns, text, chosen };
+    enum class Kind : std::uint8_t {
+        order,
+        unit,
+        time_unit,
+        angle,
+        pairing,
+        comments,
+        only_header,
+        axes,
+        passed,
+        columns,
+        text,
+        chosen
+    };
     Kind kind = Kind::order;
     std::string text;
     Place place{}; ///< line 0: the note is about the command line
