@@ -285,7 +285,7 @@ Usage no_such_option(const OptionSet& options) {
                                               : nearest(name, names);
         for (const Words& texts : {meant(others.empty() && bare.size() == 1 ? bare : name, names), near}) {
             for (const std::string& each : mends.empty() ? texts : Words()) {
-                add(mends, replaced.by(each));
+                add(mends, each == name ? std::vector<Mend>() : replaced.by(each));
             }
         }
     }

@@ -154,7 +154,7 @@ void RowOptions::add_writing() {
 }
 
 void RowOptions::add_pairing() {
-    time_unit.about = "Keys are times in s, ms, us or ns; --key-within and --key-offset are in seconds";
+    time_unit.about = "Keys are times; --key-within and --key-offset are in seconds";
     add("Columns",
         {&reference_columns, &key, &reference_key, &key_within, &key_offset, &time_unit, &reference_time_unit});
 }

@@ -35,7 +35,7 @@ struct Failure {
     int exit_code;
     std::optional<std::string> out;        ///< none: any
     Words words = {};                      ///< that stderr has
-    std::optional<std::size_t> lines = {}; ///< of stderr; none: any number
+    std::optional<std::size_t> lines = {}; ///< of stderr, but for answers; none: any number
 };
 
 inline constexpr std::nullopt_t any_output = std::nullopt;
