@@ -81,7 +81,8 @@ public:
         offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
         offer_kinds();
         offer_text("", std::string(text_));
-        for (std::size_t i = rows_.size(); i-- > at_ + 1;) { // of several blocks of numbers the last
+        for (std::size_t i = rows_.size();
+             i-- > std::max<std::size_t>(at_, 1);) { // of several blocks of numbers the last
             if (rows_[i].has_numbers && !rows_[i - 1].has_numbers) {
                 offer_block(i - 1, i); // with its header
                 offer_block(i, i);

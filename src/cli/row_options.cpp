@@ -98,6 +98,9 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
         throw Usage("{} selects by name, but there is no header with names; use indices", selected.option);
     }
     in.width = has_values ? 0 : width_of(options, selected.option, in);
+    if (in.width > 0 && in.are_chosen) {
+        throw Usage("{} needs --columns, because f64 rows have no names", options.key.name());
+    }
     const std::string& comment = options.comment.text();
     in.comment = has_values || comment == "none" ? "" : or_else(comment, in.comment);
     const Option& unit = time_option.given() ? time_option : options.time_unit;

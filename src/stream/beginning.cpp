@@ -398,7 +398,8 @@ private:
             made.header.reset();
             made.rows = all_[first_].index;
             made.row = all_[first_];
-            return options_.columns.empty() && may_have_header() ? too_wide().value_or(made) : made;
+            return options_.columns.empty() && (may_have_header() || options_.are_chosen) ? too_wide().value_or(made)
+                                                                                          : made;
         }
         after_header(made);
         for (const Fields& each : all_) {
@@ -436,23 +437,26 @@ private:
 
     /// The error about rows of more fields than numbers, of which nothing says where these are.
     [[nodiscard]] std::optional<Beginning> too_wide() const {
-        for (const Fields& each : all_) {
+        const std::size_t wanted = count() - (options_.are_chosen ? 1 : 0);
+        const auto is_wide = [this, wanted](const Fields& each) {
             const auto numbers = static_cast<std::size_t>(std::ranges::count_if(each.fields, is_number));
-            if (!each.is_comment && count() > 0 && options_.columns_of && numbers >= count() &&
-                (each.fields.size() > count() || options_.are_chosen)) {
-                const auto lines = above(each);
-                const auto names = lines.empty() ? std::vector<std::string>() : lines.back().names();
-                const bool are_names = names.size() == each.fields.size() && std::ranges::none_of(names, is_number);
-                return error({.what = StreamError::What::columns,
-                              .column = {.what = ColumnError::What::none,
-                                         .text = std::string(each.line.text),
-                                         .fields = each.width().all,
-                                         .wanted = count() - (options_.are_chosen ? 1 : 0),
-                                         .header = are_names ? names : std::vector<std::string>()}},
-                             each);
-            }
+            return !each.is_comment && numbers >= wanted && (each.fields.size() > wanted || options_.are_chosen);
+        };
+        auto found = options_.columns_of && count() > 0 ? std::ranges::find_if(all_, is_wide) : all_.end();
+        if (found == all_.end() && !options_.are_chosen) {
+            return std::nullopt;
         }
-        return std::nullopt;
+        const Fields& row = found == all_.end() ? all_[first_] : *found;
+        const auto lines = above(row);
+        const auto names = lines.empty() ? std::vector<std::string>() : lines.back().names();
+        const bool are_names = names.size() == row.fields.size() && std::ranges::none_of(names, is_number);
+        return error({.what = StreamError::What::columns,
+                      .column = {.what = ColumnError::What::none,
+                                 .text = std::string(row.line.text),
+                                 .fields = row.width().all,
+                                 .wanted = wanted,
+                                 .header = are_names ? names : std::vector<std::string>()}},
+                     row);
     }
 
     /// Whether no name is missing, whatever else is wrong with them.
