@@ -14,6 +14,7 @@ namespace {
 /// How much is looked at before lines are judged as if nothing followed.
 constexpr std::size_t most_lines = 100; ///< neither blank nor comments
 constexpr std::size_t most_held = std::size_t{64} << 10U;
+constexpr std::size_t most_blank = std::size_t{1} << 20U; ///< bytes of comments and blank lines
 
 } // namespace
 
@@ -37,15 +38,21 @@ void Preamble::read(IoBlock& block, bool is_end, Output& output) {
         return;
     }
     const std::string_view text = block.text;
-    auto beginning = hold(block.text, output);
-    if (!beginning && is_end && !read_as_one(block, output)) {
-        beginning = decide(held_lines(), *options_, true);
-    }
-    if (beginning) {
+    while (!has_row_ && !error_) {
+        auto beginning = hold(block.text, output);
+        if (!beginning && is_end && !read_as_one(block, output)) {
+            beginning = decide(held_lines(), *options_, true);
+        }
+        if (!beginning) {
+            return;
+        }
         const std::size_t taken = text.size() - block.text.size();
         const std::string_view rows = start(*beginning, block.first_line, output);
-        if (rows.size() <= taken) {
-            block.text = error_ ? "" : text.substr(taken - rows.size());
+        if (!has_row_) {
+            block.text = error_ ? "" : block.text;
+            is_settled_ = true;
+        } else if (rows.size() <= taken) {
+            block.text = text.substr(taken - rows.size());
         } else { // some came before this block
             Buffer bytes;
             append(bytes, rows);
@@ -53,7 +60,10 @@ void Preamble::read(IoBlock& block, bool is_end, Output& output) {
             block.bytes = std::move(bytes);
             block.text = {block.bytes.data(), block.bytes.size()};
         }
-        held_.clear();
+        held_line_ += count_of('\n', std::exchange(held_, {}));
+        if (block.text.empty()) {
+            return;
+        }
     }
 }
 
@@ -65,22 +75,34 @@ std::optional<Beginning> Preamble::hold(std::string_view& text, Output& output) 
         if (is_row) {
             ++looked_at_;
             std::erase_if(layout_.notes, [](const Note& note) { return note.kind == Note::Kind::comments; });
+        } else if (is_settled_) {
+            pass(from.substr(0, from.size() - text.size()), output);
+            ++held_line_;
+            continue;
         } else if (!is_blank(line.text)) {
             last_comment_ = held_.size();
             if (looked_at_ == 0 && layout_.notes.empty()) {
                 add_notes({.comment = line.text}, held_line_ + count_of('\n', held_));
             }
         }
-        const bool is_full = held_.size() > most_held || (looked_at_ >= most_lines && !options_->read_text);
+        const bool is_full =
+            looked_at_ > 1 && (held_.size() > most_held || (looked_at_ >= most_lines && !options_->read_text));
         held_.append(from.substr(0, from.size() - text.size()));
-        if (is_row) {
-            if (auto found = decide(held_lines(), *options_, is_full)) {
+        if (is_row && is_settled_) {
+            return Beginning{
+                .row = HeaderLine(held_lines()[0], options_->delimiter.value_or(Delimiter::of_row(line.text)))};
+        }
+        const bool is_long = held_.size() - last_comment_.value_or(0) > most_blank;
+        if (is_row || (looked_at_ > 0 && is_long)) {
+            if (auto found = decide(held_lines(), *options_, is_full || !is_row)) {
                 return found;
             }
         } else if (looked_at_ == 0 && held_.size() > most_held) { // only the last comment may be the header
-            pass(std::string_view(held_).substr(0, last_comment_), output);
-            held_line_ += count_of('\n', std::string_view(held_).substr(0, last_comment_));
-            held_.erase(0, std::exchange(last_comment_, 0));
+            const std::size_t size = last_comment_ && !is_long ? *last_comment_ : held_.size();
+            pass(std::string_view(held_).substr(0, size), output);
+            held_line_ += count_of('\n', std::string_view(held_).substr(0, size));
+            held_.erase(0, size);
+            last_comment_ = last_comment_ && !is_long ? std::optional<std::size_t>(0) : std::nullopt;
         }
     }
     return std::nullopt;

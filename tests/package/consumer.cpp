@@ -21,7 +21,7 @@ template <class... Public> constexpr bool have_the_layout_of_doubles = ((alignof
 static_assert(have_the_layout_of_doubles<
               Rotation, Reading, DiagnosticSet, Sensitivity, EulerSequence, EulerAngles, AxisAngle, RotationVector,
               Modifier, ModifierSet, PresetMeaning, Representation, Spec, SpecError, FixedFactor, FixedRotation,
-              ConversionSettings, UnusualNumbers, PartReport, RowReport, Conversion, ContinuousNumbers,
+              ConversionSettings, UnusualNumbers, PartReport, ReferenceReport, RowReport, Conversion, ContinuousNumbers,
               ComparisonSettings, Comparison, Composition, VectorRotation, IntegratorEntry, Stepper,
               PropagationSettings, Propagated, PushResult, Propagator, RateSettings, Rates, AxesChange, AxesError,
               ConstantRotations, MeanRotation, Alignment, SampleSettings, Sampler>);

@@ -70,13 +70,11 @@ EOF
 # The commands for files of other programs, on the least of each; the rows are ours.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-printf '// Update Rate: 100.0Hz\nPacketCounter\tQuat_q0\tQuat_q1\tQuat_q2\tQuat_q3\n1\t0.5\t0.5\t0.5\t0.5\n' > "$work/mt.txt"
 printf 'FMT, 129, 31, ATT, QccccCC, TimeUS,DesRoll,Roll,DesPitch,Pitch,DesYaw,Yaw\nATT, 1000, 0.1, 0, 0.2, 0, 0.3, 180\n' \
     > "$work/flight.log"
 printf 'CCSDS_AEM_VERS = 1.0\nDATA_START\n2026-11-01T00:00:00.0 0.5 0.5 0.5 0.5\nDATA_STOP\n' > "$work/sat.aem"
-expected=$(printf '// Update Rate: 100.0Hz\nPacketCounter\troll\tpitch\tyaw\n1\t90\t0\t90\n%s\nATT, 1000, 0.1,0,0,0,1, 0.2, 0.3\n2026-11-01T00:00:00.0 90 0 90' \
-    "rotconv: mt.txt:2: the header's Quat_q0,Quat_q1,Quat_q2,Quat_q3 do not say which numbers of quat they are, and are read as they stand: as qw,qx,qy,qz")
-commands=$(sed -n '/^rotconv .* --comment/,/^\.Ed/p' "$page" | grep -v '^\.' | sed 's/\\e/\\/g')
+expected=$(printf 'ATT, 1000, 0.1,0,0,0,1, 0.2, 0.3\n2026-11-01T00:00:00.0 90 0 90')
+commands=$(sed -n "/^grep '^ATT/,/^\.Ed/p" "$page" | grep -v '^\.' | sed 's/\\e/\\/g')
 answers=$(cd "$work" && PATH=$(dirname "$program"):$PATH sh -c "$commands" 2>&1) || true
 [ "$answers" = "$expected" ] || fail "the commands for files of other programs print: $answers"
 

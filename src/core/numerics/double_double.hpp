@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "wide.hpp"
+
 #ifdef __FAST_MATH__
 #error "rotconv's own sources need -fno-fast-math, which CMakeLists.txt gives after the flags of a parent project"
 #endif
@@ -209,6 +211,10 @@ template <class T, class Number> ROTCONV_INLINE T rounded_to(const Number& a) no
 template <class T> struct Scalars {
     using Precise = DoubleDouble;
     using Given = double;
+};
+template <> struct Scalars<Wide> {
+    using Precise = Wide;
+    using Given = Wide;
 };
 /// The scalar of what counts twice, such as a length.
 template <class T> using Precise = typename Scalars<T>::Precise;

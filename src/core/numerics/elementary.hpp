@@ -15,10 +15,6 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-template <> struct Scalars<Wide> {
-    using Precise = Wide;
-    using Given = Wide;
-};
 /// The nearest double, and the one nearest to what is beside it.
 [[nodiscard]] inline DoubleDouble rounded_parts(const Wide& a) noexcept {
     const double high = a.rounded();
