@@ -14,7 +14,7 @@ namespace {
 /// How much is looked at before lines are judged as if nothing followed.
 constexpr std::size_t most_lines = 100; ///< neither blank nor comments
 constexpr std::size_t most_held = std::size_t{64} << 10U;
-constexpr std::size_t most_blank = std::size_t{1} << 20U; ///< bytes of comments and blank lines
+constexpr std::size_t most_behind = std::size_t{128} << 10U; ///< bytes of blank lines, and of comments below a line
 
 } // namespace
 
@@ -92,12 +92,16 @@ std::optional<Beginning> Preamble::hold(std::string_view& text, Output& output) 
             return Beginning{
                 .row = HeaderLine(held_lines()[0], options_->delimiter.value_or(Delimiter::of_row(line.text)))};
         }
-        const bool is_long = held_.size() - last_comment_.value_or(0) > most_blank;
-        if (is_row || (looked_at_ > 0 && is_long)) {
+        const bool may_be_header = is_row || (looked_at_ == 0 && !is_blank(line.text));
+        behind_ = may_be_header ? 0 : behind_ + from.size() - text.size();
+        const bool is_long = behind_ > most_behind;
+        if (is_row || is_long) {
             if (auto found = decide(held_lines(), *options_, is_full || !is_row)) {
                 return found;
             }
-        } else if (looked_at_ == 0 && held_.size() > most_held) { // only the last comment may be the header
+            behind_ = 0;
+        }
+        if (looked_at_ == 0 && (is_long || held_.size() > most_held)) { // only the last comment may be the header
             const std::size_t size = last_comment_ && !is_long ? *last_comment_ : held_.size();
             pass(std::string_view(held_).substr(0, size), output);
             held_line_ += count_of('\n', std::string_view(held_).substr(0, size));

@@ -68,6 +68,7 @@ private:
     std::size_t held_line_ = 1;                 ///< the number of the first line that is held
     std::size_t looked_at_ = 0;                 ///< lines so far that are neither blank nor comments
     std::optional<std::size_t> last_comment_{}; ///< where the last comment begins that is held
+    std::size_t behind_ = 0;                    ///< bytes after the last line that may be the header
     bool is_settled_ = false;                   ///< what is above the first row is known, though no row is
     std::size_t header_line_ = 0;               ///< the header's line; 0: there is none
 };
