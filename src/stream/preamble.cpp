@@ -48,8 +48,9 @@ void Preamble::read(IoBlock& block, bool is_end, Output& output) {
         }
         const std::size_t taken = text.size() - block.text.size();
         const std::string_view rows = start(*beginning, block.first_line, output);
-        if (!has_row_) {
-            block.text = error_ ? "" : block.text;
+        if (error_) {
+            block.text = {};
+        } else if (!has_row_) {
             is_settled_ = true;
         } else if (rows.size() <= taken) {
             block.text = text.substr(taken - rows.size());
