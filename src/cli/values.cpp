@@ -141,12 +141,13 @@ private:
     }
     [[nodiscard]] std::string name_in(std::size_t group) const { return name_parts_of(group).back(); }
 
-    /// Refuses labels that say more than a name, or that name one number before several.
+    /// Refuses a label that says more than a name.
     void refuse_operation(std::size_t group) const {
         if (const std::string& label = text_.groups[group].label; is_operation(label, parts_of(group))) {
             refuse("{} says that something is done to the numbers, which is not", quoted(label));
         }
     }
+    /// The same, and refuses one that names one number before several.
     void check_label(std::size_t group) const {
         const std::string& label = text_.groups[group].label;
         refuse_operation(group);
@@ -547,8 +548,8 @@ std::vector<ValueNumber> of_parts(const ValueText& text, const stream::RowNumber
     const std::vector<Part> parts = parts_of(row);
     const RowNames names = names_of_row(parts, labels);
     for (std::size_t k = 0; k < parts.size(); ++k) {
+        const bool is_degrees = parts[k].attitude && parts[k].attitude->unit == AngleUnit::degrees;
         for (std::size_t i = parts[k].begin; i < parts[k].begin + parts[k].names.size(); ++i) {
-            const bool is_degrees = parts[k].attitude && parts[k].attitude->unit == AngleUnit::degrees;
             const std::string unit(numbers[i].unit.empty() ? unit_in(labels[i]) : numbers[i].unit);
             if (!unit.empty() && (!parts[k].attitude || unit != (is_degrees ? "deg" : "rad"))) {
                 refuse("{} is in {}, which is not the unit of these numbers", quoted(numbers[i].text), unit);
