@@ -211,22 +211,25 @@ inline void set_rounded(const Careful (&q)[4], std::size_t row, AttitudeBatch<do
 
 enum : unsigned { code_of_zero = 0, code_of_any = 1, code_of_multiple = 2 }; // and up to 47 more
 
+inline bool is_angle_in_degrees(const Spec* spec, const double* numbers, std::size_t k) noexcept {
+    if (spec == nullptr || spec->unit != AngleUnit::degrees) {
+        return false;
+    }
+    const bool is_length = spec->name == RepresentationId::rotvec && // one number alone
+                           __builtin_fabs(numbers[0]) + __builtin_fabs(numbers[1]) + __builtin_fabs(numbers[2]) ==
+                               __builtin_fabs(numbers[k]);
+    return is_length || spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy ||
+           (spec->name == RepresentationId::axis_angle && k == 3);
+}
+
 /// The code of a number, of which multiples of `step` degrees, 90 or 15, are known.
 inline unsigned zero_code(const Spec* spec, const double* numbers, std::size_t k, double step) noexcept {
     const double number = numbers[k];
     if (number == 0.0) {
         return code_of_zero;
     }
-    if (spec == nullptr || spec->unit != AngleUnit::degrees) {
-        return code_of_any;
-    }
-    const bool is_length =
-        spec->name == RepresentationId::rotvec && // one number alone
-        __builtin_fabs(numbers[0]) + __builtin_fabs(numbers[1]) + __builtin_fabs(numbers[2]) == __builtin_fabs(number);
-    const bool is_angle = is_length || spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy ||
-                          (spec->name == RepresentationId::axis_angle && k == 3);
     const double multiple = number / step;
-    if (!is_angle || !(__builtin_fabs(multiple) < 0x1p28)) {
+    if (!is_angle_in_degrees(spec, numbers, k) || !(__builtin_fabs(multiple) < 0x1p28)) {
         return code_of_any;
     }
     const auto whole = static_cast<int>(multiple);
@@ -382,34 +385,43 @@ inline bool are_zeros(const CarefulTask& task, const CarefulRow& row, std::uint6
            (narrow != wide && (bits & ~static_cast<std::uint64_t>(known_zeros(task, row, narrow, 15.0))) == 0);
 }
 
-// Angles in degrees that are sums of those read, and of a multiple of 15 degrees, are often at the midpoint of two
+// Angles in degrees that are sums of those given, and of a multiple of 15 degrees, are often at the midpoint of two
 // doubles, of which no number of bits tells. Whether they are such sums is told as zeros are.
 
-/// One or two of the angles of a row, each as it is or negative, and 15 degrees times so much less whole half-turns.
+/// One or two of the angles, each as it is or negative, and 15 degrees times so much less whole half-turns.
 struct AngleSum {
     unsigned code; ///< 0: there is none
 
-    static constexpr unsigned most = 12 * 12 * 12;
+    static constexpr unsigned most_angles = 15; ///< 2 of each, and so much of a code
+    static constexpr unsigned base = 2 * most_angles;
     template <class T> [[nodiscard]] T of(const double* angles) const noexcept {
         const auto angle = [&](unsigned which) { return T(which % 2 == 0 ? angles[which / 2] : -angles[which / 2]); };
-        const T first = angle((code - 1) % 12);
-        return (code - 1) / 12 % 12 == (code - 1) % 12 ? first : first + angle((code - 1) / 12 % 12);
+        const unsigned first = (code - 1) % base;
+        const unsigned second = (code - 1) / base % base;
+        return first == second ? angle(first) : angle(first) + angle(second);
     }
-    [[nodiscard]] double constant() const noexcept { return 15.0 * ((code - 1) / 144); }
+    [[nodiscard]] double constant() const noexcept { return 15.0 * ((code - 1) / (base * base)); }
 };
 
-inline bool has_angles_in_degrees(const Spec* spec) noexcept {
-    return spec != nullptr && spec->unit == AngleUnit::degrees &&
-           (spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy);
-}
-/// The angles of a row; how many there are.
-inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row, double (&angles)[6]) noexcept {
+/// The angles of a row and of the fixed rotations; how many there are.
+inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row,
+                                  double (&angles)[AngleSum::most_angles]) noexcept {
     unsigned count = 0;
-    for (unsigned k = 0; k < 3 && has_angles_in_degrees(task.first); ++k) {
-        angles[count++] = row.first[k];
+    const auto add = [&](const Spec* spec, const double* numbers) {
+        for (std::size_t k = 0; spec != nullptr && k < spec->size() && count < AngleSum::most_angles; ++k) {
+            if (is_angle_in_degrees(spec, numbers, k)) {
+                angles[count++] = numbers[k];
+            }
+        }
+    };
+    add(task.first, row.first);
+    add(task.second, row.second);
+    const FixedRotations& fixed = *task.fixed;
+    for (std::size_t k = 0; k < (fixed.has_left ? fixed.left_count : 0); ++k) {
+        add(&fixed.left_factors[k].spec, fixed.left_factors[k].numbers);
     }
-    for (unsigned k = 0; k < 3 && has_angles_in_degrees(task.second); ++k) {
-        angles[count++] = row.second[k];
+    for (std::size_t k = 0; k < (fixed.has_right ? fixed.right_count : 0); ++k) {
+        add(&fixed.right_factors[k].spec, fixed.right_factors[k].numbers);
     }
     return count;
 }
@@ -418,17 +430,17 @@ inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row
 ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const CarefulRow& row, unsigned k) noexcept {
     return with_stand_ins(task, row, 90.0, [&](const CarefulRow& other) {
         Careful results[most_numbers];
-        double angles[6];
+        double angles[AngleSum::most_angles];
         zeros_of_stand_ins(task, other, results);
         const unsigned count = 2 * angles_in_degrees(task, other, angles);
         for (unsigned a = 0; a < count; ++a) {
             for (unsigned b = a; b < count; ++b) {
-                const AngleSum sum{1 + a + 12 * b};
+                const AngleSum sum{1 + a + AngleSum::base * b};
                 const Careful rest = results[k] - sum.of<Careful>(angles);
                 const double fifteens = __builtin_floor(rest.rounded() / 15.0 + 0.5);
                 if ((rest - Careful(15.0 * fifteens)).is_below(least)) {
                     const auto whole = static_cast<unsigned>(static_cast<int>(fifteens) + 12 * 64) % 12;
-                    return AngleSum{sum.code + 144 * whole};
+                    return AngleSum{sum.code + AngleSum::base * AngleSum::base * whole};
                 }
             }
         }
@@ -439,20 +451,20 @@ ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const Careful
 /// Replaces the angle k, which is near the number, by the sum that it is, rounded once; false where it is none.
 inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k, double& number,
                       double* rest) noexcept {
-    double angles[6];
-    if (task.zeros == nullptr || !has_angles_in_degrees(task.to) || angles_in_degrees(task, row, angles) == 0 ||
-        __builtin_fabs(number) < 1e-6) {
+    double angles[AngleSum::most_angles];
+    if (task.zeros == nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
+        angles_in_degrees(task, row, angles) == 0 || __builtin_fabs(number) < 1e-6) {
         return false;
     }
     bool all_known = false;
     const std::uint64_t pattern = zero_pattern(task, row, 90.0, all_known) << 2U | k;
     std::uint64_t* const entry = task.zeros->sums + ((pattern * 0x9e3779b97f4a7c15U) >> 32U) % ZeroTable::size;
     std::uint64_t found = __atomic_load_n(entry, __ATOMIC_RELAXED);
-    if ((found & 1U) == 0 || found >> 12U != pattern) {
-        found = pattern << 12U | static_cast<std::uint64_t>(find_sum(task, row, k).code) << 1U | 1U;
+    if ((found & 1U) == 0 || found >> 15U != pattern) {
+        found = pattern << 15U | static_cast<std::uint64_t>(find_sum(task, row, k).code) << 1U | 1U;
         __atomic_store_n(entry, found, __ATOMIC_RELAXED);
     }
-    const AngleSum sum{static_cast<unsigned>(found >> 1U & 0x7ffU)};
+    const AngleSum sum{static_cast<unsigned>(found >> 1U & 0x3fffU)};
     if (sum.code == 0) {
         return false;
     }
