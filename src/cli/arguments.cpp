@@ -138,11 +138,15 @@ void require_rates(const Option& option, const Spec& spec) {
 GivenNumbers numbers_of(const Option& option, bool degrees) {
     constexpr std::size_t longest_spec = 100;
     const std::string& text = option.text();
-    std::size_t colon = text.rfind(':'); // of those before numbers, the last that ends a SPEC
+    std::size_t colon = text.rfind(':'); // of those before numbers, the last that ends a SPEC; or the blank that does
     const std::size_t end = std::min(text.find_first_of(" \t"), longest_spec);
+    const auto is_spec_before = [&text](std::size_t at) {
+        return at < text.size() && std::holds_alternative<Spec>(parse_spec(text.substr(0, at)));
+    };
     for (std::size_t at = text.find(':'); at < end; at = text.find(':', at + 1)) {
-        colon = std::holds_alternative<Spec>(parse_spec(text.substr(0, at))) ? at : colon;
+        colon = is_spec_before(at) ? at : colon;
     }
+    colon = is_spec_before(end) ? end : colon;
     if (colon == std::string::npos) {
         throw Usage("{} needs 'SPEC: NUMBERS' in one argument, such as 'quat: 1 0 0 0', not {}", option.name(),
                     quoted(text));

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <set>
 #include <unordered_map>
+#include <variant>
 
 #include <rotconv/euler.hpp>
 
+#include "../core/projects.hpp"
 #include "../operations/operations.hpp"
 #include "../stream/column_list.hpp"
 #include "../stream/key.hpp"
@@ -472,6 +474,16 @@ RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> n
         row.places.insert(row.places.end(), places.begin(), places.end());
     }
     return row;
+}
+
+stream::ChosenColumns columns_of_project(const Spec& spec, std::size_t fields) {
+    const std::string list = spec.project == nullptr ? "" : columns_in_rows(*spec.project, spec.size(), fields);
+    if (list.empty()) {
+        return {};
+    }
+    return {.are_known = true,
+            .positions = std::get<stream::ColumnList>(stream::ColumnList::parse(list, spec.size())).positions(),
+            .text = fmt::format("{} fields are read as those of {}: --columns {}", fields, spec.project->text, list)};
 }
 
 } // namespace rotconv::cli

@@ -10,6 +10,7 @@
 
 #include <rotconv/spec.hpp>
 
+#include "../stream/options.hpp"
 #include "../stream/row_operation.hpp"
 #include "words.hpp"
 
@@ -74,6 +75,9 @@ struct ColumnSets {
 /// @param key the column of the key, by name or index, if a part is one
 [[nodiscard]] ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names,
                                      const std::string& key);
+
+/// Where rows of so many fields have the numbers of a SPEC in the files of its project.
+[[nodiscard]] stream::ChosenColumns columns_of_project(const Spec& spec, std::size_t fields);
 
 /// deg or rad, also of a rate, or a unit of time, as headers write it, in brackets or not; empty for others.
 [[nodiscard]] std::string_view unit_of(std::string_view text);

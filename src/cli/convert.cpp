@@ -3,7 +3,6 @@
 #include <utility>
 #include <variant>
 
-#include "../core/projects.hpp"
 #include "../methods/method_conversion.hpp"
 #include "../stream/row_writer.hpp"
 #include "row_options.hpp"
@@ -162,17 +161,7 @@ private:
     /// Reads files of the project that --from is, and inputs that are one attitude in another form than a row.
     void read_files(stream::InputOptions& in, const Spec& read) const {
         if (!columns.given() && values.empty() && read.project != nullptr) {
-            in.project_columns = [read](std::size_t fields) {
-                const std::string list = columns_in_rows(*read.project, read.size(), fields);
-                stream::ChosenColumns chosen{.are_known = !list.empty()};
-                if (chosen.are_known) {
-                    chosen.positions =
-                        std::get<stream::ColumnList>(stream::ColumnList::parse(list, read.size())).positions();
-                    chosen.text = fmt::format("rows of {} fields are read as those of {}: --columns {}", fields,
-                                              read.project->text, list);
-                }
-                return chosen;
-            };
+            in.project_columns = [read](std::size_t fields) { return columns_of_project(read, fields); };
         }
         if (to.given() && !columns.given() && !header.given() && !append.given()) {
             in.read_text = [numbers = in.numbers, spec = from.text(), comment = in.comment](std::string_view text) {

@@ -71,6 +71,12 @@ void refuse_operation(const std::string& label) {
     }
 }
 
+/// Where a row of a project, such as a robot's pose, has the numbers of the SPEC; a 4x4 is read as one of any SPEC.
+stream::ChosenColumns pose_columns(const Spec& spec, std::size_t count) {
+    return spec.name == RepresentationId::dcm && count == 16 ? stream::ChosenColumns()
+                                                             : columns_of_project(spec, count);
+}
+
 /// The numbers of an attitude, or of another part of a row, among those of a text, held against what the text says.
 class Reading {
 public:
@@ -78,6 +84,11 @@ public:
 
     /// The numbers of the attitude, which are some of the text's, in the order of the SPEC.
     Numbers chosen() {
+        if (const auto columns = pose_columns(spec(), text_.numbers.size());
+            columns.are_known && without_empty(labels_of(text_.numbers)).empty()) {
+            add_note(columns.text);
+            return held(mapped(columns.positions, [this](std::size_t at) { return text_.numbers[at]; }));
+        }
         const std::size_t group = choose();
         return held(filtered(text_.numbers, [group](const ValueNumber& each) { return each.group == group; }));
     }
@@ -483,7 +494,9 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
                         (are_selected || std::ranges::all_of(fields, [](std::string_view field) {
                              return std::ranges::all_of(words_in(field), stream::is_number);
                          }));
-    const bool may_be_pose = numbers.attitude && numbers.attitude->name == RepresentationId::dcm && fields.size() == 16;
+    const bool may_be_pose = numbers.attitude && parts_of(numbers).size() == 1 &&
+                             ((numbers.attitude->name == RepresentationId::dcm && fields.size() == 16) ||
+                              pose_columns(*numbers.attitude, fields.size()).are_known);
     if (is_row && (are_selected || !may_be_pose)) {
         return {std::move(text), *given, {}};
     }

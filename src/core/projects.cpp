@@ -166,6 +166,7 @@ constexpr auto file_rows = std::to_array<FileRows>({
     {"g2o", 4, 9, "6-9"},
     {"sdf", 3, 6, "4-6"},
     {"ang", 3, 10, "1-3"},
+    {"abb", 4, 17, "4-7"}, // a robtarget
     {"openvr", 9, 12, "1-3,5-7,9-11"},
     {"franka", 9, 16, "1-3,5-7,9-11"},
     {"gltf", 9, 16, "1-3,5-7,9-11"},
