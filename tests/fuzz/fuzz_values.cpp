@@ -309,7 +309,10 @@ void hold(const std::string& text, const Spec& spec, const cli::Values& values) 
         reach.add("sums");
         return;
     }
-    const bool is_pose = spec.name == RepresentationId::dcm && read.size() == 9 && numerals.size() >= 16;
+    const bool is_of_project =
+        !values.notes.empty() && values.notes[0].text.find("are read as those of") != std::string::npos;
+    const bool is_pose =
+        is_of_project || (spec.name == RepresentationId::dcm && read.size() == 9 && numerals.size() >= 16);
     reach.add("4x4", is_pose ? 1 : 0);
     // Each number is one of the text, and where all of the text's differ it is known which.
     std::vector<std::size_t> places;
