@@ -58,10 +58,15 @@ struct Fields : HeaderLine {
 
     [[nodiscard]] HeaderLine as_header() const { return begins_with_mark() ? without_mark() : HeaderLine(*this); }
     [[nodiscard]] std::string_view text(std::size_t at) const { return delimiter.text_of(fields[at]); }
-    [[nodiscard]] bool holds_number() const {
-        return std::ranges::any_of(fields, [this](auto field) { return is_number(delimiter.text_of(field)); });
-    }
 };
+
+/// Whether a field of a line is a number, perhaps with a name before it.
+bool holds_number(const HeaderLine& line) {
+    return std::ranges::any_of(line.fields, [&line](std::string_view field) {
+        const std::string_view text = line.delimiter.text_of(field);
+        return is_number(text.substr(text.find_last_of(" \t:=") + 1));
+    });
+}
 
 /// The decision on one list of lines.
 class Decision {
@@ -171,7 +176,9 @@ private:
     /// The line as a header that has names of all numbers, and where these say that the numbers are.
     [[nodiscard]] std::optional<HeaderLine> header_with_set(const Fields& line, const Fields* row,
                                                             ChosenColumns* chosen = nullptr) const {
-        for (const HeaderLine& header : options_.columns_of ? headers_of(line, row) : std::vector<HeaderLine>()) {
+        const bool may_be_header =
+            options_.columns_of && (line.is_comment || !std::ranges::all_of(line.fields, is_number));
+        for (const HeaderLine& header : may_be_header ? headers_of(line, row) : std::vector<HeaderLine>()) {
             ChosenColumns found = options_.columns_of(header.names());
             if (found.are_known) {
                 if (chosen != nullptr) {
@@ -260,9 +267,12 @@ private:
             after_header(made);
             return made;
         }
+        const auto is_row = [&row](const HeaderLine& each) {
+            return each.width().fits(row.width()) && holds_number(each);
+        };
         const auto is_error = [&](const Fields& each) {
-            return !each.is_comment && (options_.header != HeaderMode::automatic ||
-                                        (each.width().fits(row.width()) && each.holds_number()) ||
+            return !each.is_comment && (options_.header != HeaderMode::automatic || is_row(each) ||
+                                        is_row(HeaderLine(each.line, row.delimiter)) ||
                                         std::ranges::all_of(each.fields, [&each](auto field) {
                                             const auto text = each.delimiter.text_of(field);
                                             return is_number(text) || is_missing(text);
@@ -344,7 +354,7 @@ private:
         for (std::size_t i = 0; i < line.fields.size(); ++i) {
             const std::string_view text = line.text(i);
             const bool is_unit = options_.is_unit && options_.is_unit(text);
-            units += is_unit ? 1 : 0;
+            units += is_unit && !is_number(text) ? 1 : 0; // 1 of no dimension
             if (!is_unit && !text.empty() && text != "-" && text != "[]" && text != "[-]") {
                 return false;
             }
@@ -405,7 +415,7 @@ private:
         for (const Fields& each : all_) {
             if (each.index >= made.rows && !each.is_comment) {
                 const FieldCount names = made.header->width();
-                if (!made.row && each.holds_number() && !names.fits(each.width()) &&
+                if (!made.row && holds_number(each) && !names.fits(each.width()) &&
                     each.delimiter.text() == made.header->delimiter.text() && !made.positions.empty()) {
                     return Decision::error({.what = StreamError::What::columns,
                                             .column = {.what = ColumnError::What::other_width,

@@ -41,7 +41,7 @@ void Preamble::read(IoBlock& block, bool is_end, Output& output) {
     while (!has_row_ && !error_) {
         auto beginning = hold(block.text, output);
         if (!beginning && is_end && !read_as_one(block, output)) {
-            beginning = decide(held_lines(), *options_, true);
+            beginning = decide(looked_at_lines(), *options_, true);
         }
         if (!beginning) {
             return;
@@ -88,6 +88,7 @@ std::optional<Beginning> Preamble::hold(std::string_view& text, Output& output) 
         }
         const bool is_full =
             looked_at_ > 1 && (held_.size() > most_held || (looked_at_ >= most_lines && !options_->read_text));
+        const bool is_late = looked_at_ > most_lines && !is_full; // the whole may be one attitude
         held_.append(from.substr(0, from.size() - text.size()));
         if (is_row && is_settled_) {
             return Beginning{
@@ -96,8 +97,8 @@ std::optional<Beginning> Preamble::hold(std::string_view& text, Output& output) 
         const bool may_be_header = is_row || (looked_at_ == 0 && !is_blank(line.text));
         behind_ = may_be_header ? 0 : behind_ + from.size() - text.size();
         const bool is_long = behind_ > most_behind;
-        if (is_row || is_long) {
-            if (auto found = decide(held_lines(), *options_, is_full || !is_row)) {
+        if ((is_row && !is_late) || is_long) {
+            if (auto found = decide(looked_at_lines(), *options_, is_full || !is_row)) {
                 return found;
             }
             behind_ = 0;
@@ -118,6 +119,15 @@ std::vector<Line> Preamble::held_lines() const {
     for (std::string_view text = held_; !text.empty();) {
         lines.push_back(next_line(text));
     }
+    return lines;
+}
+
+std::vector<Line> Preamble::looked_at_lines() const {
+    auto lines = held_lines();
+    std::size_t rows = 0;
+    const auto end = std::ranges::find_if(
+        lines, [&](const Line& line) { return options_->is_row(line.text) && ++rows > most_lines; });
+    lines.erase(end, lines.end());
     return lines;
 }
 

@@ -38,6 +38,7 @@ private:
     /// Takes lines into those that are held, up to one that settles where rows begin.
     [[nodiscard]] std::optional<Beginning> hold(std::string_view& text, Output& output);
     [[nodiscard]] std::vector<Line> held_lines() const;
+    [[nodiscard]] std::vector<Line> looked_at_lines() const; ///< the first of them
     [[nodiscard]] std::size_t number_of(const Line& line) const;
     /// Writes the held lines that are no rows. @return the rows, of which the first is line `first_line`
     [[nodiscard]] std::string_view start(const Beginning& beginning, std::size_t& first_line, Output& output);
